@@ -216,7 +216,7 @@ def other_numbers():
 
 
 def factors_that_vanish():
-    """Proportional sides whose pivot is zero, or that differ in an entry."""
+    """Proportional sides whose pivot is zero, or that differ in an entry, or that have one alone."""
     for c in numbers():
         certificate = {"method": "normal form", "denominators": [], "pivot": 0}
         kind, printed = "identity up to scale", f"Matrix([[{c}*x], [{c}*y]])"
@@ -225,6 +225,8 @@ def factors_that_vanish():
         yield honest, entry(kind, printed, f"Matrix([[x], [y + {c}]])", certificate)
         yield honest, changed(honest, 1, "certificate", "pivot")
         yield honest, changed(honest, -2, "certificate", "pivot")
+        yield honest, entry(kind, f"Matrix([[{c}*x]])", "Matrix([[x + y]])", certificate)
+        yield honest, entry(kind, f"{c}*x", "x + y", certificate)
 
 
 def other_ranks():

@@ -51,6 +51,13 @@ def declared(tmp_path):
         ('section.identity("1.1", "", derived=vector(x, y))', r"latex = '\mathbf{u}'", "vector(x, y)"),
         ('section.identity("1.1", "", derived=vector(x, y))', "latex = ['a = x y', 'b = 2']", "vector(x*y, 2)"),
         ('section.identity("1.1", "", derived=vector(x, y))', "latex = 'a = 0'", "vector(0, 0)"),
+        ('section.identity("1.1", "", derived=vector(x, y))', r"latex = 'a^T &= [x \ y]'", "vector(x, y)"),
+        ('section.identity("1.1", "", derived=vector(x, y).T)', r"latex = 'a^T = [x \ y]'", "vector(x, y).T"),
+        (
+            'section.identity("1.1", "", derived=sympy.eye(3, 2))',
+            "latex = ['a = 0', 'b = 0']",
+            "vector(0, 0, 0) * vector(0, 0).T",
+        ),
         ('section.definition("1.1", "")', "latex = 'a = x/y'", "over(x, y)"),
         ('section.vanishing("1.1", "", derived=x * y)', "latex = ['x = 0', 'y = 0']\nsides = [0]", "(x, y)"),
         ('section.up_to_scale("1.1", "", derived=vector(x, y))', r"latex = '\mathbf{u}'", "vector(x, y)"),
@@ -61,6 +68,26 @@ def test_the_printed_form_is_the_one_that_the_quote_has(call, quote, printed, de
     wanted = eval(printed, {"x": x, "y": y, "yp": yp, "over": over, "vector": vector})
     (claim,) = declared(call, quote)
     assert statement_text(claim.printed) == statement_text(wanted)
+
+
+COLUMN = 'section.identity("1.1", "", derived=vector(x, y))'
+TABLE = 'section.identity("1.1", "", derived=sympy.Matrix([[x, y], [1, 2], [3, 4]]))'
+
+
+@pytest.mark.parametrize(
+    ("call", "quote", "message"),
+    [
+        (COLUMN, r"latex = 'a = [x \ y]'", "shape"),
+        (COLUMN, r"latex = '[x \ y]'", "shape"),
+        (COLUMN, r"latex = 'a = \mathbf{u}^T'", "shape"),
+        (TABLE, r"latex = ['a = 0', 'b = 0', 'c = 0']", "got 3 expressions"),
+        (TABLE, r"latex = ['a = (x, 1, 3)^T', 'b = (y, 2, 4)^T']", "got 2 expressions"),
+        (TABLE, r"latex = ['a = (x, y)', 'b = (1, 2)', 'c = (3, 4)']", "got 3 expressions"),
+    ],
+)
+def test_a_quote_is_not_given_the_shape_of_what_is_derived(call, quote, message, declared):
+    with pytest.raises(BrokenModuleError, match=message):
+        declared(call, quote)
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
 from algebroproj_sym.declaring.quotes import FILE, UNPARSED, Quote, quotations
-from algebroproj_sym.expressions import Matrix, columns, entries, remembered, shape, vector
+from algebroproj_sym.expressions import Matrix, entries, remembered, shape, vector
 from algebroproj_sym.expressions.arranging import negated, sum_of
 from algebroproj_sym.proving import prove
 from algebroproj_sym.reading import (
@@ -23,6 +23,7 @@ from algebroproj_sym.reading import (
     Symbols,
     UnreadableDocumentError,
     UnreadableError,
+    formula_of,
     read_formula,
     symbols_for,
     tables_in,
@@ -43,8 +44,8 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     section, number : str
         Where the claim stands.
     derived : Expression or None
-        What is derived: several columns of a quote stand side by side, and other expressions fill its shape by rows.
-        A row is read as a column where that is derived.
+        What is derived: the numbers of a quote fill its shape by rows, and a zero stands for a column of zeros, or for
+        all of them.  A row is read as a column where the formula begins with what is transposed, as in x^T = (1, y).
     build : callable, optional
         What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
 
@@ -56,20 +57,17 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     quote, found = _read(folder, section, number, build)
     wanted: tuple[int, ...] = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
-        is_transposed = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
-        return found[0].T if is_transposed else found[0]
-    heights = {shape(form)[0] if shape(form)[1:] == (1,) else 0 for form in found}
-    if heights and 0 not in heights and (derived is None or wanted == (*heights, len(found))):
-        return columns(*found)
-    if derived is None and not any(map(shape, found)):
-        return vector(*found)
-    parts = [entry for form in found for entry in entries(form)]
-    if wanted and all(entry == 0 for entry in parts):
-        return Matrix.zeros(*wanted)
-    if wanted and len(parts) == wanted[0] * wanted[1]:
-        return Matrix(*wanted, parts)
+        is_row_of_column = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
+        return found[0].T if is_row_of_column and _names_a_transpose(quote, section, number, folder) else found[0]
+    if not any(map(shape, found)):
+        if derived is None:
+            return vector(*found)
+        if wanted and len(found) == wanted[0] * wanted[1]:
+            return Matrix(*wanted, found)
+        if wanted and len(found) in (1, wanted[1]) and all(form == 0 for form in found):
+            return Matrix.zeros(*wanted)
     of = f"a matrix of shape {wanted}" if wanted else "one expression"
-    raise DeclarationError(f"expected {of}, got {len(parts)} expressions in the quote on line {quote.line}")
+    raise DeclarationError(f"expected {of}, got {len(found)} expressions in the quote on line {quote.line}")
 
 
 def transcribed_factors(
@@ -106,6 +104,13 @@ def _read(folder: Path, section: str, number: str, build: Builder | None) -> tup
         raise DeclarationError(
             f"expected a quote that can be read, got the one on line {quote.line}{place}: {error}"
         ) from error
+
+
+def _names_a_transpose(quote: Quote, section: str, number: str, folder: Path) -> bool:
+    """Whether the first side of a formula is transposed."""
+    (cell,) = (cell for piece in quote.read for cell in _cells(piece))
+    first, *others = formula_of(cell, symbols_for(section, number, tables_in(folder))).sides
+    return bool(others) and first.data == "marked" and first.children[1] == "T"
 
 
 def _quote_of(folder: Path, number: str) -> Quote:

@@ -8,7 +8,7 @@ relation is judged (`judging`), and where one fails, the smallest change is soug
 
 from algebroproj_sym.reading.documents import Document, UnreadableDocumentError, document_at, document_of
 from algebroproj_sym.reading.folder import write_folder
-from algebroproj_sym.reading.grammar import Builder, Side, read_formula
+from algebroproj_sym.reading.grammar import Builder, Side, formula_of, read_formula
 from algebroproj_sym.reading.judging import VERDICTS, Link, Reading, Verdict, read_document
 from algebroproj_sym.reading.lexing import UnreadableError
 from algebroproj_sym.reading.ordering import in_order
@@ -29,6 +29,7 @@ __all__ = [
     "Verdict",
     "document_at",
     "document_of",
+    "formula_of",
     "in_order",
     "read_document",
     "read_formula",

@@ -166,8 +166,12 @@ def read_formula(latex: str, names: Names, build: Builder | None = None) -> tupl
     >>> left(), right()
     (y01**2*over(1, mu), 0)
     """
-    found = parsed(unaligned(pieces_of(latex)), lambda name: names(name) is not None)
-    return tuple(partial(build or evaluated, side, names) for side in found.sides)
+    return tuple(partial(build or evaluated, side, names) for side in formula_of(latex, names).sides)
+
+
+def formula_of(latex: str, names: Names) -> Parsed:
+    """Parse a formula whose equations may be aligned."""
+    return parsed(unaligned(pieces_of(latex)), lambda name: names(name) is not None)
 
 
 def evaluated(tree: Formula, names: Names) -> Expression:

@@ -77,6 +77,7 @@ def _primitive(polynomial: Polynomial) -> Polynomial:
 
 def _pivot(certificate: Certificate, places: int) -> int:
     pivot = integer(certificate.get("pivot"))
+    require(places > 1, "two single numbers always have a common factor")
     require(0 <= pivot < places, "the pivot is not the place of an entry")
     return pivot
 

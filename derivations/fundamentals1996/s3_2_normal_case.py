@@ -496,7 +496,7 @@ section.identity("3.2/w0'", "homogeneous coordinates of the epipole", where=ON_A
 
 # %%
 section.up_to_scale(
-    "3.2/h'N0", "line from the origin to the epipole", where={z_n: z_of_pair}, derived=cross(image_e0, w_left)
+    "3.2/h'N0", "line from the origin to the epipole", where={z_n: z_of_pair}, derived=cross(image_e0, w_left).T
 )
 section.identity("3.2.9#mu", "z_N from the parameters", where=ON_AXIS, derived=z_of_pair)
 

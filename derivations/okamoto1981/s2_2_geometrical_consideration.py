@@ -195,7 +195,7 @@ section.up_to_scale(
 
 # %%
 meeting, base_vector = linear_system(list(on_left_ray - on_right_ray), (rho1, rho2))
-section.up_to_scale("34", "condition of coplanarity", derived=Matrix([[determinant(columns(meeting, base_vector))]]))
+section.vanishing("34", "condition of coplanarity", derived=determinant(columns(meeting, base_vector)))
 
 # %% [markdown]
 # **Print.**  The base is not zero, and the lengths by which the coordinates are divided drop out.  Two rows are left.

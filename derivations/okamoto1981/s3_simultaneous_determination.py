@@ -75,7 +75,7 @@ BX, BY, BZ = sympy.symbols("B_X B_Y B_Z")
 base = vector(BX, BY, BZ)
 of_centers = given(base, center_right - center_left)
 meeting, base_vector = linear_system(list(on_left_ray - on_right_ray), (rho1, rho2))
-section.up_to_scale("41", "condition of coplanarity", derived=Matrix([[determinant(columns(meeting, base_vector))]]))
+section.vanishing("41", "condition of coplanarity", derived=determinant(columns(meeting, base_vector)))
 
 # %% [markdown]
 # **Print.**  The reduced coordinates, divided by their lengths, are the directions; the lengths drop out.

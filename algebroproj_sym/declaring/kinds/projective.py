@@ -11,7 +11,9 @@ from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.declaring.kinds.identity import decided, decided_text
 from algebroproj_sym.expressions import Scalar, TextForm, entries, evaluate, vector
+from algebroproj_sym.expressions.letters import ONE, parse_letters
 from algebroproj_sym.proving import Point, Proof, point_record
+from algebroproj_sym.proving.letters import shape_in_text
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
@@ -98,6 +100,19 @@ def up_to_scale(
     return section.declare(PROJECTIVE, number, title, printed, derived, **options)
 
 
+def _require_several_entries(claim: Claim, where: str) -> None:
+    if _is_single(claim):
+        reason = "since two single numbers always have a common factor"
+        raise DeclarationError(f"{where}, derived: expected several entries, {reason}, got one")
+
+
+def _is_single(claim: Claim) -> bool:
+    if not isinstance(claim.derived, TextForm):
+        return len(entries(claim.derived)) == 1
+    shapes = {name: shape_in_text(name, text) for name, text in claim.letters}
+    return parse_letters(claim.derived.text, shapes, "derived").shape == ONE
+
+
 PROJECTIVE = Kind(
     "identity up to scale",
     up_to_scale,
@@ -106,6 +121,7 @@ PROJECTIVE = Kind(
     takes=("constraints", "nonzero", "letters", "assumed"),
     one_shape=True,
     is_equality=True,
+    require=_require_several_entries,
     is_marked=True,
     derived="Derived, up to a factor",
     relation=r"\sim",

@@ -73,9 +73,11 @@ def stated(record: Mapping[str, Any]) -> Statement:
 
 
 def read_alone(setting: Mapping[str, Any], *texts: str) -> None:
-    """Reject texts that are no forms of one shape by themselves, before they become parts of another text."""
-    shapes = {name: declared(text).shape for name, text in setting["letters"].items()}
-    require(len({read(text, shapes).shape for text in texts}) == 1, "the two sides have not the same shape")
+    """Reject texts that are no matrices of one shape by themselves, before they become parts of another text."""
+    letters = {name: declared(text).shape for name, text in setting["letters"].items()}
+    shapes = {read(text, letters).shape for text in texts}
+    require(len(shapes) == 1, "the two sides have not the same shape")
+    require(shapes != {(1, 1)}, "two single numbers always have a common factor")
 
 
 def without_lengths(statement: Statement) -> Statement:

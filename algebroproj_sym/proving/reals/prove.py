@@ -97,7 +97,10 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
         if met and met[0].fails:
             return _refuted(record, statement, met[0])
     reason = UNDECIDED if met else NOWHERE
-    found = _integrated(record, statement, met) if has_integrals else _proved(record, statement, met, statement.hypotheses())
+    if has_integrals:
+        found = _integrated(record, statement, met)
+    else:
+        found = _proved(record, statement, met, statement.hypotheses())
     if isinstance(found, dict):
         return found
     tries = 0 if not met or has_integrals else ALL_TRIES

@@ -32,7 +32,7 @@ def test_each_way_to_declare_gives_its_kind(section):
         section.identity("1", "", printed=x, derived=x).kind,
         section.identity("2", "", printed=x, derived=y, constraints=[x - y]).kind,
         section.identity("3", "", printed=x, derived=x, nonzero=[x]).kind,
-        section.up_to_scale("4", "", printed=vector(x), derived=vector(y)).kind,
+        section.up_to_scale("4", "", printed=vector(x, x), derived=vector(y, y)).kind,
         section.structure("5", "", printed=vector(x), derived=vector(y)).kind,
         section.vanishing("6", "", printed=[x], derived=x).kind,
         section.numeric("7", "", printed="0.50", derived=sympy.Rational(1, 2)).kind,

@@ -595,3 +595,32 @@ def test_forged_derivatives_are_rejected(name, forge):
     assert replay_identity(forged).status == "replayed"
     forge(forged)
     assert replay_identity(forged).status == "rejected"
+
+
+# -- sizes
+
+
+@pytest.mark.parametrize("letters", [{"n": "nx1"}, {"n": "nxn"}, {"n": "nxn symmetric"}, {"n": "1x1", "A": "nxn"}])
+def test_a_letter_has_not_the_name_of_a_size(letters):
+    with pytest.raises(LetterError, match="expected another name than that of a size, got n"):
+        prove_texts("n", "2*n", letters=letters)
+    record = record_of("N", "2*N", {name.upper(): text for name, text in letters.items()})
+    renamed = {"lhs": "n", "rhs": "2*n", "letters": letters}
+    assert replay_identity(record).status == "replayed"
+    assert replay_identity({**record, **renamed}).reason == "a letter has the name of a size"
+
+
+@pytest.mark.parametrize(("right", "verdict"), [("trace(A)*A", "proved"), ("A", "refuted")])
+def test_a_number_that_a_derivative_drops_has_a_value_at_the_points(right, verdict):
+    record = record_of("diff(trace(A)*m, m, 1)*A", right, {"A": "nxn"})
+    assert record["verdict"] == verdict
+    assert replay_identity(record).status == "replayed"
+
+
+def test_there_is_no_derivative_by_a_size():
+    record = record_of("diff(trace(eye(n)), n, 1)*A", "0*A", {"A": "nxn"})
+    assert (record["verdict"], record["reason"]) == ("error", "diff: expected a letter that is no size, got n")
+    other = record_of("diff(trace(eye(n))*m, m, 1)*A", "n*A", {"A": "nxn"})
+    assert replay_identity(other).status == "replayed"
+    forged = {**other, "lhs": "diff(trace(eye(n))*n, n, 1)*A"}
+    assert replay_identity(forged).reason == "a derivative by a size"

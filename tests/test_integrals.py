@@ -122,6 +122,29 @@ def test_enclosures_of_integrals_have_the_value_of_other_quadrature(text, oracle
     assert (high - low) / 2**bits < 0.2
 
 
+# -- an antiderivative adds no hypothesis
+
+
+FALSE_BELOW = "integrate(1/sqrt(x^2), (x, a, b))", "log(b/a)"  # at a = -2, b = -1 it is log(2), and not log(1/2)
+
+
+def test_an_antiderivative_is_defined_where_the_integral_is():
+    assert found_for(*FALSE_BELOW)["verdict"] == "open"
+    found = found_for(*FALSE_BELOW, assumptions=["a > 0", "b > 0"])
+    assert (found["verdict"], found["hypotheses"]) == ("proved", ["a != 0", "b/a > 0"])
+    require_real(found)
+    for hypotheses in (["a != 0", "b/a > 0"], ["b > 0", "a > 0", "b/a > 0"]):
+        with pytest.raises(Rejected):
+            require_real({**found, "assumptions": [], "hypotheses": hypotheses})
+
+
+def test_an_antiderivative_that_is_defined_at_one_point_alone_is_refused(monkeypatch):
+    text = "x^2/2 + 0*sqrt(-(x - 2)^2)"
+    monkeypatch.setattr(integrals, "candidates", lambda _: iter([written(read(text))]))
+    found = found_for("integrate(x, (x, a, 2))", "2 - a", assumptions=["a > 1"])  # true at a = 2 alone
+    assert found["verdict"] != "proved"
+
+
 # -- what is said where no end is given
 
 

@@ -45,6 +45,12 @@ def test_what_holds_for_letters_follows(latex):
     assert last(latex).verdict == "follows"
 
 
+@pytest.mark.parametrize("letter", "nmkl")
+def test_a_size_that_nothing_says_is_no_number_of_the_text(letter):
+    latex = rf"where $I$ is the identity matrix \[ \operatorname{{tr}}(I) \mathbf{{A}}I = {letter}\mathbf{{A}} \]"
+    assert last(latex).verdict == "independent"
+
+
 def test_a_proof_says_what_its_letters_are_taken_for():
     (link,) = last(r"the rotation matrix $R$ \[ R^T R \mathbf{x} = \mathbf{x} \]").links
     assert link.hypotheses == ("R is nxn rotation", "x is nx1")

@@ -131,7 +131,13 @@ def readings(quote: Quote, symbols: Symbols, build: Builder | None = None) -> li
     UnreadableError
         If the quote is no formula, has no such side, or a symbol of it is not known.
     """
-    return [expression for piece in quote.read for expression in _readings(piece, quote, symbols, build)]
+    found = [expression for piece in quote.read for expression in _readings(piece, quote, symbols, build)]
+    return found if build else [in_canonical_order(expression) for expression in found]
+
+
+def in_canonical_order(expression: Any) -> Any:
+    """Return an expression with its sums in SymPy's order, which SymPy itself does not keep when it expands a sign."""
+    return expression.replace(lambda part: isinstance(part, sympy.Add), lambda part: part.func(*part.args))
 
 
 def numbers_in(text: str) -> list[Decimal]:

@@ -120,6 +120,7 @@ class _Reader:
         self._letters: dict[str, Shape] = {}
         self._known: dict[str, _Part] = {}
         self._sizes: dict[_Size, str] = {}
+        self._names: set[str] = set()
         self._functions: dict[str, str] = {}
         self._wholes: dict[str, tuple[str, Shape]] = {}
 
@@ -147,6 +148,7 @@ class _Reader:
         if symbol in vocabulary.given.symbols or vocabulary.constant(symbol) is not None or symbol == r"\infty":
             raise UnreadableError(f"{symbol} stands for no letter")
         name, size, properties = vocabulary.name(symbol), vocabulary.size_of(symbol), vocabulary.properties_of(symbol)
+        self._names.add(name)
         if vocabulary.is_component(symbol):
             raise UnreadableError(f"{name} is a component of a letter")
         if size is None and not properties and not vocabulary.is_matrix(symbol):
@@ -165,9 +167,12 @@ class _Reader:
         """Return a size as text."""
         if size.value is not None:
             return str(size.value)
-        if size.root not in self._sizes and len(self._sizes) >= len(_SIZES):
-            raise UnreadableError("there are too many sizes")
-        return self._sizes.setdefault(size.root, _SIZES[len(self._sizes) % len(_SIZES)])
+        if size.root not in self._sizes:
+            free = [name for name in _SIZES if name not in self._names and name not in self._sizes.values()]
+            if not free:
+                raise UnreadableError("there are too many sizes")
+            self._sizes[size.root] = free[0]
+        return self._sizes[size.root]
 
     def function(self, name: str, argument: str) -> str:
         """Return the name of the number that is the value of a function."""

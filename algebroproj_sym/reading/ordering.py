@@ -34,7 +34,7 @@ def in_order(tree: Formula, names: Names) -> Any:
     >>> from algebroproj_sym.reading.grammar import parsed
     >>> (side,) = parsed(r"3 (y - \frac{1}{b} a)^2").sides
     >>> written(in_order(side, sympy.Symbol), ordered=False, fractions=True)
-    '3*(y - (1/b)*a)**2'
+    '3*(y - 1/b*a)**2'
     """
     parts: list[Any] = tree.children
     match tree.data:

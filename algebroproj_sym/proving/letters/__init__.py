@@ -217,7 +217,11 @@ def _statement(
         raise LetterError(f"prove: expected two sides of one shape, got {shown}")
     if any(unit.shape != (1, 1) for unit in units):
         raise LetterError("nonzero: expected numbers, got a matrix")
-    return Statement(left, right, declared_letters(shapes, properties), (*zeros,), (*units,), scalars)
+    statement = Statement(left, right, declared_letters(shapes, properties), (*zeros,), (*units,), scalars)
+    both = sorted(statement.letters.keys() & {*statement.size_names})
+    if both:
+        raise LetterError(f"letters: expected another name than that of a size, got {both[0]}")
+    return statement
 
 
 def _named(properties: Mapping[Any, Any], reading: Reading) -> dict[str, Any]:

@@ -161,7 +161,7 @@ class _Question:
         self.letters = statement.letters
         self.size_names = statement.size_names
         self.definitions, statement = without_definitions(without_lengths(statement))
-        statement = without_derivatives(statement)
+        stated, statement = statement.terms, without_derivatives(statement)
         parts = {part.value for term in statement.terms for part in factors_of(term) if part.kind == "letter"}
         statement = replace(
             statement, letters={name: statement.letters[name] for name in statement.letters if name in parts}
@@ -170,6 +170,7 @@ class _Question:
         self.engine = engine
         self.witness: Point | None = None
         self.angles, self.plain = without_series(statement) if speaks_of_angles(statement) else ([], statement)
+        self.terms = statement.terms if self.angles else stated
         self.hypotheses = hypotheses_of(statement.terms, statement.letters)
 
     def found(self) -> Found:
@@ -298,7 +299,7 @@ class _Question:
         return {name: generator.randint(1, 3) for name in names}
 
     def _scalars(self) -> dict[str, sympy.Symbol]:
-        terms = (*self.statement.terms, *self.definitions.values())
+        terms = (*self.terms, *self.definitions.values())
         names = {part.value for term in terms for part in factors_of(term) if part.kind == "symbol"}
         others = sorted(names - {*self.size_names})
         return {name: self.statement.scalars.get(name, sympy.Symbol(name)) for name in others}

@@ -64,6 +64,8 @@ def _require_free(kind: str, letter: Term, statement: Statement) -> None:
         good = not properties if kind == "diff" else "orthogonal" in properties
     if not good:
         raise LetterError(f"{kind}: expected {needed}, got {letters_text(letter)}")
+    if letter.kind == "symbol" and letter.value in statement.size_names:
+        raise LetterError(f"{kind}: expected a letter that is no size, got {letters_text(letter)}")
     if any(letter in factors_of(constraint) for constraint in statement.constraints):
         raise LetterError(f"{kind}: expected a letter that no constraint binds, got {letters_text(letter)}")
 

@@ -16,7 +16,7 @@ from algebroproj_sym.proving.reals.samples import samples_at
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.reals.comparisons import comparisons
 from algebroproj_sym.replaying.reals.definitions import Condition, conditions, is_affine, kinds, replaced
-from algebroproj_sym.replaying.reals.integrals import NOT_CONTINUOUS, inside, ordered, with_ends
+from algebroproj_sym.replaying.reals.integrals import NOT_CONTINUOUS, at_the_ends, inside, ordered, with_ends
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.statement import Statement, with_antiderivatives
 from algebroproj_sym.replaying.reals.terms import Term, negative, written
@@ -87,8 +87,10 @@ def _expression(term: Term) -> sympy.Expr:
     return _OPERATIONS[kind](*parts) if kind in _OPERATIONS else getattr(sympy, _NAMES.get(kind, kind))(*parts)
 
 
-def integrated(statement: Statement, points: Sequence[Point]) -> tuple[Statement, list[dict[str, Any]]] | str:
-    """Return a statement without its integrals, and what shows their antiderivatives; or why there is none."""
+def integrated(
+    statement: Statement, points: Sequence[Point]
+) -> tuple[Statement, dict[Term, Term], list[dict[str, Any]]] | str:
+    """Return a statement without its integrals, their antiderivatives, and what shows them; or why there is none."""
     chosen = list[dict[str, Any]]()
     integrals = with_ends(statement.sides)
     for place, integral in enumerate(integrals):
@@ -100,7 +102,7 @@ def integrated(statement: Statement, points: Sequence[Point]) -> tuple[Statement
             entries[place] = {"antiderivative": text}
             try:
                 alone, found = with_antiderivatives(statement, entries)
-                entry = _shown(alone, integral, found[integral], points)
+                entry = _shown(statement.without_integrals(), alone, integral, found[integral], points)
             except (Rejected, NotReplayable, EffortExceededError, ValueError) as error:
                 reason = f"{reason}: {error}" if str(error) else reason
                 continue
@@ -113,12 +115,17 @@ def integrated(statement: Statement, points: Sequence[Point]) -> tuple[Statement
     for integral, entry in zip(integrals, chosen, strict=True):
         if entry["order"]:
             entry["ordered"] = _proof(whole.theory(), [ordered(integral, entry["order"])], points)
-    return whole, chosen
+    return whole, found, chosen
 
 
-def _shown(statement: Statement, integral: Term, whole: Term, points: Sequence[Point]) -> dict[str, Any] | None:
+def _shown(
+    before: Theory, statement: Statement, integral: Term, whole: Term, points: Sequence[Point]
+) -> dict[str, Any] | None:
     """Return what shows an antiderivative."""
     name = integral.value
+    defined = _proof(before, at_the_ends(integral, whole), points)
+    if defined is None:
+        return None
     values = [ends for point in points if (ends := _ends(integral, point)) is not None]
     theory = statement.theory()
     order = "up" if all(a <= b for a, b in values) else "down" if all(a >= b for a, b in values) else ""
@@ -133,6 +140,7 @@ def _shown(statement: Statement, integral: Term, whole: Term, points: Sequence[P
         "given": [f"{written(term)} {relation} 0" for relation, term in given],
         "order": order,
         "ordered": None,
+        "at the ends": defined,
     }
     between = [
         {**point, name: a + (b - a) * part} for point, (a, b) in zip(points, values, strict=False) for part in PARTS

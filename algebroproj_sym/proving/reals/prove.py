@@ -97,7 +97,10 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
         if met and met[0].fails:
             return _refuted(record, statement, met[0])
     reason = UNDECIDED if met else NOWHERE
-    found = _integrated(record, statement, met) if has_integrals else _proved(record, statement, met)
+    if has_integrals:
+        found = _integrated(record, statement, met)
+    else:
+        found = _proved(record, statement, met, statement.hypotheses())
     if isinstance(found, dict):
         return found
     tries = 0 if not met or has_integrals else ALL_TRIES
@@ -111,9 +114,11 @@ def _integrated(record: Mapping[str, Any], statement: Statement, met: Sequence[P
     found = integrated(statement, [place.point for place in met])
     if isinstance(found, str):
         return found
-    whole, entries = found
+    whole, antiderivatives, entries = found
     where = [*islice(places(whole, FIRST_TRIES), ENOUGH)]
-    return None if any(place.fails for place in where) else _proved(record, whole, where, entries)
+    if any(place.fails for place in where):
+        return None
+    return _proved(record, whole, where, statement.hypotheses(antiderivatives), entries)
 
 
 def may_agree(lhs: str, rhs: str) -> bool:
@@ -146,7 +151,11 @@ def _places(lhs: str, rhs: str) -> Iterator[Place]:
 
 
 def _proved(
-    record: Mapping[str, Any], statement: Statement, met: Sequence[Place], integrals: Sequence[Any] = ()
+    record: Mapping[str, Any],
+    statement: Statement,
+    met: Sequence[Place],
+    hypotheses: Sequence[str],
+    integrals: Sequence[Any] = (),
 ) -> dict[str, Any] | None:
     if not met:
         return None
@@ -161,7 +170,7 @@ def _proved(
     found = {
         **record,
         "verdict": "proved",
-        "hypotheses": statement.hypotheses(),
+        "hypotheses": hypotheses,
         "counterexample": None,
         "certificate": {
             "method": "real laws",

@@ -45,6 +45,7 @@ def _require_free(kind: str, letter: Node, statement: Statement) -> None:
     bound = any(part == letter for node in statement.constraints for part in parts_of(node))
     require(not bound, "a derivative by a letter that a constraint binds")
     if kind == "diff" and letter.kind == "symbol":
+        require(letter.value not in statement.sizes, "a derivative by a size")
         return
     require(letter.kind == "letter", "a derivative by what is no letter")
     properties = statement.letters[letter.value].properties

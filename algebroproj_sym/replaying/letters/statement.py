@@ -69,7 +69,9 @@ def stated(record: Mapping[str, Any]) -> Statement:
     constraints = (*map(zero, texts(record["constraints"])),)
     nonzero = tuple(read(text, shapes) for text in texts(record["nonzero"]))
     require(all(unit.shape == (1, 1) for unit in nonzero), "what is not zero is no number")
-    return Statement(left, right, letters, constraints, nonzero)
+    statement = Statement(left, right, letters, constraints, nonzero)
+    require(not statement.sizes & letters.keys(), "a letter has the name of a size")
+    return statement
 
 
 def read_alone(setting: Mapping[str, Any], *texts: str) -> None:

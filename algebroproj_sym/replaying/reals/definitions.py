@@ -95,13 +95,15 @@ _ASKED: dict[str, tuple[tuple[str, Callable[[Term], Term]], ...]] = {
 def conditions(term: Term) -> Iterator[Condition]:
     """Yield what must hold for a term to be defined and real, inside first: ``>=``, ``>`` or ``!=`` zero.
 
+    Of an integral, these are the conditions of its ends.
+
     Examples
     --------
     >>> from algebroproj_sym.replaying.reals.terms import read, written
     >>> [(relation, written(part)) for relation, part in conditions(read("tan(x) + log(1/sqrt(y))"))]
     [('!=', 'cos(x)'), ('>=', 'y'), ('!=', 'sqrt(y)'), ('>', '1/sqrt(y)')]
     """
-    for part in term.args:
+    for part in term.args[1:] if term.kind == "integrate" else term.args:
         yield from conditions(part)
     if term.kind == "diff":
         yield from smoothness(term.args[0], term.value)

@@ -162,9 +162,21 @@ def ordered(integral: Term, order: str) -> Condition:
     return ">=", plus(last, negative(first))
 
 
-def require_antiderivative(theory: Theory, integral: Term, whole: Term, entry: Mapping[str, Any]) -> None:
-    """Reject an antiderivative unless it is shown that the integral is its difference at the ends."""
-    require_keys(entry, {"antiderivative", "given", "order", "ordered", "from end to end", "between the ends"})
+def at_the_ends(integral: Term, whole: Term) -> list[Condition]:
+    """Return what must hold for an antiderivative to be defined at both ends."""
+    return [pair for end in integral.args[1:] for pair in conditions(replaced(whole, integral.value, end))]
+
+
+def require_antiderivative(
+    before: Theory, theory: Theory, integral: Term, whole: Term, entry: Mapping[str, Any]
+) -> None:
+    """Reject an antiderivative unless it is shown that the integral is its difference at the ends.
+
+    That it is defined at the ends follows from what was known before: it may add no hypothesis.
+    """
+    proofs = {"ordered", "at the ends", "from end to end", "between the ends"}
+    require_keys(entry, {"antiderivative", "given", "order", *proofs})
+    require_proof(before, at_the_ends(integral, whole), entry["at the ends"])
     try:
         given = [pair for text in texts(entry["given"]) for pair in comparisons(text)]
     except UnreadableError as error:

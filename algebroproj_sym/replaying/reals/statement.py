@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from types import MappingProxyType
 from typing import Any
 
 from algebroproj_sym.replaying.reals.comparisons import compared, comparisons, equations
@@ -72,11 +73,20 @@ class Statement:
         """Return all that holds: what is assumed, and what must hold for both sides to be defined."""
         return [*self.given, *self.asked()]
 
-    def hypotheses(self) -> list[str]:
+    def hypotheses(self, antiderivatives: Mapping[Term, Term] = MappingProxyType({})) -> list[str]:
         """Return what must hold for both sides to be defined, as text."""
-        asked = dict.fromkeys(pair for pair in self.asked() if pair[1].symbols())
+        pairs = ((relation, evaluated(term, antiderivatives)) for relation, term in self.asked())
+        asked = dict.fromkeys(pair for pair in pairs if pair[1].symbols())
         weaker = {(relation, term) for strict, term in asked if strict == ">" for relation in (">=", "!=")}
         return [*dict.fromkeys(f"{written(term)} {sign} 0" for sign, term in asked if (sign, term) not in weaker)]
+
+    def without_integrals(self) -> Theory:
+        """Return what is known where the sides are defined, and is said without integrals."""
+        theory = Theory(self.symbols())
+        for relation, term in self.known():
+            if not any(term.integrals()):
+                theory.add(relation, theory.term(term, granted=True))
+        return theory
 
     def theory(self) -> Theory:
         """Return what is known where the sides are defined and the conditions hold."""
@@ -181,13 +191,14 @@ def require_real(record: Mapping[str, Any]) -> None:
     require(
         ("integrals" in certificate) == bool(integrals), "expected an antiderivative of each integral, and no other"
     )
-    statement, found = with_antiderivatives(statement, certificate.get("integrals", []))
-    require(record["hypotheses"] == statement.hypotheses(), "the hypotheses are not those of the text")
+    printed = statement
+    statement, found = with_antiderivatives(printed, certificate.get("integrals", []))
+    require(record["hypotheses"] == printed.hypotheses(found), "the hypotheses are not those of the text")
     _fails(statement, certificate["witness"], certificate["bits"])
     theory = statement.theory()
     require(certificate["functions"] == functions_of(theory), "the functions are not those of the statement")
     for integral, entry in zip(integrals, certificate.get("integrals", []), strict=True):
-        require_antiderivative(statement.theory(), integral, found[integral], entry)
+        require_antiderivative(printed.without_integrals(), statement.theory(), integral, found[integral], entry)
     require_proof(theory, (statement.goal,), certificate["proof"])
 
 

@@ -22,7 +22,6 @@ Rows: TypeAlias = Sequence[Sequence[Any]]
 Function: TypeAlias = Callable[..., Any]
 Prepared: TypeAlias = Callable[[Rows], tuple[Rows, Rows | None]]
 
-DOUBLE = np.dtype(np.float64)
 
 __all__ = ["least_pivot", "null_vector", "null_vector_once", "solve", "solve_once"]
 
@@ -112,16 +111,15 @@ def _in_double(solved: Function, heads: Rows, rests: Rows | None) -> tuple[Any, 
 
     Of many a good system the digits of float32 do not decide the rank.
     """
-    narrow = getattr(heads[0][0], "dtype", DOUBLE)
-    if rests is None or narrow.itemsize >= DOUBLE.itemsize:
-        return tuple(solved(heads, rests))
     xp = namespace(heads[0])
+    if rests is None or xp.finfo(heads[0][0].dtype).bits >= 64:
+        return tuple(solved(heads, rests))
     rows = [
         [_as_dtype(xp, head, xp.float64) + rest for head, rest in zip(*row, strict=True)]
         for row in zip(heads, rests, strict=True)
     ]
     found = solved(rows, [[0 * entry for entry in row] for row in rows])
-    return tuple(_as_dtype(xp, number, narrow) for number in found)
+    return tuple(_as_dtype(xp, number, heads[0][0].dtype) for number in found)
 
 
 def _have_bounds(rows: Rows) -> bool:
@@ -160,7 +158,10 @@ def _of_one_kind(rows: Rows) -> Rows:
 
 
 def _as_dtype(xp: Any, entry: Any, dtype: Any) -> Any:
-    return entry if hasattr(entry, "dtype") and entry.dtype == dtype else xp.asarray(entry, dtype=dtype)[()]
+    if hasattr(entry, "dtype") and entry.dtype == dtype:
+        return entry
+    found = xp.asarray(entry, dtype=dtype)
+    return found if found.ndim else found[()]
 
 
 def _is_refinable(number: Any) -> bool:

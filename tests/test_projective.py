@@ -38,5 +38,5 @@ p, q = sympy.MatrixSymbol("p", 3, 1), sympy.MatrixSymbol("q", 3, 1)
     ("printed", "derived"), [(a + b, a * b), (Matrix([[a + b]]), Matrix([[a * b]])), (p.T * q, p.T * p)]
 )
 def test_single_numbers_are_refused_since_two_always_have_a_common_factor(printed, derived):
-    with pytest.raises(DeclarationError, match="claim demo:1.1, derived: expected several entries"):
+    with pytest.raises(DeclarationError, match=r"claim demo:1\.1, derived: expected several entries"):
         Section("demo", "1", "Demo").up_to_scale("1.1", "any two", printed=printed, derived=derived)

@@ -90,6 +90,25 @@ def test_no_solution_is_finite_where_the_rank_is_exactly_deficient(primitive, dt
             assert not np.isfinite(np.array(getattr(systems, primitive)(*rows))).any()
 
 
+@pytest.mark.parametrize("apart", [540, 900, 1015])
+@pytest.mark.parametrize("primitive", ["solve", "null_vector"])
+def test_no_solution_is_finite_where_multiples_of_lines_underflow(primitive, apart):
+    large, small = 2.0**apart, 2.0**-apart
+    rows = [[3 * large, large, 5 * large], [3 * small, -2 * small, small]]
+    with np.errstate(all="ignore"):
+        assert not np.isfinite(getattr(systems, primitive)(*rows)).any()
+
+
+@pytest.mark.parametrize(("rows_apart", "columns_apart"), [(300, 0), (0, 300), (150, 150)])
+@pytest.mark.parametrize("primitive", ["solve", "null_vector"])
+def test_scales_of_lines_do_not_matter(primitive, rows_apart, columns_apart):
+    generator = np.random.default_rng(rows_apart)
+    rows = generator.normal(size=(5, 6, 400))
+    rows *= 2.0 ** generator.integers(-rows_apart, rows_apart + 1, (5, 1, 400))
+    rows *= 2.0 ** generator.integers(-columns_apart, columns_apart + 1, (1, 6, 400))
+    assert np.isfinite(getattr(systems, primitive)(*rows)).all()
+
+
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize("scale", [1.0, 2000.0])
 def test_no_good_input_is_refused(dtype, scale):

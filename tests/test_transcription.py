@@ -81,6 +81,7 @@ TABLE = 'section.identity("1.1", "", derived=sympy.Matrix([[x, y], [1, 2], [3, 4
         (COLUMN, r"latex = '[x \ y]'", "shape"),
         (COLUMN, r"latex = 'a = \mathbf{u}^T'", "shape"),
         (TABLE, r"latex = ['a = 0', 'b = 0', 'c = 0']", "got 3 expressions"),
+        (TABLE, r"latex = 'a = 0'", "got 1 expressions"),
         (TABLE, r"latex = ['a = (x, 1, 3)^T', 'b = (y, 2, 4)^T']", "got 2 expressions"),
         (TABLE, r"latex = ['a = (x, y)', 'b = (1, 2)', 'c = (3, 4)']", "got 3 expressions"),
     ],

@@ -44,8 +44,8 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     section, number : str
         Where the claim stands.
     derived : Expression or None
-        What is derived: the numbers of a quote fill its shape by rows, and a zero stands for a column of zeros, or for
-        all of them.  A row is read as a column where the formula begins with what is transposed, as in x^T = (1, y).
+        What is derived: the numbers of a quote fill its shape by rows, and a zero stands for a column of zeros.  A row
+        is read as a column where the formula begins with what is transposed, as in x^T = (1, y).
     build : callable, optional
         What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
 
@@ -64,7 +64,7 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
             return vector(*found)
         if wanted and len(found) == wanted[0] * wanted[1]:
             return Matrix(*wanted, found)
-        if wanted and len(found) in (1, wanted[1]) and all(form == 0 for form in found):
+        if wanted and len(found) == wanted[1] and all(form == 0 for form in found):
             return Matrix.zeros(*wanted)
     of = f"a matrix of shape {wanted}" if wanted else "one expression"
     raise DeclarationError(f"expected {of}, got {len(found)} expressions in the quote on line {quote.line}")

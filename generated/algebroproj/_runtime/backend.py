@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "dacaf2453c27f741"
+DIGEST = "16ad4c892348d0c0"
 """What identifies the C source that belongs to this package."""
 
 

@@ -703,7 +703,7 @@ section.identity(
 # %% [markdown]
 # **The rows of the centers.**  Each epipole is at infinity, in the direction of $X_2$.  A cell with the sign of
 # infinity is compared by its reciprocal.  Of $X_1$ the second homogeneous coordinate is zero as well: it has no
-# value, and the sign says that the point is at infinity, not that $X_1$ grows beyond all limits.
+# value.
 
 # %%
 ROWS_OF_CENTERS = {"O1": "right", "O2": "left"}
@@ -732,6 +732,8 @@ for name, side in ROWS_OF_CENTERS.items():
         f"epipole of the {side} image, coordinate X1 belongs to a point at infinity",
         printed=sympy.Integer(0),
         derived=output[0],
+        note="Favourable reading: the sign says that the point is at infinity.  X1 itself does not grow beyond all "
+        "limits: it is constant on each epipolar line.",
     )
 
 # %% [markdown]

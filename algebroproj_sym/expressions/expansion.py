@@ -41,3 +41,8 @@ class taylor(sympy.Function):  # type: ignore[misc]  # noqa: N801 - reads as mat
             raise TypeError(f"taylor, variables: expected a symbol or several, got {variables}")
         if not (degree.is_Integer and degree >= 0):
             raise TypeError(f"taylor, degree: expected a natural number, got {degree}")
+
+    def _latex(self, printer: Any) -> str:
+        function, variables, degree = self.args
+        names = ", ".join(map(printer.doprint, variables if isinstance(variables, sympy.Tuple) else (variables,)))
+        return rf"\left[{printer.doprint(function)}\right]_{{{names}}}^{{\leq {degree}}}"

@@ -34,7 +34,7 @@ ROUNDOFF = 2.0**-53
 TINY = 2.0**-1000
 """More than what underflow can change."""
 
-PRECISE = 2.0**-44
+PRECISE = 2.0**-40
 """How large an error may be, as a share of the norm, before integers are asked."""
 
 BISECTIONS = 64
@@ -116,7 +116,7 @@ def seven_pairs(x_left: ArrayLike, x_right: ArrayLike) -> SevenPairs:
 
     Notes
     -----
-    An error is at most 2**-44 of the norm if the largest coordinate of each image is near to 1; mostly it is a few
+    An error is at most 2**-40 of the norm if the largest coordinate of each image is near to 1; mostly it is a few
     units in the last place.  Scaling F to other units multiplies elements and errors alike.
 
     Examples

@@ -321,6 +321,11 @@ def test_what_no_output_needs_is_not_computed():
     assert statements(program) == ["const real x = in[0][i];", "out[0][i] = x;"]
 
 
+def test_constants_are_handed_to_functions_for_four_points_at_a_time_too():
+    steps = (Step("t0", "*", ("x", 3)), Step("t1", "product_error", ("x", 3, "t0")))
+    assert "const real t1 = product_error(x, constant(3), t0);" in statements(Program(("x",), steps, ("t1",)))
+
+
 def test_the_digest_depends_on_every_c_file():
     files = {"a.c": "1", "b.h": "2", "c.py": "DIGEST_OF_THE_SOURCE"}
     digests = {stamped(files | change)["c.py"] for change in ({}, {"a.c": "3"}, {"b.h": "3"})}

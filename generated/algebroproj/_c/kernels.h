@@ -11413,7 +11413,7 @@ KERNEL(minimal_discriminant)
         const real t33 = c0 * c3;
         const real t34 = product_error(c0, c3, t33);
         const real t35 = t33 * 18;
-        const real t36 = product_error(t33, 18, t35);
+        const real t36 = product_error(t33, constant(18), t35);
         const real t37 = t34 * 18;
         const real t38 = t36 + t37;
         const real t39 = t35 * c1;
@@ -11433,7 +11433,7 @@ KERNEL(minimal_discriminant)
         const real t53 = t51 + t52;
         const real t54 = t50 + t53;
         const real t55 = t49 * 27;
-        const real t56 = product_error(t49, 27, t55);
+        const real t56 = product_error(t49, constant(27), t55);
         const real t57 = t54 * 27;
         const real t58 = t56 + t57;
         const real t59 = t48 - t27;
@@ -11445,7 +11445,7 @@ KERNEL(minimal_discriminant)
         const real t65 = t64 - t58;
         const real t66 = t48 - t55;
         const real t67 = t23 * 4;
-        const real t68 = product_error(t23, 4, t67);
+        const real t68 = product_error(t23, constant(4), t67);
         const real t69 = t24 * 4;
         const real t70 = t68 + t69;
         const real t71 = t67 * c0;
@@ -11465,7 +11465,7 @@ KERNEL(minimal_discriminant)
         const real t85 = t84 - t78;
         const real t86 = t66 - t75;
         const real t87 = t25 * 4;
-        const real t88 = product_error(t25, 4, t87);
+        const real t88 = product_error(t25, constant(4), t87);
         const real t89 = t26 * 4;
         const real t90 = t88 + t89;
         const real t91 = t87 * c3;

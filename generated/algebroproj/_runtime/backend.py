@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "1a66c125f1eda3f6"
+DIGEST = "394537c113a08b40"
 """What identifies the C source that belongs to this package."""
 
 

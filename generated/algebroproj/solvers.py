@@ -550,7 +550,8 @@ def _exact_roots(first: list[int], second: list[int]) -> list[Root] | None:
 def _with_double_root(c: list[int]) -> list[tuple[int, Fraction, Fraction]]:
     """Return multiplicity, s and t of the roots of a cubic form with a multiple root.
 
-    They are rational: a double root is that of the Hessian, okamoto1981 (3/beyond/hessian), which is zero for a triple one.
+    They are rational: a double root is that of the Hessian, okamoto1981 (3/beyond/hessian).  For a triple one that is
+    zero.
     """
     hessian = [c[1] ** 2 - 3 * c[0] * c[2], c[1] * c[2] - 9 * c[0] * c[3], c[2] ** 2 - 3 * c[1] * c[3]]
     double = any(hessian)

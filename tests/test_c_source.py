@@ -266,13 +266,15 @@ def test_the_range_of_operands_and_errors_of_other_products_are_refused_elsewher
 @pytest.mark.parametrize("name", COMPILED)
 def test_the_range_of_every_operand_of_a_product_whose_error_is_taken_is_kept(name, source):
     """Squares that are kept are less than a 4096th of the largest number: so products must be of fewer terms."""
-    body = source.kernels[c_name(COMPILED[name])]
-    kept = {"0", "1", "2", "3", "4", *re.findall(r"within\(range, (.+?)\)", body)}
+    body = re.sub(r"constant\((\d+)\)", r"\1", source.kernels[c_name(COMPILED[name])])
+    kept = {*re.findall(r"within\(range, (.+?)\)", body)}
     sums = {name: parts for name, *parts in re.findall(r"const real (\w+) = (\w+) [-+] (\w+);", body)}
     sums |= {name: [part] for name, part in re.findall(r"const real (\w+) = -(\w+);", body)}
 
     @cache
     def terms(operand):
+        if operand.isdecimal():
+            return max(int(operand), 1)
         return 1 if operand in kept else sum(map(terms, sums[operand]))
 
     for left, right in re.findall(r"product_error\((.+?), (.+?), .+?\)", body):
@@ -319,6 +321,11 @@ def test_names_that_c_does_not_leave_free_are_changed():
 def test_what_no_output_needs_is_not_computed():
     program = Program(("x", "y"), (Step("t0", "+", ("x", "y")), Step("t1", "neg", ("t0",))), ("x",))
     assert statements(program) == ["const real x = in[0][i];", "out[0][i] = x;"]
+
+
+def test_constants_are_handed_to_functions_for_four_points_at_a_time_too():
+    steps = (Step("t0", "*", ("x", 3)), Step("t1", "product_error", ("x", 3, "t0")))
+    assert "const real t1 = product_error(x, constant(3), t0);" in statements(Program(("x",), steps, ("t1",)))
 
 
 def test_the_digest_depends_on_every_c_file():

@@ -15,6 +15,7 @@ from algebroproj import (
     correlation,
     critical,
     metric,
+    minimal,
     normal_case,
     optics,
     orientation,
@@ -71,6 +72,11 @@ CONTRACT = {
     collinearity.intersect: ([(11,), (11,), (2,), (2,)], [(3,)]),
     collinearity.model_point: ([(3,), (3,), ()], [(3,)]),
     collinearity.similarity: ([(3,), (3,), (), (3,)], [(3,)]),
+    minimal.cubic: ([(3, 3), (3, 3)], [(4,)]),
+    minimal.discriminant: ([(4,)], [()]),
+    minimal.model_depth: ([(3, 3), (3,), (2,), (2,)], [()]),
+    minimal.collineation: ([(5, 4), (5, 4)], [(4, 4)]),
+    minimal.photographs: ([(3, 3), (3,), (4, 4)], [(11,), (11,)]),
     critical.determinant: ([(5, 2), (5, 2)], [()]),
     critical.algebraic_distance: ([(4, 4), (3,)], [()]),
     critical.quadric: ([(3,), (2,), (3,), (2,), (4, 3)], [(4, 4)]),
@@ -103,7 +109,7 @@ CONTRACT = {
 }
 FUNCTIONS = {function: arguments for function, (arguments, _) in CONTRACT.items()}
 RESULTS = {function: results for function, (_, results) in CONTRACT.items()}
-DRIVERS = {critical.classify, metric.adjust}
+DRIVERS = {critical.classify, metric.adjust, minimal.orientations, minimal.seven_pairs}
 TRIGONOMETRIC = {
     collinearity.coefficients,
     collinearity.similarity,

@@ -99,7 +99,7 @@ enum {
     BLOCK = 64,
     MOST_OPERANDS = 7,
     MOST_DIMENSIONS = 2,
-    MOST_INPUTS = 32,
+    MOST_INPUTS = 40,
     MOST_OUTPUTS = 45
 };
 
@@ -303,6 +303,22 @@ SOLVER(null_vector, 8, 9)
     solution[8] = (real)found[8];
     return range;
 }
+SOLVER(solve, 4, 4)
+{
+    const double rows[4][10] = {
+        {(double)system[0][0] + (double)system[0][5], (double)system[0][1] + (double)system[0][6], (double)system[0][2] + (double)system[0][7], (double)system[0][3] + (double)system[0][8], (double)system[0][4] + (double)system[0][9], 0},
+        {(double)system[1][0] + (double)system[1][5], (double)system[1][1] + (double)system[1][6], (double)system[1][2] + (double)system[1][7], (double)system[1][3] + (double)system[1][8], (double)system[1][4] + (double)system[1][9], 0},
+        {(double)system[2][0] + (double)system[2][5], (double)system[2][1] + (double)system[2][6], (double)system[2][2] + (double)system[2][7], (double)system[2][3] + (double)system[2][8], (double)system[2][4] + (double)system[2][9], 0},
+        {(double)system[3][0] + (double)system[3][5], (double)system[3][1] + (double)system[3][6], (double)system[3][2] + (double)system[3][7], (double)system[3][3] + (double)system[3][8], (double)system[3][4] + (double)system[3][9], 0},
+    };
+    double found[4];
+    solve_4_double_split(rows, found, 0);
+    solution[0] = (real)found[0];
+    solution[1] = (real)found[1];
+    solution[2] = (real)found[2];
+    solution[3] = (real)found[3];
+    return range;
+}
 SOLVER(solve, 5, 5)
 {
     const double rows[5][12] = {
@@ -355,6 +371,22 @@ SOLVER(null_vector, 8, 9)
     solution[6] = (real)found[6];
     solution[7] = (real)found[7];
     solution[8] = (real)found[8];
+    return range;
+}
+SOLVER(solve, 4, 4)
+{
+    const double rows[4][10] = {
+        {(double)system[0][0] + (double)system[0][5], (double)system[0][1] + (double)system[0][6], (double)system[0][2] + (double)system[0][7], (double)system[0][3] + (double)system[0][8], (double)system[0][4] + (double)system[0][9], 0},
+        {(double)system[1][0] + (double)system[1][5], (double)system[1][1] + (double)system[1][6], (double)system[1][2] + (double)system[1][7], (double)system[1][3] + (double)system[1][8], (double)system[1][4] + (double)system[1][9], 0},
+        {(double)system[2][0] + (double)system[2][5], (double)system[2][1] + (double)system[2][6], (double)system[2][2] + (double)system[2][7], (double)system[2][3] + (double)system[2][8], (double)system[2][4] + (double)system[2][9], 0},
+        {(double)system[3][0] + (double)system[3][5], (double)system[3][1] + (double)system[3][6], (double)system[3][2] + (double)system[3][7], (double)system[3][3] + (double)system[3][8], (double)system[3][4] + (double)system[3][9], 0},
+    };
+    double found[4];
+    solve_4_double_fused(rows, found, 0);
+    solution[0] = (real)found[0];
+    solution[1] = (real)found[1];
+    solution[2] = (real)found[2];
+    solution[3] = (real)found[3];
     return range;
 }
 SOLVER(solve, 5, 5)
@@ -616,6 +648,31 @@ static struct kernel kernels[] = {
      FOURS_VERSION(metric_to_normal_jacobian_fours),
      metric_to_normal_jacobian_float_split, FUSED_VERSION(metric_to_normal_jacobian_float_fused),
      metric_to_normal_jacobian_double_split, FUSED_VERSION(metric_to_normal_jacobian_double_fused)},
+    {"minimal_collineation", "(5,4),(5,4)->(4,4)", 2, 1, 1,
+     {{2, 5, 4}, {2, 5, 4}, {2, 4, 4}},
+     NULL,
+     minimal_collineation_float_split, FUSED_VERSION(minimal_collineation_float_fused),
+     minimal_collineation_double_split, FUSED_VERSION(minimal_collineation_double_fused)},
+    {"minimal_cubic", "(3,3),(3,3)->(4)", 2, 1, 0,
+     {{2, 3, 3}, {2, 3, 3}, {1, 1, 4}},
+     FOURS_VERSION(minimal_cubic_fours),
+     minimal_cubic_float_split, FUSED_VERSION(minimal_cubic_float_fused),
+     minimal_cubic_double_split, FUSED_VERSION(minimal_cubic_double_fused)},
+    {"minimal_discriminant", "(4)->()", 1, 1, 0,
+     {{1, 1, 4}, {0, 1, 1}},
+     FOURS_VERSION(minimal_discriminant_fours),
+     minimal_discriminant_float_split, FUSED_VERSION(minimal_discriminant_float_fused),
+     minimal_discriminant_double_split, FUSED_VERSION(minimal_discriminant_double_fused)},
+    {"minimal_model_depth", "(3,3),(3),(2),(2)->()", 4, 1, 0,
+     {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
+     FOURS_VERSION(minimal_model_depth_fours),
+     minimal_model_depth_float_split, FUSED_VERSION(minimal_model_depth_float_fused),
+     minimal_model_depth_double_split, FUSED_VERSION(minimal_model_depth_double_fused)},
+    {"minimal_photographs", "(3,3),(3),(4,4)->(11),(11)", 3, 2, 0,
+     {{2, 3, 3}, {1, 1, 3}, {2, 4, 4}, {1, 1, 11}, {1, 1, 11}},
+     FOURS_VERSION(minimal_photographs_fours),
+     minimal_photographs_float_split, FUSED_VERSION(minimal_photographs_float_fused),
+     minimal_photographs_double_split, FUSED_VERSION(minimal_photographs_double_fused)},
     {"normal_case_frame", "(),(2)->(3,3)", 2, 1, 0,
      {{0, 1, 1}, {1, 1, 2}, {2, 3, 3}},
      FOURS_VERSION(normal_case_frame_fours),
@@ -942,6 +999,26 @@ static struct plain_kernel plain_kernels[] = {
      {{2, 3, 3}, {1, 1, 2}, {0, 1, 1}, {2, 2, 12}},
      call_metric_to_normal_jacobian_float_plain, FUSED_VERSION(call_metric_to_normal_jacobian_float_plain_fused),
      call_metric_to_normal_jacobian_double_plain, FUSED_VERSION(call_metric_to_normal_jacobian_double_plain_fused)},
+    {"plain_minimal_collineation", "(5,4),(5,4)->(4,4)", 2, 1,
+     {{2, 5, 4}, {2, 5, 4}, {2, 4, 4}},
+     call_minimal_collineation_float_plain, FUSED_VERSION(call_minimal_collineation_float_plain_fused),
+     call_minimal_collineation_double_plain, FUSED_VERSION(call_minimal_collineation_double_plain_fused)},
+    {"plain_minimal_cubic", "(3,3),(3,3)->(4)", 2, 1,
+     {{2, 3, 3}, {2, 3, 3}, {1, 1, 4}},
+     call_minimal_cubic_float_plain, FUSED_VERSION(call_minimal_cubic_float_plain_fused),
+     call_minimal_cubic_double_plain, FUSED_VERSION(call_minimal_cubic_double_plain_fused)},
+    {"plain_minimal_discriminant", "(4)->()", 1, 1,
+     {{1, 1, 4}, {0, 1, 1}},
+     call_minimal_discriminant_float_plain, FUSED_VERSION(call_minimal_discriminant_float_plain_fused),
+     call_minimal_discriminant_double_plain, FUSED_VERSION(call_minimal_discriminant_double_plain_fused)},
+    {"plain_minimal_model_depth", "(3,3),(3),(2),(2)->()", 4, 1,
+     {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
+     call_minimal_model_depth_float_plain, FUSED_VERSION(call_minimal_model_depth_float_plain_fused),
+     call_minimal_model_depth_double_plain, FUSED_VERSION(call_minimal_model_depth_double_plain_fused)},
+    {"plain_minimal_photographs", "(3,3),(3),(4,4)->(11),(11)", 3, 2,
+     {{2, 3, 3}, {1, 1, 3}, {2, 4, 4}, {1, 1, 11}, {1, 1, 11}},
+     call_minimal_photographs_float_plain, FUSED_VERSION(call_minimal_photographs_float_plain_fused),
+     call_minimal_photographs_double_plain, FUSED_VERSION(call_minimal_photographs_double_plain_fused)},
     {"plain_normal_case_frame", "(),(2)->(3,3)", 2, 1,
      {{0, 1, 1}, {1, 1, 2}, {2, 3, 3}},
      call_normal_case_frame_float_plain, FUSED_VERSION(call_normal_case_frame_float_plain_fused),
@@ -1147,7 +1224,7 @@ static int execute(PyObject *module)
     }
     failed = failed < 0 ? -1 : PyModule_AddObjectRef(module, "calls", dictionary);
     Py_XDECREF(dictionary);
-    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "16ad4c892348d0c0");
+    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "394537c113a08b40");
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -566,6 +566,72 @@ static FUSED_TUNED int metric_to_normal_jacobian_fours(double *const *data, cons
     return in_range(range[0]);
 }
 
+static FUSED_TUNED int minimal_cubic_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[18], out[4], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_four(in + 9, data[1] + i * steps[1], 9);
+        read_four(in + 13, data[1] + i * steps[1] + 4, 9);
+        read_one(in + 17, data[1] + i * steps[1] + 8, 9);
+        minimal_cubic_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[2] + i * steps[2], 4);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int minimal_discriminant_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[4], out[1], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 4);
+        minimal_discriminant_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_1(out + 0, data[1] + i * steps[1]);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int minimal_model_depth_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[16], out[1], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_3(in + 9, data[1] + i * steps[1]);
+        read_2(in + 12, data[2] + i * steps[2]);
+        read_2(in + 14, data[3] + i * steps[3]);
+        minimal_model_depth_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_1(out + 0, data[4] + i * steps[4]);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int minimal_photographs_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[28], out[22], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_3(in + 9, data[1] + i * steps[1]);
+        read_four(in + 12, data[2] + i * steps[2], 16);
+        read_four(in + 16, data[2] + i * steps[2] + 4, 16);
+        read_four(in + 20, data[2] + i * steps[2] + 8, 16);
+        read_four(in + 24, data[2] + i * steps[2] + 12, 16);
+        minimal_photographs_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[3] + i * steps[3], 11);
+        write_four(out + 4, data[3] + i * steps[3] + 4, 11);
+        write_four(out + 7, data[3] + i * steps[3] + 7, 11);
+        write_four(out + 11, data[4] + i * steps[4], 11);
+        write_four(out + 15, data[4] + i * steps[4] + 4, 11);
+        write_four(out + 18, data[4] + i * steps[4] + 7, 11);
+    }
+    return in_range(range[0]);
+}
+
 static FUSED_TUNED int normal_case_frame_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[3], out[9], range[1] = {most_headroom};

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "16ad4c892348d0c0"
+DIGEST = "394537c113a08b40"
 """What identifies the C source that belongs to this package."""
 
 

@@ -380,7 +380,8 @@ def solving(
 
 
 def _operation(step: Step, names: Mapping[Operand, str]) -> str:
-    operands = [c_operand(operand, names) for operand in step.operands]
+    written = _assigned if step.operator == "product_error" else c_operand
+    operands = [written(operand, names) for operand in step.operands]
     if step.operator in _PATTERNS:
         return _PATTERNS[step.operator].format(*operands)
     return f" {step.operator} ".join(operands)
@@ -394,7 +395,7 @@ def c_operand(operand: Operand, names: Mapping[Operand, str]) -> str:
 
 
 def _assigned(operand: Operand, names: Mapping[Operand, str]) -> str:
-    """Return an operand as it is assigned, to four points at a time too."""
+    """Return an operand as it is assigned or handed to a function, for four points at a time too."""
     return f"constant({operand})" if isinstance(operand, int) else names[operand]
 
 

@@ -7,6 +7,7 @@ that are too long for a compiler; so is what is written by hand for NumPy.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby
 from textwrap import wrap
@@ -22,6 +23,8 @@ from algebroproj_sym.generating.program import Call, Operand
 from algebroproj_sym.generating.writing import NOTICE
 
 __all__ = ["declaration", "in_double", "render"]
+
+_CONSTANT = re.compile(r"\bconstant\((-?\d+)\)")
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.generating.backends.cpp"),
@@ -87,11 +90,11 @@ def _function(low: Lowered) -> dict[str, object]:
     vectors = [names[argument.name] for argument in kernel.arguments if argument.shape]
     read = [f"{names[argument.name]}{place}" for argument in kernel.arguments for place in _places(argument.shape)]
     lines, results = computations(expanded(low.program), read, _solved, vectors)
-    numbers = [number.removeprefix("constant(").removesuffix(")") for number in results]
+    body = [*lines, f"return {{{', '.join(results)}}};"]
     return {
         "documentation": _documentation(low),
         "head": head,
-        "body": [*lines, f"return {{{', '.join(numbers)}}};"],
+        "body": [_CONSTANT.sub(r"\1", line) for line in body],
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files as resources
@@ -11,11 +12,14 @@ from typing import Any
 
 from algebroproj_sym.exporting.compiling import ALLOWED as REALS
 from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, comment
+from algebroproj_sym.exporting.gallina import identifier, listed
+from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.generating import Lowered, c_name
+from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
 from algebroproj_sym.verifying.straight_line import Operation, straight_line_of_c
 
-CHECKER = ("Rounding", "Pairs", "Checker")
+CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Instances")
 """The files that all others require, each after those that it requires itself."""
 
 ALLOWED = REALS | {"ClassicalDedekindReals.sig_not_dec", "Classical_Prop.classic"}
@@ -37,6 +41,8 @@ _NUMBERED = ("SumOf", "DifferenceOf", "LowOfSum", "ProductOf", "ProductWithOne",
 _OPTIONAL = {"SumOf": (3,), "DifferenceOf": (3,), "LowOfSum": (2,), "ProductWithBoth": (3,)}
 """Which arguments of a rule may be absent."""
 
+_THEOREM = re.compile(r"^Theorem (\w+)", re.MULTILINE)
+
 _BY_NUMBER = ("LowOfSum", "NegativeOf", "RoundedPair", "RoundedSum")
 """The rules that refer to a fact that is not an exact value."""
 
@@ -55,6 +61,11 @@ class Accuracy:
 
     lowered: Lowered
     analysis: Analysis
+
+    @property
+    def reach(self) -> int | None:
+        """The range of arguments, 2^-k to 2^k, in which nothing overflows or underflows; None if none was found."""
+        return None if None in self.analysis.divisors else reach(self.lowered.program)
 
     @property
     def name(self) -> str:
@@ -80,7 +91,7 @@ def render(accuracies: Iterable[Accuracy]) -> dict[str, str]:
     return {
         **checker,
         **{f"{name}.v": text for name, text in texts.items()},
-        f"{ASSUMPTIONS}.v": _assumptions([*texts]),
+        f"{ASSUMPTIONS}.v": _assumptions(texts),
         "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*CHECKER, *texts, ASSUMPTIONS))]),
     }
 
@@ -97,12 +108,17 @@ def _file(found: Accuracy) -> str:
     Of the results, in row-major order and one after the other, {comment(results)}. *)
 
 From Coq Require Import ZArith NArith PArith List.
-From {LIBRARY} Require Import Rounding Checker.
+From {LIBRARY} Require Import Rounding Checker Ranges Machine Instances.
 Import ListNotations.
 Open Scope positive_scope.
 
-{definitions("", line.operations, found.analysis.certificate, found.bounds)}
-Lemma accepted : check lines certificate bounds = true.
+{definitions("", found.analysis)}
+{_unlimited(found) if found.reach is None else _in_range(found, found.reach)}"""
+
+
+def _unlimited(found: Accuracy) -> str:
+    """Return a theorem whose hypotheses are about what the lines compute."""
+    return f"""Lemma accepted : check lines certificate bounds = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Theorem {found.name} :
@@ -111,16 +127,63 @@ Proof. exact (check_sound lines certificate bounds accepted). Qed.
 """
 
 
-def definitions(
-    suffix: str, operations: Mapping[int, Operation], certificate: Sequence[Fact], bounds: Sequence[Bound]
-) -> str:
-    """Return the definitions of lines, certificate and bounds, whose names end in some suffix."""
-    lines = [f"({number}, {_operation(*operation)})" for number, operation in operations.items()]
+def _in_range(found: Accuracy, k: int) -> str:
+    """Return that theorem, one about machine numbers in a range, and one that says that there are such numbers."""
+    names = [_variable(name) for name in found.analysis.line.inputs]
+    given = listed(names)
+    chosen = instance(found.analysis, min(2**k, 9))
+    return f"""Lemma accepted : check_range {k} lines certificate bounds divisors = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+(** Where no intermediate result underflows, and numbers cannot be too large. *)
+Theorem {found.name} :
+  forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
+Proof. exact (check_range_bounds {k} lines certificate bounds divisors accepted). Qed.
+
+(** For all machine numbers that are zero or between 2^-{k} and 2^{k} in absolute value. *)
+Theorem {found.name}_in_range :
+  forall {" ".join(names)} : binary64,
+  Forall (argument {k}) {given} ->
+  Forall (determined (real (arguments {given})) lines) divisors ->
+  Forall (accurate (arguments {given}) lines) bounds.
+Proof. intros {" ".join(names)}. exact (check_range_sound {k} lines certificate bounds divisors accepted {given}). Qed.
+
+Lemma example : is_instance {k} lines bounds divisors {listed([*map(str, chosen)])}%Z = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+(** There are such numbers. *)
+Theorem {found.name}_possible :
+  exists {" ".join(names)} : binary64,
+  Forall (argument {k}) {given}
+  /\\ Forall (determined (real (arguments {given})) lines) divisors
+  /\\ Forall (applies (real (arguments {given})) lines) bounds.
+Proof.
+  exists {", ".join(f"(machine_integer ({value}))" for value in chosen)}.
+  exact (is_instance_sound {k} lines bounds divisors _ example).
+Qed.
+"""
+
+
+_USED = frozenset(
+    {"accurate", "applies", "argument", "arguments", "binary64", "bounds", "determined", "divisors", "lines", "real"}
+)
+"""What the theorems mention: an argument of a function of such a name is called otherwise."""
+
+
+def _variable(name: str) -> str:
+    spelled = identifier(name)
+    return f"{spelled}''" if spelled in _USED else spelled
+
+
+def definitions(suffix: str, found: Analysis) -> str:
+    """Return the definitions of lines, certificate, bounds and divisors, whose names end in some suffix."""
+    lines = [f"({number}, {_operation(*operation)})" for number, operation in found.line.operations.items()]
     return "\n".join(
         [
             _listed(f"lines{suffix} : program", lines),
-            _listed(f"certificate{suffix} : list command", _commands(certificate)),
-            _listed(f"bounds{suffix} : list bound", [_bound(bound) for bound in bounds]),
+            _listed(f"certificate{suffix} : list command", _commands(found.certificate)),
+            _listed(f"bounds{suffix} : list bound", [*map(_bound, filter(None, found.bounds))]),
+            _listed(f"divisors{suffix} : list bound", [*map(_bound, filter(None, found.divisors))]),
         ]
     )
 
@@ -170,8 +233,9 @@ def _argument(rule: str, place: int, argument: Any, numbers: Mapping[Fact, int])
     return _terms(argument) if isinstance(argument, tuple) else str(argument)
 
 
-def _assumptions(names: Sequence[str]) -> str:
+def _assumptions(texts: Mapping[str, str]) -> str:
     """Return a file that requires all others, mentions all theorems, and prints what they assume."""
-    required = "".join(f"From {LIBRARY} Require {name}.\n" for name in names)
-    mentioned = "".join(f"  let _ := @{LIBRARY}.{name}.{name} in\n" for name in names)
+    required = "".join(f"From {LIBRARY} Require {name}.\n" for name in texts)
+    stated = [(name, theorem) for name, text in texts.items() for theorem in _THEOREM.findall(text)]
+    mentioned = "".join(f"  let _ := @{LIBRARY}.{name}.{theorem} in\n" for name, theorem in stated)
     return f"{required}\nDefinition all_theorems : True :=\n{mentioned}  I.\n\nPrint Assumptions all_theorems.\n"

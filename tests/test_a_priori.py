@@ -356,22 +356,47 @@ def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     assert not assumed.error
     assert set(assumed.axioms) <= ALLOWED
     parts = [f"From Coq Require Import ZArith NArith PArith List.\nFrom {LIBRARY} Require Import Checker Machine Instances.\n"]
+    parts.append(f"From {LIBRARY} Require Import Exact {found[0].name}.\nFrom {LIBRARY} Require Formulas.\n")
     parts.append("Import ListNotations.\nOpen Scope positive_scope.\n")
     (analysed, k), changed = (found[0].analysis, found[0].reach), [*mutants(found[0].analysis)]
     for place, mutant in enumerate([analysed, *changed]):
         parts.append(definitions(str(place), mutant))
-    checks = [range_check(0, k), instance_check(k, instance(analysed, 9)), range_check(0, 0)]
+    checks = [range_check(0, k), instance_check(k, instance(analysed, 9)), range_check(0, 0), formula_check()]
     checks += [range_check(place, k) for place in range(1, len(changed) + 1)]
     checks += [range_check(0, wrong) for wrong in (k + 1, 2 * k, 1023, 5000)]
     singular = [1, 0, 0, 5, 4], [7, -5, 7, 8, -7], [2**53 + 1, -5, 7, 8, 4]
     checks += [instance_check(k, numbers) for numbers in singular]
     checks += [instance_check(3, [9, -5, 7, 8, 4]), instance_check(-1, [0, 0, 0, 0, 0])]
+    checks += [formula_check(lines=f"lines{place}") for place in computing_something_else(analysed, changed)]
+    checks += [formula_check(formulas=f"(Formulas.{operation} :: tl {FORMULAS})") for operation in OTHER_FORMULAS]
+    checks += [formula_check(formulas=f"(rev {FORMULAS})"), formula_check(factors="(tl Trees.factors)")]
     parts.append(f"Definition all := [{'; '.join(checks)}].\nEval vm_compute in map fst (filter snd (combine (seq 0 (length all)) all)).\n")
     (tmp_path / "mutants.v").write_text("\n".join(parts), encoding="utf-8")
     command = ["coqc", "-q", "-R", ".", LIBRARY, "mutants.v"]
     said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
     assert len(checks) > 60
-    assert "= [0%nat; 1%nat; 2%nat]" in " ".join(said.split())
+    assert "= [0%nat; 1%nat; 2%nat; 3%nat]" in " ".join(said.split())
+
+
+FORMULAS = "Trees.formulas"
+OTHER_FORMULAS = [f"Opp (hd (Formulas.Int 0) {FORMULAS})", "Int 0", "Var 7", f"Abs (hd (Formulas.Int 0) {FORMULAS})"]
+
+
+def formula_check(lines="lines0", formulas=FORMULAS, factors="Trees.factors"):
+    return f"is_formula 5 {lines} splits {factors} (map fst bounds0) {formulas}"
+
+
+def computing_something_else(analysed, changed):
+    """The places of mutants whose lines have another exact value at some point."""
+    point = [Fraction(value) for value in (2, 3, 5, 7, 11)]
+    truth, _ = sized(analysed.line, point)
+    for place, mutant in enumerate(changed, start=1):
+        try:
+            values, _ = sized(mutant.line, point)
+        except ZeroDivisionError:
+            continue
+        if any(values[bound.result] != truth[bound.result] for bound in filter(None, analysed.bounds)):
+            yield place
 
 
 def range_check(place, k):

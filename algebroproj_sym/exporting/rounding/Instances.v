@@ -60,9 +60,9 @@ Proof.
   unfold quantity. destruct (Pos.eqb_spec j i) as [-> | N]; [now rewrite PositiveMap.gss | now rewrite PositiveMap.gso].
 Qed.
 
-Lemma evaluated_represents numbers input full known x m o :
-  (forall j, input j = Q2R (numbers j)) -> (forall b, In b (operands o) -> full b = x b) -> represents known x m ->
-  value input x o = Q2R (fst (evaluated numbers known o)) /\ size input full m o = Q2R (snd (evaluated numbers known o)).
+Lemma evaluated_represents point input full known x m o :
+  (forall j, input j = Q2R (point j)) -> (forall b, In b (operands o) -> full b = x b) -> represents known x m ->
+  value input x o = Q2R (fst (evaluated point known o)) /\ size input full m o = Q2R (snd (evaluated point known o)).
 Proof.
   intros I F H. assert (Hx := fun j => proj1 (H j)). assert (Hm := fun j => proj2 (H j)).
   assert (Integer : forall z, IZR z = Q2R (inject_Z z)) by (intros z; unfold Q2R; simpl; lra).
@@ -71,10 +71,10 @@ Proof.
     rewrite ?Q2R_plus, ?Q2R_mult, ?Q2R_opp, <- ?Hx, <- ?Hm; auto.
 Qed.
 
-Lemma evaluation_represents numbers input full p :
-  (forall j, input j = Q2R (numbers j)) -> forall n known x m,
+Lemma evaluation_represents point input full p :
+  (forall j, input j = Q2R (point j)) -> forall n known x m,
   well_formed n p = true -> full = run (value input) p x -> represents known x m ->
-  represents (evaluation numbers p known) (run (value input) p x) (run (size input full) p m).
+  represents (evaluation point p known) (run (value input) p x) (run (size input full) p m).
 Proof.
   intros I. induction p as [|[i o] q IH]; intros n known x m W F H; [exact H|].
   assert (B := proj1 (well_formed_operation _ _ i o W (or_introl eq_refl))). simpl in W, F |- *.
@@ -99,9 +99,9 @@ Definition applies_to (known : quantities) (b : bound) : bool :=
   forallb (fun term => negb (Qeq_bool (fst (quantity known (fst term))) 0)) (snd (snd b))
   && negb (Qle_bool 1 (deviation_of known (fst (snd b)) (snd (snd b)))).
 
-Definition is_instance (k : Z) (p : program) (bounds divisors : list bound) (numbers : list Z) : bool :=
-  let known := evaluation (fun j => inject_Z (nth (Nat.pred (Pos.to_nat j)) numbers 0%Z)) p (PositiveMap.empty _) in
-  well_formed 1 p && (0 <=? k)%Z && forallb (fun n => (Z.abs n <=? 2 ^ Z.min k 53)%Z) numbers
+Definition is_instance (k : Z) (p : program) (bounds divisors : list bound) (integers : list Z) : bool :=
+  let known := evaluation (fun j => inject_Z (nth (Nat.pred (Pos.to_nat j)) integers 0%Z)) p (PositiveMap.empty _) in
+  well_formed 1 p && (0 <=? k)%Z && forallb (fun n => (Z.abs n <=? 2 ^ Z.min k 53)%Z) integers
   && forallb (applies_to known) (divisors ++ bounds)
   && forallb (fun d => negb (Qeq_bool (fst (quantity known (fst d))) 0)) divisors.
 
@@ -139,23 +139,23 @@ Proof.
   - now apply Z.leb_le.
 Qed.
 
-Theorem is_instance_sound k p bounds divisors numbers :
-  is_instance k p bounds divisors numbers = true ->
-  let given := map machine_integer numbers in
-  Forall (argument k) given /\ Forall (determined (real (arguments given)) p) divisors
-  /\ Forall (applies (real (arguments given)) p) bounds.
+Theorem is_instance_sound k p bounds divisors integers :
+  is_instance k p bounds divisors integers = true ->
+  let given := map machine_integer integers in
+  Forall (argument k) given /\ Forall (determined (numbers (map B2R given)) p) divisors
+  /\ Forall (applies (numbers (map B2R given)) p) bounds.
 Proof.
-  intros H given. unfold is_instance in H. apply andb_prop in H as [H H5]. apply andb_prop in H as [H H4].
+  intros H given. rewrite <- real_arguments. unfold is_instance in H. apply andb_prop in H as [H H5]. apply andb_prop in H as [H H4].
   apply andb_prop in H as [H H3]. apply andb_prop in H as [W K]. apply Z.leb_le in K. cbv zeta in H4, H5.
   rewrite forallb_forall in H3, H4, H5.
-  assert (Small : forall n, In n numbers -> (Z.abs n <= 2 ^ k)%Z /\ holds (IZR n) (machine_integer n)).
+  assert (Small : forall n, In n integers -> (Z.abs n <= 2 ^ k)%Z /\ holds (IZR n) (machine_integer n)).
   { intros n I. specialize (H3 n I). apply Z.leb_le in H3. split.
     - apply Z.le_trans with (1 := H3). apply Z.pow_le_mono_r; lia.
     - apply machine_integer_holds. apply Z.le_trans with (1 := H3). apply Z.pow_le_mono_r; lia. }
-  set (q := fun j => inject_Z (nth (Nat.pred (Pos.to_nat j)) numbers 0%Z)) in *.
+  set (q := fun j => inject_Z (nth (Nat.pred (Pos.to_nat j)) integers 0%Z)) in *.
   assert (I : forall j, real (arguments given) j = Q2R (q j)).
   { intros j. unfold real, arguments, q, given. generalize (Nat.pred (Pos.to_nat j)).
-    clear - Small. induction numbers as [|n numbers IH]; intros [|i]; simpl;
+    clear - Small. induction integers as [|n integers IH]; intros [|i]; simpl;
       try (unfold Q2R; simpl; lra).
     - destruct (Small n) as (_ & _ & ->); [now left|]. unfold Q2R; simpl; lra.
     - apply IH. intros n' I'. apply Small. now right. }

@@ -1,6 +1,6 @@
 (** What a program computes in binary64, where numbers overflow and underflow. *)
 
-From Coq Require Import Reals ZArith NArith PArith Wf_nat List Bool FMapPositive Lia Lra.
+From Coq Require Import Reals ZArith NArith PArith Wf_nat FunctionalExtensionality List Bool FMapPositive Lia Lra.
 From Flocq Require Import Core IEEE754.BinarySingleNaN.
 From Algebroproj Require Import Rounding Checker Ranges.
 
@@ -135,13 +135,17 @@ Definition applies (input : values) (p : program) (b : bound) : Prop :=
 Definition determined (input : values) (p : program) (b : bound) : Prop :=
   exact input p (fst b) <> 0 /\ applies input p b.
 
-(** The machine gives a number, no infinity, and it is as near the exact one as a bound says. *)
-Definition accurate (input : positive -> binary64) (p : program) (b : bound) : Prop :=
-  let v := machine input p (fst b) in
-  let x := exact (real input) p in
-  let t := deviation x (magnitude (real input) p) (fst (snd b)) (snd (snd b)) in
-  is_finite v = true
-  /\ (applies (real input) p b -> Rabs (B2R v - x (fst b)) <= t / (1 - t) * Rabs (x (fst b))).
+Definition arguments (given : list binary64) : positive -> binary64 :=
+  fun j => nth (Nat.pred (Pos.to_nat j)) given (B754_zero false).
+
+Definition numbers (given : list R) : values := fun j => nth (Nat.pred (Pos.to_nat j)) given 0.
+
+(** The machine gives a number, no infinity, and it is as near the exact value [y] as a bound says. *)
+Definition accurate (given : list binary64) (p : program) (b : bound) (y : R) : Prop :=
+  let v := machine (arguments given) p (fst b) in
+  let x := numbers (map B2R given) in
+  let t := deviation (exact x p) (magnitude x p) (fst (snd b)) (snd (snd b)) in
+  is_finite v = true /\ (applies x p b -> Rabs (B2R v - y) <= t / (1 - t) * Rabs y).
 
 Definition has_bound (divisors : list bound) (o : operation) : bool :=
   match o with Div _ b => existsb (fun d => Pos.eqb (fst d) b) divisors | _ => true end.
@@ -152,8 +156,8 @@ Definition check_range (k : Z) (p : program) (cert : list command) (bounds divis
 
 Definition argument (k : Z) (x : binary64) : Prop := is_finite x = true /\ in_range k (B2R x).
 
-Definition arguments (given : list binary64) : positive -> binary64 :=
-  fun j => nth (Nat.pred (Pos.to_nat j)) given (B754_zero false).
+Lemma real_arguments given : real (arguments given) = numbers (map B2R given).
+Proof. apply functional_extensionality. intros j. symmetry. exact (map_nth B2R given (B754_zero false) _). Qed.
 
 Lemma arguments_in k given : Forall (argument k) given -> forall j, argument k (arguments given j).
 Proof.
@@ -164,11 +168,12 @@ Qed.
 
 Theorem check_range_sound k p cert bounds divisors :
   check_range k p cert bounds divisors = true ->
-  forall given, Forall (argument k) given -> Forall (determined (real (arguments given)) p) divisors ->
-  Forall (accurate (arguments given) p) bounds.
+  forall given ys, Forall (argument k) given -> Forall (determined (numbers (map B2R given)) p) divisors ->
+  map (exact (numbers (map B2R given)) p) (map fst bounds) = ys ->
+  Forall2 (accurate given p) bounds ys.
 Proof.
-  intros H given G D. assert (A := arguments_in k given G). set (input := arguments given) in *. clearbody input. clear G.
-  unfold check_range in H. apply andb_prop in H as [H Hd]. apply andb_prop in H as [Hc Hf].
+  intros H given ys G D <-. assert (A := arguments_in k given G). unfold accurate. rewrite <- real_arguments in *.
+  set (input := arguments given) in *. clearbody input. clear G. unfold check_range in H. apply andb_prop in H as [H Hd]. apply andb_prop in H as [Hc Hf].
   assert (W := check_well_formed _ _ _ Hc). set (f := computed (real input) p).
   assert (T : forall i o, PositiveMap.find i (table p) = Some o -> In (i, o) p) by apply table_in.
   assert (S : Forall (fun named => small (f (fst named)) /\ harmless f (snd named)) p).
@@ -194,7 +199,7 @@ Proof.
     destruct o; try exact I. destruct (Q _ _ _ O) as (d & Id & <-). destruct (D _ Id) as (X & Z & L). cbv zeta in L.
     destruct (Fd _ Id Z L) as (q & E & G). fold f in E. change (f (fst d) <> 0). rewrite E. assert (P := factor_pos _ _ L G).
     intros N. apply Rmult_integral in N. destruct N; [now apply X | lra]. }
-  refine (Forall_impl _ _ Fb). intros b G. destruct (M (fst b)) as (M1 & M2). split; [exact M1|]. intros (Z & L).
+  rewrite map_map. clear Hc. induction Fb as [|b bounds G _ IH]; constructor; [|exact IH]. destruct (M (fst b)) as (M1 & M2). split; [exact M1|]. intros (Z & L).
   rewrite M2. now apply factor_error.
 Qed.
 

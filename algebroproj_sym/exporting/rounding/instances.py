@@ -22,7 +22,7 @@ _MEANING: Mapping[str, Callable[..., Any]] = {
 }
 
 
-def instance(found: Analysis, most: int) -> tuple[int, ...]:
+def instance(found: Analysis, most: int, is_regular: Callable[[tuple[int, ...]], bool] = bool) -> tuple[int, ...]:
     """Return integers for which no divisor is zero, and no sum whose condition number a bound mentions.
 
     Parameters
@@ -31,6 +31,8 @@ def instance(found: Analysis, most: int) -> tuple[int, ...]:
         A function and its bounds.
     most : int
         How large the integers may be.
+    is_regular : callable, optional
+        What else must hold of them.
 
     Examples
     --------
@@ -50,7 +52,7 @@ def instance(found: Analysis, most: int) -> tuple[int, ...]:
             values = _values(found.line, chosen)
         except ZeroDivisionError:
             continue
-        if all(values[place] for place in required):
+        if all(values[place] for place in required) and is_regular(chosen):
             return chosen
     raise AssertionError("unreachable")
 

@@ -12,14 +12,15 @@ from typing import Any
 
 from algebroproj_sym.exporting.compiling import ALLOWED as REALS
 from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, comment
-from algebroproj_sym.exporting.gallina import identifier, listed
+from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed
+from algebroproj_sym.exporting.rounding.formulas import Derived, derived
 from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.generating import Lowered, c_name
 from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
 from algebroproj_sym.verifying.straight_line import Operation, straight_line_of_c
 
-CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Instances")
+CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Instances", "Elimination", "Formulas", "Exact")
 """The files that all others require, each after those that it requires itself."""
 
 ALLOWED = REALS | {"ClassicalDedekindReals.sig_not_dec", "Classical_Prop.classic"}
@@ -86,14 +87,20 @@ def accuracy_of(lowered: Lowered, package: ModuleType) -> Accuracy:
 def render(accuracies: Iterable[Accuracy]) -> dict[str, str]:
     """Return the text of every file by its name: the checker, and a file for each function that has a bound."""
     texts = {found.name: _file(found) for found in accuracies if found.bounds}
-    folder = resources("algebroproj_sym.exporting.rounding")
-    checker = {f"{name}.v": folder.joinpath(f"{name}.v").read_text(encoding="utf-8") for name in CHECKER}
+    checker = {f"{name}.v": _source(name) for name in CHECKER}
     return {
         **checker,
         **{f"{name}.v": text for name, text in texts.items()},
         f"{ASSUMPTIONS}.v": _assumptions(texts),
         "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*CHECKER, *texts, ASSUMPTIONS))]),
     }
+
+
+def _source(name: str) -> str:
+    """Return the text of a file of the checker; those of formulas are shared with the theorems about claims."""
+    folder = resources("algebroproj_sym.exporting")
+    place = folder if f"{name}.v" in LEMMAS else folder / "rounding"
+    return place.joinpath(f"{name}.v").read_text(encoding="utf-8")
 
 
 def _file(found: Accuracy) -> str:
@@ -107,8 +114,10 @@ def _file(found: Accuracy) -> str:
 
     Of the results, in row-major order and one after the other, {comment(results)}. *)
 
-From Coq Require Import ZArith NArith PArith List.
-From {LIBRARY} Require Import Rounding Checker Ranges Machine Instances.
+From Coq Require Import Reals ZArith NArith QArith PArith List.
+From Flocq Require Import IEEE754.BinarySingleNaN.
+From {LIBRARY} Require Import Rounding Checker Ranges Machine Instances Exact.
+From {LIBRARY} Require Formulas.
 Import ListNotations.
 Open Scope positive_scope.
 
@@ -118,9 +127,7 @@ Open Scope positive_scope.
 
 def _unlimited(found: Accuracy) -> str:
     """Return a theorem whose hypotheses are about what the lines compute."""
-    return f"""Lemma accepted : check lines certificate bounds = true.
-Proof. vm_cast_no_check (eq_refl true). Qed.
-
+    return f"""{_computed("accepted", "check lines certificate bounds")}
 Theorem {found.name} :
   forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
 Proof. exact (check_sound lines certificate bounds accepted). Qed.
@@ -128,51 +135,92 @@ Proof. exact (check_sound lines certificate bounds accepted). Qed.
 
 
 def _in_range(found: Accuracy, k: int) -> str:
-    """Return that theorem, one about machine numbers in a range, and one that says that there are such numbers."""
-    names = [_variable(name) for name in found.analysis.line.inputs]
-    given = listed(names)
-    chosen = instance(found.analysis, min(2**k, 9))
-    return f"""Lemma accepted : check_range {k} lines certificate bounds divisors = true.
-Proof. vm_cast_no_check (eq_refl true). Qed.
-
+    """Return that theorem, what the formulas are, one about machine numbers in a range, and that there are such."""
+    names = [identifier(name) for name in found.analysis.line.inputs]
+    given, variables = listed(names), " ".join(names)
+    known = derived(found.lowered, found.analysis)
+    real, applied = f"(numbers (map B2R {given}))", " ".join(f"(B2R {name})" for name in names)
+    chosen = instance(found.analysis, min(2**k, 9), bool if known is None else known.is_regular)
+    integers = f"{listed([*map(str, chosen)])}%Z"
+    values, equal = f"(map (exact {real} lines) (map fst bounds))", "eq_refl"
+    formulas = premise = regular = introduced = proof = ""
+    if known is not None:
+        example = _computed("example_nonzero", f"nonzero_at {integers} Trees.factors")
+        formulas = f"{_formula(found, known)}{example}\n"
+        values, equal = f"(formula {applied})", f"({found.name}_formula {applied} N)"
+        premise, regular = f"\n  nonzero {applied} ->", f"\n  /\\ nonzero {applied}"
+        introduced, proof = "N ", f"conj (nonzero_at_sound {integers} Trees.factors example_nonzero) "
+    return f"""{_computed("accepted", f"check_range {k} lines certificate bounds divisors")}
 (** Where no intermediate result underflows, and numbers cannot be too large. *)
 Theorem {found.name} :
   forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
 Proof. exact (check_range_bounds {k} lines certificate bounds divisors accepted). Qed.
 
-(** For all machine numbers that are zero or between 2^-{k} and 2^{k} in absolute value. *)
+{formulas}(** For all machine numbers that are zero or between 2^-{k} and 2^{k} in absolute value. *)
 Theorem {found.name}_in_range :
-  forall {" ".join(names)} : binary64,
-  Forall (argument {k}) {given} ->
-  Forall (determined (real (arguments {given})) lines) divisors ->
-  Forall (accurate (arguments {given}) lines) bounds.
-Proof. intros {" ".join(names)}. exact (check_range_sound {k} lines certificate bounds divisors accepted {given}). Qed.
+  forall {variables} : binary64,
+  Forall (argument {k}) {given} ->{premise}
+  Forall (determined {real} lines) divisors ->
+  Forall2 (accurate {given} lines) bounds {values}.
+Proof.
+  intros {variables} A {introduced}D.
+  exact (check_range_sound {k} lines certificate bounds divisors accepted {given} _ A D {equal}).
+Qed.
 
-Lemma example : is_instance {k} lines bounds divisors {listed([*map(str, chosen)])}%Z = true.
-Proof. vm_cast_no_check (eq_refl true). Qed.
-
+{_computed("example", f"is_instance {k} lines bounds divisors {integers}")}
 (** There are such numbers. *)
 Theorem {found.name}_possible :
-  exists {" ".join(names)} : binary64,
-  Forall (argument {k}) {given}
-  /\\ Forall (determined (real (arguments {given})) lines) divisors
-  /\\ Forall (applies (real (arguments {given})) lines) bounds.
+  exists {variables} : binary64,
+  Forall (argument {k}) {given}{regular}
+  /\\ Forall (determined {real} lines) divisors
+  /\\ Forall (applies {real} lines) bounds.
 Proof.
   exists {", ".join(f"(machine_integer ({value}))" for value in chosen)}.
-  exact (is_instance_sound {k} lines bounds divisors _ example).
+  destruct (is_instance_sound {k} lines bounds divisors {integers} example) as (A & D & P).
+  exact (conj A ({proof}(conj D P))).
 Qed.
 """
 
 
-_USED = frozenset(
-    {"accurate", "applies", "argument", "arguments", "binary64", "bounds", "determined", "divisors", "lines", "real"}
-)
-"""What the theorems mention: an argument of a function of such a name is called otherwise."""
+def _computed(name: str, test: str) -> str:
+    """Return a lemma that a test succeeds."""
+    return f"Lemma {name} : {test} = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n"
 
 
-def _variable(name: str) -> str:
-    spelled = identifier(name)
-    return f"{spelled}''" if spelled in _USED else spelled
+def _formula(found: Accuracy, known: Derived) -> str:
+    """Return the formulas of the derivation, and the theorem that they are the exact values of the lines."""
+    names = [identifier(name) for name in found.analysis.line.inputs]
+    given, variables = listed(names), " ".join(names)
+    return f"""(** What the derivation says. *)
+Definition formula ({variables} : R) : list R :=
+  ({listed([*map(formula, known.formulas)])})%R.
+
+Definition nonzero ({variables} : R) : Prop :=
+  ({known.nonzero})%R.
+
+Definition splits : Exact.splits :=
+  {known.splits}.
+
+Module Trees.
+Import Formulas.
+
+Definition factors : list expr :=
+  ({known.factor_trees})%nat.
+
+Definition formulas : list expr :=
+  ({known.trees})%nat.
+End Trees.
+
+{_computed("equal", f"is_formula {len(names)} lines splits Trees.factors (map fst bounds) Trees.formulas")}
+Theorem {found.name}_formula :
+  forall {variables} : R, nonzero {variables} ->
+  map (exact (numbers {given}) lines) (map fst bounds) = formula {variables}.
+Proof.
+  intros {variables}.
+  exact (is_formula_sound {given} lines splits Trees.factors (map fst bounds) Trees.formulas equal).
+Qed.
+
+"""
 
 
 def definitions(suffix: str, found: Analysis) -> str:

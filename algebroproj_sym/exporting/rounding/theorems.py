@@ -18,7 +18,7 @@ from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.generating import Lowered, c_name
 from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
-from algebroproj_sym.verifying.straight_line import Operation, straight_line_of_c
+from algebroproj_sym.verifying.straight_line import straight_line_of_c
 
 CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Instances", "Elimination", "Formulas", "Exact")
 """The files that all others require, each after those that it requires itself."""

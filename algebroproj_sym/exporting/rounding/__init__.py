@@ -2,8 +2,8 @@
 
 `Rounding.v` has what Flocq proves of binary64, `Pairs.v` what follows for numbers kept as two, `Checker.v` the checker.
 `Ranges.v` follows exponents, so that `Machine.v` can conclude what the machine computes.  `Exact.v` compares exact
-values with formulas, and `Instances.v` finds that hypotheses can hold.  `theorems` writes a file for each function.  Its
-proof is a computation of these.
+values with formulas, and `Instances.v` finds that hypotheses can hold.  `theorems` writes a file for each function,
+whose proof is a computation of these.
 """
 
 from algebroproj_sym.exporting.rounding.theorems import ALLOWED, CHECKER, Accuracy, accuracy_of, render

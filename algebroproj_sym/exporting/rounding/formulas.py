@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from algebroproj_sym.exporting.gallina import exponent_list, formula, listed, rational, tree
 from algebroproj_sym.exporting.rational_functions import Field, expanded
 from algebroproj_sym.exporting.reading import formula_of
-from algebroproj_sym.exporting.terms import Term, difference, integer, name, names, negative, product, quotient, total
-from algebroproj_sym.expressions import entries, written
+from algebroproj_sym.exporting.terms import Term, difference, inlined, integer, name, negative, product, quotient, total
+from algebroproj_sym.expressions import Expression, entries, written
 from algebroproj_sym.generating import Lowered
 from algebroproj_sym.verifying.a_priori import Analysis
 from algebroproj_sym.verifying.straight_line import Operation
@@ -64,8 +64,8 @@ class Derived:
         return all(divisor(*point) != 0 for divisor in self.field.divisors)
 
 
-def derived(lowered: Lowered, found: Analysis) -> Derived | None:
-    """Return the formulas of the results that have a bound; None if they are not written in its arguments alone."""
+def derived(lowered: Lowered, found: Analysis) -> Derived:
+    """Return the formulas of the results that have a bound."""
     line = found.line
     field = Field(line.inputs)
     quotients: dict[int, Term] = {}
@@ -74,15 +74,22 @@ def derived(lowered: Lowered, found: Analysis) -> Derived | None:
         field.define(_called(number), term)
         if operation[0] == "/":
             quotients[number] = term
-    wanted = [written(entry, fractions=True) for entry in entries(lowered.kernel.derived)]
-    formulas = [formula_of(text) for text, bound in zip(wanted, found.bounds, strict=True) if bound is not None]
-    if not names(formulas).keys() <= {*line.inputs}:
-        return None
+    intermediate = {
+        str(symbol): _read(entry)
+        for stage in lowered.kernel.stages
+        for symbol, entry in zip(stage.results, entries(stage.derived), strict=True)
+    }
+    wanted = zip(entries(lowered.kernel.derived), found.bounds, strict=True)
+    formulas = inlined([_read(entry) for entry, bound in wanted if bound is not None], intermediate)
     for term in formulas:
         field.value(term)
     factors = tuple(expanded(divisor, line.inputs) for divisor in field.divisors)
     places = {called: place for place, called in enumerate(line.inputs)}
     return Derived(tuple(formulas), factors, field, places, quotients)
+
+
+def _read(expression: Expression) -> Term:
+    return formula_of(written(expression, fractions=True))
 
 
 def _called(number: int) -> str:

@@ -140,44 +140,41 @@ def _in_range(found: Accuracy, k: int) -> str:
     given, variables = listed(names), " ".join(names)
     known = derived(found.lowered, found.analysis)
     real, applied = f"(numbers (map B2R {given}))", " ".join(f"(B2R {name})" for name in names)
-    chosen = instance(found.analysis, min(2**k, 9), bool if known is None else known.is_regular)
+    chosen = instance(found.analysis, min(2**k, 9), known.is_regular)
     integers = f"{listed([*map(str, chosen)])}%Z"
-    values, equal = f"(map (exact {real} lines) (map fst bounds))", "eq_refl"
-    formulas = premise = regular = introduced = proof = ""
-    if known is not None:
-        example = _computed("example_nonzero", f"nonzero_at {integers} Trees.factors")
-        formulas = f"{_formula(found, known)}{example}\n"
-        values, equal = f"(formula {applied})", f"({found.name}_formula {applied} N)"
-        premise, regular = f"\n  nonzero {applied} ->", f"\n  /\\ nonzero {applied}"
-        introduced, proof = "N ", f"conj (nonzero_at_sound {integers} Trees.factors example_nonzero) "
     return f"""{_computed("accepted", f"check_range {k} lines certificate bounds divisors")}
 (** Where no intermediate result underflows, and numbers cannot be too large. *)
 Theorem {found.name} :
   forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
 Proof. exact (check_range_bounds {k} lines certificate bounds divisors accepted). Qed.
 
-{formulas}(** For all machine numbers that are zero or between 2^-{k} and 2^{k} in absolute value. *)
+{_formula(found, known)}
+(** For all machine numbers that are zero or between 2^-{k} and 2^{k} in absolute value. *)
 Theorem {found.name}_in_range :
   forall {variables} : binary64,
-  Forall (argument {k}) {given} ->{premise}
+  Forall (argument {k}) {given} ->
+  nonzero {applied} ->
   Forall (determined {real} lines) divisors ->
-  Forall2 (accurate {given} lines) bounds {values}.
+  Forall2 (accurate {given} lines) bounds (formula {applied}).
 Proof.
-  intros {variables} A {introduced}D.
-  exact (check_range_sound {k} lines certificate bounds divisors accepted {given} _ A D {equal}).
+  intros {variables} A N D.
+  exact (check_range_sound {k} lines certificate bounds divisors accepted {given} _ A D
+    ({found.name}_formula {applied} N)).
 Qed.
 
 {_computed("example", f"is_instance {k} lines bounds divisors {integers}")}
+{_computed("example_nonzero", f"nonzero_at {integers} Trees.factors")}
 (** There are such numbers. *)
 Theorem {found.name}_possible :
   exists {variables} : binary64,
-  Forall (argument {k}) {given}{regular}
+  Forall (argument {k}) {given}
+  /\\ nonzero {applied}
   /\\ Forall (determined {real} lines) divisors
   /\\ Forall (applies {real} lines) bounds.
 Proof.
   exists {", ".join(f"(machine_integer ({value}))" for value in chosen)}.
   destruct (is_instance_sound {k} lines bounds divisors {integers} example) as (A & D & P).
-  exact (conj A ({proof}(conj D P))).
+  exact (conj A (conj (nonzero_at_sound {integers} Trees.factors example_nonzero) (conj D P))).
 Qed.
 """
 

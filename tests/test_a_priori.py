@@ -23,6 +23,7 @@ from algebroproj_sym.declaring import kernels
 from algebroproj_sym.exporting import assumptions, compiled
 from algebroproj_sym.exporting.files import LIBRARY
 from algebroproj_sym.exporting.rounding import ALLOWED, CHECKER, accuracy_of, render
+from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.exporting.rounding.theorems import definitions
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import is_compiled, lower, run
@@ -251,7 +252,7 @@ def test_the_record_says_what_the_bounds_are():
 @given(st.integers(1, 2**40))
 def test_a_coefficient_of_three_digits_is_not_smaller_than_the_proved_one(coefficient):
     line = numbered(recorded("x", lambda x: (x,)))
-    (result,) = as_record(Analysis(line, (Bound(1, 0, ((1, coefficient),)),), ()))["results"]
+    (result,) = as_record(Analysis(line, (Bound(1, 0, ((1, coefficient),)),), (), ()))["results"]
     (term,) = result["terms"]
     assert 0 <= term["coefficient"] - coefficient / ONE <= 0.01 * coefficient / ONE
 
@@ -301,30 +302,34 @@ def test_a_changed_function_has_no_bound_of_the_function_itself(changed, tmp_pat
 
 def mutants(found: Analysis):
     """Programs, certificates and bounds that say something else: operations, constants and bounds are changed."""
-    line, bounds = found.line, [bound for bound in found.bounds if bound is not None]
-    for place, bound in enumerate(bounds):
-        smaller = [replace(bound, roundings=bound.roundings - 1)] if bound.roundings else []
-        for k, (number, coefficient) in enumerate(bound.terms):
-            others = bound.terms[:k], bound.terms[k + 1 :]
-            smaller.append(replace(bound, terms=(*others[0], (number, coefficient - 1), *others[1])))
-            smaller.append(replace(bound, terms=(*others[0], *others[1])))
-        for mutant in smaller:
-            yield line.operations, found.certificate, [*bounds[:place], mutant, *bounds[place + 1 :]]
+    line = found.line
+    for name in ("bounds", "divisors"):
+        bounds = getattr(found, name)
+        for place, bound in enumerate(bounds):
+            smaller = [replace(bound, roundings=bound.roundings - 1)] if bound.roundings else []
+            for k, (number, coefficient) in enumerate(bound.terms):
+                others = bound.terms[:k], bound.terms[k + 1 :]
+                smaller.append(replace(bound, terms=(*others[0], (number, coefficient - 1), *others[1])))
+                smaller.append(replace(bound, terms=(*others[0], *others[1])))
+            for mutant in smaller:
+                yield replace(found, **{name: (*bounds[:place], mutant, *bounds[place + 1 :])})
+    for place in range(len(found.divisors)):
+        yield replace(found, divisors=found.divisors[:place] + found.divisors[place + 1 :])
     other = {"+": "-", "-": "+", "*": "/", "/": "*", "neg": "product_error"}
     used = {number for fact in found.certificate for number in fact.arguments if isinstance(number, int)}
     for number, (operator, operands) in line.operations.items():
+        changed = None
         if operator in ("+", "-") and number in used:
-            yield {**line.operations, number: (other[operator], operands)}, found.certificate, bounds
-        if operator == "product_error":
-            wrong = (operands[0], operands[0], operands[2])
-            changed = {**line.operations, number: (operator, wrong)}
-            if operands[0] != operands[1]:
-                yield changed, found.certificate, bounds
+            changed = other[operator], operands
+        if operator == "product_error" and operands[0] != operands[1]:
+            changed = operator, (operands[0], operands[0], operands[2])
         if operator == "constant":
-            yield {**line.operations, number: (operator, (2**60 + 1,))}, found.certificate, bounds
+            changed = operator, (2**60 + 1,)
+        if changed is not None:
+            yield replace(found, line=replace(line, operations={**line.operations, number: changed}))
     for place, fact in enumerate(found.certificate):
-        if place % 7 == 0:
-            yield line.operations, found.certificate[:place] + found.certificate[place + 1 :], bounds, fact
+        if place % 7 == 0 and not any(fact in other.arguments for other in found.certificate):
+            yield replace(found, certificate=found.certificate[:place] + found.certificate[place + 1 :])
 
 
 def test_a_file_says_what_its_numbers_stand_for(lowered):
@@ -340,7 +345,7 @@ def test_a_file_says_what_its_numbers_stand_for(lowered):
 @pytest.mark.whole
 @needs_coq
 def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
-    """The theorems are accepted, rest on the listed axioms, and each mutant fails the checker."""
+    """The theorems are accepted, rest on the listed axioms; mutants, wider ranges and singular points fail."""
     lowered = [lower(*kernels([name])) for name in ("projection.mu_from_center", "affine.plane_coordinates")]
     found = [accuracy_of(low, algebroproj) for low in lowered]
     write_texts(render(found), tmp_path)
@@ -350,23 +355,55 @@ def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     assumed = assumptions(tmp_path, ALLOWED)
     assert not assumed.error
     assert set(assumed.axioms) <= ALLOWED
-    parts = [f"From Coq Require Import ZArith NArith PArith List.\nFrom {LIBRARY} Require Import Checker.\n"]
+    parts = ["From Coq Require Import ZArith NArith PArith List.\n"]
+    parts.append(f"From {LIBRARY} Require Import Checker Machine Instances.\n")
+    parts.append(f"From {LIBRARY} Require Import Exact {found[0].name}.\nFrom {LIBRARY} Require Formulas.\n")
     parts.append("Import ListNotations.\nOpen Scope positive_scope.\n")
-    names = []
-    for place, (operations, certificate, bounds, *missing) in enumerate(mutants(found[0].analysis)):
-        if missing and not numbers_stay(certificate, missing[0]):
-            continue
-        names.append(str(place))
-        parts.append(definitions(str(place), operations, certificate, bounds))
-    checks = "; ".join(f"check lines{name} certificate{name} bounds{name}" for name in names)
-    parts.append(f"Definition all := [{checks}].\nEval vm_compute in (length all, filter (fun ok => ok) all).\n")
+    (analysed, k), changed = (found[0].analysis, found[0].reach), [*mutants(found[0].analysis)]
+    for place, mutant in enumerate([analysed, *changed]):
+        parts.append(definitions(str(place), mutant))
+    checks = [range_check(0, k), instance_check(k, instance(analysed, 9)), range_check(0, 0), formula_check()]
+    checks += [range_check(place, k) for place in range(1, len(changed) + 1)]
+    checks += [range_check(0, wrong) for wrong in (k + 1, 2 * k, 1023, 5000)]
+    singular = [1, 0, 0, 5, 4], [7, -5, 7, 8, -7], [2**53 + 1, -5, 7, 8, 4]
+    checks += [instance_check(k, numbers) for numbers in singular]
+    checks += [instance_check(3, [9, -5, 7, 8, 4]), instance_check(-1, [0, 0, 0, 0, 0])]
+    checks += [formula_check(lines=f"lines{place}") for place in computing_something_else(analysed, changed)]
+    checks += [formula_check(formulas=f"(Formulas.{operation} :: tl {FORMULAS})") for operation in OTHER_FORMULAS]
+    checks += [formula_check(formulas=f"(rev {FORMULAS})"), formula_check(factors="(tl Trees.factors)")]
+    parts.append(f"Definition all := [{'; '.join(checks)}].\n")
+    parts.append("Eval vm_compute in map fst (filter snd (combine (seq 0 (length all)) all)).\n")
     (tmp_path / "mutants.v").write_text("\n".join(parts), encoding="utf-8")
     command = ["coqc", "-q", "-R", ".", LIBRARY, "mutants.v"]
     said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
-    assert len(names) > 50
-    assert f"({len(names)}%nat, [])" in " ".join(said.split())
+    assert len(checks) > 60
+    assert "= [0%nat; 1%nat; 2%nat; 3%nat]" in " ".join(said.split())
 
 
-def numbers_stay(certificate, missing):
-    """Whether no other fact refers to one that is left out by its number, which could not be written."""
-    return not any(missing in fact.arguments for fact in certificate)
+FORMULAS = "Trees.formulas"
+OTHER_FORMULAS = [f"Opp (hd (Formulas.Int 0) {FORMULAS})", "Int 0", "Var 7", f"Abs (hd (Formulas.Int 0) {FORMULAS})"]
+
+
+def formula_check(lines="lines0", formulas=FORMULAS, factors="Trees.factors"):
+    return f"is_formula 5 {lines} splits {factors} (map fst bounds0) {formulas}"
+
+
+def computing_something_else(analysed, changed):
+    """The places of mutants whose lines have another exact value at some point."""
+    point = [Fraction(value) for value in (2, 3, 5, 7, 11)]
+    truth, _ = sized(analysed.line, point)
+    for place, mutant in enumerate(changed, start=1):
+        try:
+            values, _ = sized(mutant.line, point)
+        except ZeroDivisionError:
+            continue
+        if any(values[bound.result] != truth[bound.result] for bound in filter(None, analysed.bounds)):
+            yield place
+
+
+def range_check(place, k):
+    return f"check_range ({k})%Z lines{place} certificate{place} bounds{place} divisors{place}"
+
+
+def instance_check(k, numbers):
+    return f"is_instance ({k})%Z lines0 bounds0 divisors0 [{'; '.join(map(str, numbers))}]%Z"

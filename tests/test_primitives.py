@@ -296,6 +296,29 @@ def test_proportional_equations_have_no_null_vector(dtype):
     assert not np.isfinite(joined(null_vector(*rows_of(matrix)))).all()
 
 
+@pytest.mark.parametrize("dtype", [np.complex64, np.complex128])
+@pytest.mark.parametrize("scale", [2.0**-100, 1.0, 2.0**30])
+@pytest.mark.parametrize("height", [2, 3, 5, 8])
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+def test_complex_numbers_decide_the_rank_by_a_bound(height, scale, dtype):
+    """Rows that depend on each other are refused, up to rounding in double precision; those that do not are solved."""
+    generator = np.random.default_rng(height)
+
+    def drawn(whole, *shape):
+        parts = generator.integers(-3, 4, (2, *shape)) if whole else generator.standard_normal((2, *shape))
+        return parts[0] + 1j * parts[1]
+
+    for whole in (True, False) if dtype == np.complex128 else (True,):
+        dependent = drawn(whole, 400, height, height - 1) @ drawn(whole, 400, height - 1, height + 1)
+        for function in (solve, null_vector):
+            lost = joined(function(*rows_of((scale * dependent).astype(dtype))))
+            assert not np.isfinite(lost).all(axis=-1).any()
+            assert lost.dtype == dtype
+    for function in (solve, null_vector):
+        found = joined(function(*rows_of((scale * drawn(False, 400, height, height + 1)).astype(dtype))))
+        assert np.isfinite(found).all(axis=-1).mean() > 0.99
+
+
 def test_deficient_rank_warns_and_can_be_made_to_raise():
     with pytest.warns(RuntimeWarning):
         null_vector([0.0, 0.0])

@@ -38,6 +38,11 @@ tt xH xI xO
 _BOUND = ("at_zero", "held", "rows", "same", "shared", "zero")
 """What proofs call what they have shown."""
 
+_ACCURACY = """
+B2R accurate applies argument binary64 bounds certificate determined divisors exact formula lines nonzero numbers splits
+"""
+"""What theorems about error bounds mention."""
+
 _DEFINED = re.compile(r"^\s*(?:Definition|Fixpoint|Inductive|Lemma|Theorem)\s+(\w+)", re.MULTILINE)
 _CONSTRUCTOR = re.compile(r"(?:\||:=)\s+([A-Z]\w*) [(:]")
 
@@ -47,7 +52,7 @@ def reserved() -> frozenset[str]:
     """Return the names that mean something in an exported file: no variable may be called so."""
     lemmas = [resources("algebroproj_sym.exporting").joinpath(name).read_text("utf-8") for name in LEMMAS]
     defined = {found for text in lemmas for found in (*_DEFINED.findall(text), *_CONSTRUCTOR.findall(text))}
-    return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *_BOUND, *defined])
+    return frozenset([*_KEYWORDS.split(), *_LIBRARY.split(), *_BOUND, *_ACCURACY.split(), *defined])
 
 
 FUNCTIONS = {"Rabs": "Abs", "floor": "Floor", "at_most": "Compare"}

@@ -112,7 +112,7 @@ def _found(step: Step, known: Mapping[Operand, _Exponents], numbers: Format) -> 
         return None if max(grid - numbers.tiniest, low - numbers.least) < 0 else _Exponents(grid, low, high)
     assert step.operator == "product_error"
     halves = max(x.high, y.high) + numbers.digits // 2 + 2
-    if grid < numbers.tiniest or halves >= numbers.most:
+    if low < numbers.least + numbers.digits or halves >= numbers.most:
         return None
     return _Exponents(grid, grid, high - numbers.digits)
 

@@ -83,12 +83,15 @@ class Analysis:
         What the function computes.
     bounds : tuple of Bound or None
         For each result; None where no rule leads to one.
+    divisors : tuple of Bound or None
+        The same for what is divided by.
     certificate : tuple of Fact
         The facts in order.
     """
 
     line: StraightLine
     bounds: tuple[Bound | None, ...]
+    divisors: tuple[Bound | None, ...]
     certificate: tuple[Fact, ...]
 
     @property
@@ -120,12 +123,14 @@ def analysis(line: StraightLine) -> Analysis:
     search = _Search(line)
     for number in line.operations:
         search.visit(number)
-    found = [search.factor(output) for output in line.outputs]
+    below = sorted({operands[1] for operator, operands in line.operations.values() if operator == "/"})
+    found = [search.factor(number) for number in (*line.outputs, *below)]
     bounds = tuple(
-        None if fact is None else Bound(output, fact.roundings, fact.terms)
-        for output, fact in zip(line.outputs, found, strict=True)
+        None if fact is None else Bound(number, fact.roundings, fact.terms)
+        for number, fact in zip((*line.outputs, *below), found, strict=True)
     )
-    return Analysis(line, bounds, tuple(_in_order([fact for fact in found if fact is not None])))
+    certificate = tuple(_in_order([fact for fact in found if fact is not None]))
+    return Analysis(line, bounds[: len(line.outputs)], bounds[len(line.outputs) :], certificate)
 
 
 def _in_order(wanted: Sequence[Fact]) -> Iterator[Fact]:

@@ -566,7 +566,7 @@ def coplanarity_determinant(A_left: ArrayLike, A_right: ArrayLike, x_left: Array
         result = ray1_2*ray2_5 + ray1_5*ray2_2 - ray1_1*ray2_6 - ray1_3*ray2_4 - ray1_4*ray2_3 - ray1_6*ray2_1
 
     The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
-    is zero or, in absolute value, between 2**-127 and 2**127.
+    is zero or, in absolute value, between 2**-126 and 2**126.
 
     Operations: 155 (19 additions, 46 subtractions, 90 multiplications).
     The derived expression takes 175 as written.

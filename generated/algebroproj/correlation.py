@@ -176,7 +176,7 @@ def epipolar_line_left(Z: ArrayLike, u_right: ArrayLike, *, out: NDArray[Any] | 
         result[2] = z20 + upp1*z21 + upp2*z22
 
     The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
-    is zero or, in absolute value, between 2**-485 and 2**485.
+    is zero or, in absolute value, between 2**-484 and 2**484.
 
     Operations: 12 (6 additions, 6 multiplications).
     The derived expression takes 12 as written.
@@ -239,7 +239,7 @@ def epipolar_line_right(Z: ArrayLike, u_left: ArrayLike, *, out: NDArray[Any] | 
         result[2] = z02 + up1*z12 + up2*z22
 
     The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
-    is zero or, in absolute value, between 2**-485 and 2**485.
+    is zero or, in absolute value, between 2**-484 and 2**484.
 
     Operations: 12 (6 additions, 6 multiplications).
     The derived expression takes 12 as written.

@@ -155,7 +155,7 @@ def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None =
         result = q00 + q01*y1 + q02*y2 + q03*y3 + y1*(q10 + q11*y1 + q12*y2 + q13*y3) + y2*(q20 + q21*y1 + q22*y2 + q23*y3) + y3*(q30 + q31*y1 + q32*y2 + q33*y3)
 
     The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
-    is zero or, in absolute value, between 2**-306 and 2**306.
+    is zero or, in absolute value, between 2**-305 and 2**305.
 
     Operations: 30 (15 additions, 15 multiplications).
     The derived expression takes 30 as written.

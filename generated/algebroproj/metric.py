@@ -389,7 +389,7 @@ def correlation_matrix(R_left: ArrayLike, R_right: ArrayLike, b: ArrayLike, *, o
         result[2, 2] = k1pp*(b3*k2p - b2*k3p) + k2pp*(b1*k3p - b3*k1p) + k3pp*(b2*k1p - b1*k2p)
 
     The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
-    is zero or, in absolute value, between 2**-306 and 2**306.
+    is zero or, in absolute value, between 2**-305 and 2**305.
 
     Operations: 72 (18 additions, 9 subtractions, 45 multiplications).
     The derived expression takes 126 as written.

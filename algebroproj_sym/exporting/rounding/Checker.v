@@ -47,7 +47,7 @@ Definition size (input x e : values) (o : operation) : R :=
   | ProductError a b p => e a * e b + e p
   end.
 
-Fixpoint run (step : values -> operation -> R) (p : program) (e : values) : values :=
+Fixpoint run {A : Type} (step : (positive -> A) -> operation -> A) (p : program) (e : positive -> A) : positive -> A :=
   match p with
   | [] => e
   | (i, o) :: q => run step q (fun j => if Pos.eqb j i then step e o else e j)
@@ -60,11 +60,11 @@ Definition computed (input : values) (p : program) := run (fun e o => RN (value 
 Definition exact (input : values) (p : program) := run (value input) p nothing.
 Definition magnitude (input : values) (p : program) := run (size input (exact input p)) p nothing.
 
-(** No product or quotient underflows, and nothing is divided by zero. *)
+(** No product or quotient underflows, and nothing is divided by zero where nothing is rounded. *)
 Definition regular (f x : values) (o : operation) : Prop :=
   match o with
-  | Mul a b => normal_or_zero (f a * f b)
-  | Div a b => f b <> 0 /\ x b <> 0 /\ normal_or_zero (f a / f b)
+  | Mul a b => normal_or_float (f a * f b)
+  | Div a b => x b <> 0 /\ normal_or_float (f a / f b)
   | ProductError a b _ => f a * f b = 0 \/ smallest_exact_product <= Rabs (f a * f b)
   | _ => True
   end.
@@ -93,7 +93,7 @@ Fixpoint well_formed (n : positive) (p : program) : bool :=
         && well_formed (Pos.succ i) q
   end.
 
-Definition local (step : values -> operation -> R) :=
+Definition local {A : Type} (step : (positive -> A) -> operation -> A) :=
   forall e e' o, (forall a, In a (operands o) -> e a = e' a) -> step e o = step e' o.
 
 Lemma local_value input : local (value input).
@@ -105,7 +105,7 @@ Proof. intros e e' o H. f_equal. now apply local_value. Qed.
 Lemma local_size input x : local (size input x).
 Proof. intros e e' [] H; simpl in *; rewrite ?(H a), ?(H b), ?(H p); auto. Qed.
 
-Lemma run_before step p : forall n e j, well_formed n p = true -> (j < n)%positive -> run step p e j = e j.
+Lemma run_before {T} (step : (positive -> T) -> operation -> T) p : forall n e j, well_formed n p = true -> (j < n)%positive -> run step p e j = e j.
 Proof.
   induction p as [|[i o] q IH]; intros n e j W J; [reflexivity|]. simpl in *.
   apply andb_prop in W as [W Wq]. apply andb_prop in W as [W _]. apply andb_prop in W as [W _].
@@ -113,7 +113,7 @@ Proof.
   destruct (Pos.eqb_spec j i); [lia | reflexivity].
 Qed.
 
-Lemma run_value step p :
+Lemma run_value {T} (step : (positive -> T) -> operation -> T) p :
   local step -> forall n e i o, well_formed n p = true -> In (i, o) p -> run step p e i = step (run step p e) o.
 Proof.
   intros L. induction p as [|[j k] q IH]; intros n e i o W I; [contradiction|]. simpl in *.
@@ -982,7 +982,7 @@ Lemma factor_of_quotient v a b k1 t1 k2 t2 :
   factor_holds v (k1 + k2 + 1) (merge t1 t2).
 Proof.
   intros O A B. assert (F := f_value _ _ O). assert (X := x_value _ _ O).
-  destruct (f_regular _ _ O) as (_ & Xb & G). simpl in *.
+  destruct (f_regular _ _ O) as (Xb & G). simpl in *.
   apply (round_factor v _ _ (x a / x b) (f a / f b)); [|rewrite F; now apply rounds_normal | exact X].
   intros Z D. apply not_zero_merge in Z as (Z1 & Z2). rewrite deviation_merge in *.
   assert (P1 := deviation_pos x m k1 t1). assert (P2 := deviation_pos x m k2 t2).
@@ -1162,7 +1162,7 @@ Proof.
       * apply Pos.eqb_eq in T. subst. nra.
       * apply andb_prop in T as [T1 T2]. apply zero_or_true in T1, T2; try exact S. nra.
     + apply andb_prop in T as [T1 T2]. apply zero_or_true in T1, T2; try exact S.
-      destruct (f_regular _ _ O) as (_ & Xb & _). apply Rmult_le_pos; [exact T1|].
+      destruct (f_regular _ _ O) as (Xb & _). apply Rmult_le_pos; [exact T1|].
       apply Rlt_le, Rinv_0_lt_compat. lra.
 Qed.
 
@@ -1218,36 +1218,48 @@ Definition bounded (input : values) (p : program) (b : bound) : Prop :=
   let t := deviation x (magnitude input p) (fst (snd b)) (snd (snd b)) in
   not_zero x (snd (snd b)) -> t < 1 -> Rabs (f (fst b) - x (fst b)) <= t / (1 - t) * Rabs (x (fst b)).
 
-Theorem check_sound p cert bounds :
+Lemma check_well_formed p cert bounds : check p cert bounds = true -> well_formed 1 p = true.
+Proof. unfold check. intros H. now apply andb_prop in H. Qed.
+
+Lemma computed_value input p i o :
+  well_formed 1 p = true -> In (i, o) p -> computed input p i = RN (value input (computed input p) o).
+Proof. apply (run_value (fun e o => RN (value input e o)) p (local_rounded input)). Qed.
+
+Lemma float_computed input p i : is_float (computed input p i).
+Proof. apply run_float. intros j. apply float_0. Qed.
+
+Theorem check_factors p cert bounds :
   check p cert bounds = true ->
-  forall input, (forall k, is_float (input k)) -> all_regular input p -> Forall (bounded input p) bounds.
+  forall input, (forall k, is_float (input k)) -> all_regular input p ->
+  Forall (fun b => factor_holds (computed input p) (exact input p) (magnitude input p) (fst b) (fst (snd b)) (snd (snd b)))
+    bounds.
 Proof.
   intros H input I R. unfold check in H. apply andb_prop in H as [W H].
   destruct (follow (table p) no_facts cert) as [s|] eqn:F; [|discriminate].
   assert (Values : forall i o, PositiveMap.find i (table p) = Some o -> In (i, o) p) by apply table_in.
-  assert (S : sound (table p) input (computed input p) (exact input p) (magnitude input p) s).
-  { refine (follow_sound (table p) input _ _ _ _ _ _ _ _ _ _ cert no_facts s (no_facts_sound _ _ _ _ _) F).
-    - intros i o O. now apply (run_value (fun e o => RN (value input e o)) p (local_rounded input) 1), Values.
-    - intros i o O. now apply (run_value (value input) p (local_value input) 1), Values.
-    - intros i o O. now apply (run_value (size input (exact input p)) p (local_size input _) 1), Values.
-    - intros i. apply run_float. intros j. apply float_0.
-    - exact I.
-    - intros i z O. apply float_constant. now apply (well_formed_constant p 1 i z W), Values.
-    - intros i o O. unfold all_regular in R. rewrite Forall_forall in R. now apply (R (i, o)), Values. }
   rewrite forallb_forall in H. apply Forall_forall. intros [v [k t]] B. specialize (H _ B).
-  unfold claims in H. simpl in H. destruct (factor_of (table p) s v) as [[k' t']|] eqn:E; [|discriminate].
-  apply andb_prop in H as [K T]. apply N.leb_le in K. intros Z D. simpl in *.
-  apply factor_error; try assumption. intros _ _.
+  unfold claims in H. simpl in *. destruct (factor_of (table p) s v) as [[k' t']|] eqn:E; [|discriminate].
+  apply andb_prop in H as [K T]. apply N.leb_le in K. intros Z D.
   assert (G : factor_holds (computed input p) (exact input p) (magnitude input p) v k' t').
-  { refine (factor_of_holds (table p) input _ _ _ _ _ _ _ _ _ s v k' t' S E).
-    - intros i o O. now apply (run_value (fun e o => RN (value input e o)) p (local_rounded input) 1), Values.
-    - intros i o O. now apply (run_value (value input) p (local_value input) 1), Values.
-    - intros i o O. now apply (run_value (size input (exact input p)) p (local_size input _) 1), Values.
-    - intros i. apply run_float. intros j. apply float_0.
-    - exact I.
-    - intros i z O. apply float_constant. now apply (well_formed_constant p 1 i z W), Values. }
+  { refine (factor_of_holds (table p) input _ _ _ _ _ _ _ _ _ s v k' t'
+      (follow_sound (table p) input _ _ _ _ _ _ _ _ _ _ cert no_facts s (no_facts_sound _ _ _ _ _) F) E).
+    all: try (intros i o O; apply Values in O).
+    all: try exact I.
+    all: try now apply computed_value.
+    all: try now apply (run_value (value input) p (local_value input) 1).
+    all: try now apply (run_value (size input (exact input p)) p (local_size input _) 1).
+    all: try apply float_computed.
+    all: try now apply float_constant, (well_formed_constant p 1 i o W).
+    all: unfold all_regular in R; rewrite Forall_forall in R; exact (R _ O). }
   assert (L := deviation_le (exact input p) (magnitude input p) _ _ _ _ K T).
   destruct (G (contained_not_zero _ _ _ T Z)) as (q & Fq & Q); [lra|]. exists q. split; [exact Fq|].
   apply (factor_le _ _ _ (deviation_pos _ _ _ _) L D Q).
 Qed.
 
+Theorem check_sound p cert bounds :
+  check p cert bounds = true ->
+  forall input, (forall k, is_float (input k)) -> all_regular input p -> Forall (bounded input p) bounds.
+Proof.
+  intros H input I R. apply (Forall_impl _ (fun b G Z D => factor_error _ _ _ _ _ _ G Z D)).
+  now apply check_factors with cert.
+Qed.

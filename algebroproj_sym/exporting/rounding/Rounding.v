@@ -64,14 +64,14 @@ Qed.
 Lemma rounds_difference x y : is_float x -> is_float y -> rounds (x - y) (RN (x - y)).
 Proof. intros Hx Hy. apply rounds_sum; [|apply float_opp]; assumption. Qed.
 
-Definition normal_or_zero x := x = 0 \/ smallest_normal <= Rabs x.
+Definition normal_or_float x := is_float x \/ smallest_normal <= Rabs x.
 
-Lemma rounds_normal x : normal_or_zero x -> rounds x (RN x).
+Lemma rounds_normal x : normal_or_float x -> rounds x (RN x).
 Proof.
-  intros [-> | H].
+  intros [F | H].
   - exists 0. rewrite Rabs_R0. split.
     + assert (Hu := u_bounds). apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat. lra.
-    + rewrite RN_float by apply float_0. ring.
+    + rewrite RN_float by exact F. ring.
   - destruct (relative_error_N_FLX'_ex radix2 53 eq_refl (fun z => negb (Z.even z)) x) as (d' & Hd' & E').
     rewrite u_ro_is_u in Hd'. exists d'. split; [exact Hd'|]. unfold RN. rewrite <- E'.
     apply round_FLT_FLX. exact H.
@@ -154,6 +154,9 @@ Proof. unfold c. assert (0 <= IZR (Z.of_N n)) by (apply IZR_le; lia). lra. Qed.
 
 Lemma c_le a b : (a <= b)%N -> c a <= c b.
 Proof. intros H. unfold c. assert (IZR (Z.of_N a) <= IZR (Z.of_N b)) by (apply IZR_le; lia). lra. Qed.
+
+Lemma c_value n : c n = IZR (Z.of_N n) / 1048576.
+Proof. reflexivity. Qed.
 
 Lemma c_0 : c 0 = 0.
 Proof. unfold c; simpl; lra. Qed.

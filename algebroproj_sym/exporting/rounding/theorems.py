@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files as resources
@@ -11,11 +12,15 @@ from typing import Any
 
 from algebroproj_sym.exporting.compiling import ALLOWED as REALS
 from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, comment
+from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed
+from algebroproj_sym.exporting.rounding.formulas import Derived, derived
+from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.generating import Lowered, c_name
+from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
-from algebroproj_sym.verifying.straight_line import Operation, straight_line_of_c
+from algebroproj_sym.verifying.straight_line import straight_line_of_c
 
-CHECKER = ("Rounding", "Pairs", "Checker")
+CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Instances", "Elimination", "Formulas", "Exact")
 """The files that all others require, each after those that it requires itself."""
 
 ALLOWED = REALS | {"ClassicalDedekindReals.sig_not_dec", "Classical_Prop.classic"}
@@ -37,6 +42,8 @@ _NUMBERED = ("SumOf", "DifferenceOf", "LowOfSum", "ProductOf", "ProductWithOne",
 _OPTIONAL = {"SumOf": (3,), "DifferenceOf": (3,), "LowOfSum": (2,), "ProductWithBoth": (3,)}
 """Which arguments of a rule may be absent."""
 
+_THEOREM = re.compile(r"^Theorem (\w+)", re.MULTILINE)
+
 _BY_NUMBER = ("LowOfSum", "NegativeOf", "RoundedPair", "RoundedSum")
 """The rules that refer to a fact that is not an exact value."""
 
@@ -57,6 +64,11 @@ class Accuracy:
     analysis: Analysis
 
     @property
+    def reach(self) -> int | None:
+        """The range of arguments, 2^-k to 2^k, in which nothing overflows or underflows; None if none was found."""
+        return None if None in self.analysis.divisors else reach(self.lowered.program)
+
+    @property
     def name(self) -> str:
         """What the C function, the file and the theorem are called."""
         return c_name(self.lowered.kernel)
@@ -75,14 +87,20 @@ def accuracy_of(lowered: Lowered, package: ModuleType) -> Accuracy:
 def render(accuracies: Iterable[Accuracy]) -> dict[str, str]:
     """Return the text of every file by its name: the checker, and a file for each function that has a bound."""
     texts = {found.name: _file(found) for found in accuracies if found.bounds}
-    folder = resources("algebroproj_sym.exporting.rounding")
-    checker = {f"{name}.v": folder.joinpath(f"{name}.v").read_text(encoding="utf-8") for name in CHECKER}
+    checker = {f"{name}.v": _source(name) for name in CHECKER}
     return {
         **checker,
         **{f"{name}.v": text for name, text in texts.items()},
-        f"{ASSUMPTIONS}.v": _assumptions([*texts]),
+        f"{ASSUMPTIONS}.v": _assumptions(texts),
         "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*CHECKER, *texts, ASSUMPTIONS))]),
     }
+
+
+def _source(name: str) -> str:
+    """Return the text of a file of the checker; those of formulas are shared with the theorems about claims."""
+    folder = resources("algebroproj_sym.exporting")
+    place = folder if f"{name}.v" in LEMMAS else folder / "rounding"
+    return place.joinpath(f"{name}.v").read_text(encoding="utf-8")
 
 
 def _file(found: Accuracy) -> str:
@@ -96,31 +114,121 @@ def _file(found: Accuracy) -> str:
 
     Of the results, in row-major order and one after the other, {comment(results)}. *)
 
-From Coq Require Import ZArith NArith PArith List.
-From {LIBRARY} Require Import Rounding Checker.
+From Coq Require Import Reals ZArith NArith QArith PArith List.
+From Flocq Require Import IEEE754.BinarySingleNaN.
+From {LIBRARY} Require Import Rounding Checker Ranges Machine Instances Exact.
+From {LIBRARY} Require Formulas.
 Import ListNotations.
 Open Scope positive_scope.
 
-{definitions("", line.operations, found.analysis.certificate, found.bounds)}
-Lemma accepted : check lines certificate bounds = true.
-Proof. vm_cast_no_check (eq_refl true). Qed.
+{definitions("", found.analysis)}
+{_unlimited(found) if found.reach is None else _in_range(found, found.reach)}"""
 
+
+def _unlimited(found: Accuracy) -> str:
+    """Return a theorem whose hypotheses are about what the lines compute."""
+    return f"""{_computed("accepted", "check lines certificate bounds")}
 Theorem {found.name} :
   forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
 Proof. exact (check_sound lines certificate bounds accepted). Qed.
 """
 
 
-def definitions(
-    suffix: str, operations: Mapping[int, Operation], certificate: Sequence[Fact], bounds: Sequence[Bound]
-) -> str:
-    """Return the definitions of lines, certificate and bounds, whose names end in some suffix."""
-    lines = [f"({number}, {_operation(*operation)})" for number, operation in operations.items()]
+def _in_range(found: Accuracy, k: int) -> str:
+    """Return that theorem, what the formulas are, one about machine numbers in a range, and that there are such."""
+    names = [identifier(name) for name in found.analysis.line.inputs]
+    given, variables = listed(names), " ".join(names)
+    known = derived(found.lowered, found.analysis)
+    real, applied = f"(numbers (map B2R {given}))", " ".join(f"(B2R {name})" for name in names)
+    chosen = instance(found.analysis, min(2**k, 9), known.is_regular)
+    integers = f"{listed([*map(str, chosen)])}%Z"
+    return f"""{_computed("accepted", f"check_range {k} lines certificate bounds divisors")}
+(** Where no intermediate result underflows, and numbers cannot be too large. *)
+Theorem {found.name} :
+  forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
+Proof. exact (check_range_bounds {k} lines certificate bounds divisors accepted). Qed.
+
+{_formula(found, known)}
+(** For all machine numbers that are zero or between 2^-{k} and 2^{k} in absolute value. *)
+Theorem {found.name}_in_range :
+  forall {variables} : binary64,
+  Forall (argument {k}) {given} ->
+  nonzero {applied} ->
+  Forall (determined {real} lines) divisors ->
+  Forall2 (accurate {given} lines) bounds (formula {applied}).
+Proof.
+  intros {variables} A N D.
+  exact (check_range_sound {k} lines certificate bounds divisors accepted {given} _ A D
+    ({found.name}_formula {applied} N)).
+Qed.
+
+{_computed("example", f"is_instance {k} lines bounds divisors {integers}")}
+{_computed("example_nonzero", f"nonzero_at {integers} Trees.factors")}
+(** There are such numbers. *)
+Theorem {found.name}_possible :
+  exists {variables} : binary64,
+  Forall (argument {k}) {given}
+  /\\ nonzero {applied}
+  /\\ Forall (determined {real} lines) divisors
+  /\\ Forall (applies {real} lines) bounds.
+Proof.
+  exists {", ".join(f"(machine_integer ({value}))" for value in chosen)}.
+  destruct (is_instance_sound {k} lines bounds divisors {integers} example) as (A & D & P).
+  exact (conj A (conj (nonzero_at_sound {integers} Trees.factors example_nonzero) (conj D P))).
+Qed.
+"""
+
+
+def _computed(name: str, test: str) -> str:
+    """Return a lemma that a test succeeds."""
+    return f"Lemma {name} : {test} = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n"
+
+
+def _formula(found: Accuracy, known: Derived) -> str:
+    """Return the formulas of the derivation, and the theorem that they are the exact values of the lines."""
+    names = [identifier(name) for name in found.analysis.line.inputs]
+    given, variables = listed(names), " ".join(names)
+    return f"""(** What the derivation says. *)
+Definition formula ({variables} : R) : list R :=
+  ({listed([*map(formula, known.formulas)])})%R.
+
+Definition nonzero ({variables} : R) : Prop :=
+  ({known.nonzero})%R.
+
+Definition splits : Exact.splits :=
+  {known.splits}.
+
+Module Trees.
+Import Formulas.
+
+Definition factors : list expr :=
+  ({known.factor_trees})%nat.
+
+Definition formulas : list expr :=
+  ({known.trees})%nat.
+End Trees.
+
+{_computed("equal", f"is_formula {len(names)} lines splits Trees.factors (map fst bounds) Trees.formulas")}
+Theorem {found.name}_formula :
+  forall {variables} : R, nonzero {variables} ->
+  map (exact (numbers {given}) lines) (map fst bounds) = formula {variables}.
+Proof.
+  intros {variables}.
+  exact (is_formula_sound {given} lines splits Trees.factors (map fst bounds) Trees.formulas equal).
+Qed.
+
+"""
+
+
+def definitions(suffix: str, found: Analysis) -> str:
+    """Return the definitions of lines, certificate, bounds and divisors, whose names end in some suffix."""
+    lines = [f"({number}, {_operation(*operation)})" for number, operation in found.line.operations.items()]
     return "\n".join(
         [
             _listed(f"lines{suffix} : program", lines),
-            _listed(f"certificate{suffix} : list command", _commands(certificate)),
-            _listed(f"bounds{suffix} : list bound", [_bound(bound) for bound in bounds]),
+            _listed(f"certificate{suffix} : list command", _commands(found.certificate)),
+            _listed(f"bounds{suffix} : list bound", [*map(_bound, filter(None, found.bounds))]),
+            _listed(f"divisors{suffix} : list bound", [*map(_bound, filter(None, found.divisors))]),
         ]
     )
 
@@ -170,8 +278,9 @@ def _argument(rule: str, place: int, argument: Any, numbers: Mapping[Fact, int])
     return _terms(argument) if isinstance(argument, tuple) else str(argument)
 
 
-def _assumptions(names: Sequence[str]) -> str:
+def _assumptions(texts: Mapping[str, str]) -> str:
     """Return a file that requires all others, mentions all theorems, and prints what they assume."""
-    required = "".join(f"From {LIBRARY} Require {name}.\n" for name in names)
-    mentioned = "".join(f"  let _ := @{LIBRARY}.{name}.{name} in\n" for name in names)
+    required = "".join(f"From {LIBRARY} Require {name}.\n" for name in texts)
+    stated = [(name, theorem) for name, text in texts.items() for theorem in _THEOREM.findall(text)]
+    mentioned = "".join(f"  let _ := @{LIBRARY}.{name}.{theorem} in\n" for name, theorem in stated)
     return f"{required}\nDefinition all_theorems : True :=\n{mentioned}  I.\n\nPrint Assumptions all_theorems.\n"

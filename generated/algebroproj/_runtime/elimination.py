@@ -19,7 +19,7 @@ from .error_free import two_product, two_sum
 from .namespace import namespace
 from .pairs import chosen
 
-__all__ = ["is_finite", "is_larger", "least_pivot_of", "null_vector_of", "selected", "solution_of"]
+__all__ = ["is_complex", "is_finite", "is_larger", "least_pivot_of", "null_vector_of", "selected", "solution_of"]
 
 
 def is_larger(candidate: Any, other: Any) -> Any:
@@ -34,6 +34,13 @@ def is_larger(candidate: Any, other: Any) -> Any:
 def is_finite(number: Any) -> Any:
     """Return where a number is finite."""
     return number.is_finite() if hasattr(number, "is_finite") else namespace([number]).isfinite(number)
+
+
+def is_complex(number: Any) -> bool:
+    """Whether a number is a complex machine number, or an array of such."""
+    if not hasattr(number, "dtype") or _is_exact(number):
+        return False
+    return bool(namespace([number]).isdtype(number.dtype, "complex floating"))
 
 
 def selected(condition: Any, first: Any, second: Any) -> Any:
@@ -77,7 +84,7 @@ def solution_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]] | 
     [2.0, 1.0]
     """
     steps, left = [], [list(row) for row in rows]
-    rank = _Rank([row[:-1] for row in rows]) if rests is not None or hasattr(rows[0][0], "hi") else None
+    rank = _Rank([row[:-1] for row in rows]) if _is_rounded(rows, rests) else None
     while left:
         (pivot, *below), swaps = _pivoted(left)
         if rank:
@@ -120,7 +127,7 @@ def null_vector_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]]
     [1.0, -0.25]
     """
     steps, columns = [], [list(column) for column in zip(*rows, strict=True)]
-    rank = _Rank(columns, divides_pivots=True) if rests is not None or hasattr(rows[0][0], "hi") else None
+    rank = _Rank(columns, divides_pivots=True) if _is_rounded(rows, rests) else None
     while columns[0]:
         (pivot, *others), swaps = _pivoted(columns)
         if rank:
@@ -145,6 +152,11 @@ def null_vector_of(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]]
     return [component / largest for component in vector]
 
 
+def _is_rounded(rows: Sequence[Sequence[Any]], rests: Sequence[Sequence[Any]] | None) -> bool:
+    """Whether the rank is to be decided: of numbers with rests, of pairs, and of complex numbers."""
+    return rests is not None or hasattr(rows[0][0], "hi") or is_complex(rows[0][0])
+
+
 class _Rank:
     """Whether a matrix has full rank, which is decided in spite of rounding, from what elimination leaves of it.
 
@@ -152,7 +164,8 @@ class _Rank:
     one whose entries were rounded.  If that one were singular, a vector x of its null space would satisfy
     ``|x| <= (n + 2) u |U^-1| |L^-1| |L| |U| |x|``.  It is impossible where ``(n + 2) u`` times the matrix on the right
     takes some positive vector to a smaller one.  Absolute values in the substitutions bound it from above.  The vector
-    has the reciprocals of the sums of the columns.
+    has the reciprocals of the sums of the columns.  A complex product or quotient is rounded several times: u is then
+    taken eightfold.
 
     What underflows in a multiple or product is less than the 18th power of u for each number of a line: with what it
     is multiplied by, in multiples of u, even for pairs of up to 8 lines.
@@ -176,7 +189,9 @@ class _Rank:
             cubed = unit * unit * unit
             ninth = cubed * cubed * cubed
             underflow = ninth * ninth * (self.one + _total(self.weights))
-        self.unit = 8 * unit * unit if hasattr(lines[0][0], "hi") else unit
+        is_pair = hasattr(lines[0][0], "hi")
+        self.is_single = not is_pair and not is_complex(lines[0][0])
+        self.unit = unit if self.is_single else 8 * unit * (unit if is_pair else 1)
         self.errors = [underflow] * len(lines)
         self.underflow = underflow if divides_pivots else None
         self.heads: list[list[Any]] = []
@@ -207,7 +222,8 @@ class _Rank:
 
     def zero_unless(self, condition: Any, number: Any) -> Any:
         """Return a number where a condition holds, and zero elsewhere."""
-        return selected(condition, number, number * 0 if hasattr(number, "hi") else self.zero)
+        with np.errstate(invalid="ignore"):
+            return selected(condition, number, self.zero if self.is_single else number * 0)
 
 
 def _size(number: Any) -> Any:

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from .bounded_systems import null_vector_with_bounds, solution_with_bounds
-from .elimination import least_pivot_of, null_vector_of, solution_of
+from .elimination import is_complex, least_pivot_of, null_vector_of, solution_of
 from .error_bounds import Bounded
 from .namespace import namespace
 from .pairs import DoubleDouble, Pair, double_double
@@ -107,18 +107,20 @@ def _spanned(rows: Rows, null_vector: Function, solve: Function, prepared: Prepa
 
 
 def _in_double(solved: Function, heads: Rows, rests: Rows | None) -> tuple[Any, ...]:
-    """Return what is solved, if rests are known in double precision at least.
+    """Return what is solved, if the rank is decided in double precision at least.
 
     Of many a good system the digits of float32 do not decide the rank.
     """
-    xp = namespace(heads[0])
-    if rests is None or xp.finfo(heads[0][0].dtype).bits >= 64:
+    xp, first = namespace(heads[0]), heads[0][0]
+    if (rests is None and not is_complex(first)) or xp.finfo(first.dtype).bits >= 64:
         return tuple(solved(heads, rests))
+    double = xp.float64 if rests else xp.complex128
+    missing = rests or [[0] * len(row) for row in heads]
     rows = [
-        [_as_dtype(xp, head, xp.float64) + rest for head, rest in zip(*row, strict=True)]
-        for row in zip(heads, rests, strict=True)
+        [_as_dtype(xp, head, double) + rest for head, rest in zip(*row, strict=True)]
+        for row in zip(heads, missing, strict=True)
     ]
-    found = solved(rows, [[0 * entry for entry in row] for row in rows])
+    found = solved(rows, [[0 * entry for entry in row] for row in rows] if rests else None)
     return tuple(_as_dtype(xp, number, heads[0][0].dtype) for number in found)
 
 

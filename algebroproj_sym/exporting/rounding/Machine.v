@@ -1,0 +1,213 @@
+(** What a program computes in binary64, where numbers overflow and underflow. *)
+
+From Coq Require Import Reals ZArith NArith PArith Wf_nat FunctionalExtensionality List Bool FMapPositive Lia Lra.
+From Flocq Require Import Core IEEE754.BinarySingleNaN.
+From Algebroproj Require Import Rounding Checker Ranges.
+
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** Programs of machine numbers *)
+
+Definition binary64 := binary_float 53 1024.
+
+#[global] Instance fewer_digits : Prec_lt_emax 53 1024.
+Proof. reflexivity. Qed.
+
+Definition machine_value (input e : positive -> binary64) (o : operation) : binary64 :=
+  match o with
+  | Input k => input k
+  | Constant z => binary_normalize 53 1024 _ _ mode_NE z 0 false
+  | Neg a => Bopp (e a)
+  | Add a b => Bplus mode_NE (e a) (e b)
+  | Sub a b => Bminus mode_NE (e a) (e b)
+  | Mul a b => Bmult mode_NE (e a) (e b)
+  | Div a b => Bdiv mode_NE (e a) (e b)
+  | ProductError a b p => Bfma mode_NE (e a) (e b) (Bopp (e p))
+  end.
+
+Definition machine (input : positive -> binary64) (p : program) : positive -> binary64 :=
+  run (machine_value input) p (fun _ => B754_zero false).
+
+Definition real (input : positive -> binary64) : values := fun j => B2R (input j).
+
+Lemma local_machine input : local (machine_value input).
+Proof. intros e e' [] H; simpl in *; rewrite ?(H a), ?(H b), ?(H p); auto. Qed.
+
+(** A finite number with a value. *)
+Definition holds (v : R) (x : binary64) : Prop := is_finite x = true /\ B2R x = v.
+
+Lemma float_B2R (x : binary64) : is_float (B2R x).
+Proof. exact (generic_format_B2R 53 1024 x). Qed.
+
+Lemma machine_step (input e : positive -> binary64) (f : values) o :
+  (forall j, is_finite (input j) = true) -> (forall a, In a (operands o) -> holds (f a) (e a)) ->
+  small (RN (value (real input) f o)) -> match o with Div _ b => f b <> 0 | _ => True end ->
+  is_representable o = true -> holds (RN (value (real input) f o)) (machine_value input e o).
+Proof.
+  intros I E S D C. apply Rlt_bool_true in S.
+  assert (Both : forall a b, (forall c, In c [a; b] -> holds (f c) (e c)) ->
+    (is_finite (e a) = true /\ B2R (e a) = f a) /\ is_finite (e b) = true /\ B2R (e b) = f b).
+  { intros a b H. split; apply H; simpl; auto. }
+  destruct o as [j | z | a | a b | a b | a b | a b | a b p]; simpl operands in E; cbn [value] in S |- *; cbn [machine_value].
+  - split; [apply I|]. symmetry. apply RN_float, float_B2R.
+  - assert (H := binary_normalize_correct 53 1024 _ _ mode_NE z 0 false). cbv zeta in H.
+    unfold F2R in H. simpl Fnum in H. simpl Fexp in H. change (bpow radix2 0) with 1 in H. rewrite Rmult_1_r in H.
+    change (round _ _ _ (IZR z)) with (RN (IZR z)) in H. fold power in H. rewrite S in H. split; apply H.
+  - destruct (E a) as (Fa & Va); [now left|]. split; [now rewrite is_finite_Bopp|].
+    rewrite B2R_Bopp, Va, RN_opp, RN_float; [reflexivity|]. rewrite <- Va. apply float_B2R.
+  - destruct (Both a b E) as ((Fa & Va) & Fb & Vb). assert (H := Bplus_correct 53 1024 _ _ mode_NE _ _ Fa Fb).
+    rewrite Va, Vb in H. change (round _ _ _ (f a + f b)) with (RN (f a + f b)) in H. fold power in H. rewrite S in H.
+    split; apply H.
+  - destruct (Both a b E) as ((Fa & Va) & Fb & Vb). assert (H := Bminus_correct 53 1024 _ _ mode_NE _ _ Fa Fb).
+    rewrite Va, Vb in H. change (round _ _ _ (f a - f b)) with (RN (f a - f b)) in H. fold power in H. rewrite S in H.
+    split; apply H.
+  - destruct (Both a b E) as ((Fa & Va) & Fb & Vb). assert (H := Bmult_correct 53 1024 _ _ mode_NE (e a) (e b)).
+    rewrite Va, Vb in H. change (round _ _ _ (f a * f b)) with (RN (f a * f b)) in H. fold power in H. rewrite S in H.
+    destruct H as (H1 & H2 & _). rewrite Fa, Fb in H2. now split.
+  - destruct (Both a b E) as ((Fa & Va) & Fb & Vb). rewrite <- Vb in D.
+    assert (H := Bdiv_correct 53 1024 _ _ mode_NE (e a) (e b) D).
+    rewrite Va, Vb in H. change (round _ _ _ (f a / f b)) with (RN (f a / f b)) in H. fold power in H. rewrite S in H.
+    destruct H as (H1 & H2 & _). rewrite Fa in H2. now split.
+  - destruct (Both a b) as ((Fa & Va) & Fb & Vb); [intros c [<- | [<- | []]]; apply E; simpl; auto|].
+    destruct (E p) as (Fp & Vp); [simpl; auto|].
+    assert (Fn : is_finite (Bopp (e p)) = true) by now rewrite is_finite_Bopp.
+    assert (H := Bfma_correct 53 1024 _ _ mode_NE _ _ _ Fa Fb Fn). cbv zeta in H. rewrite B2R_Bopp, Va, Vb, Vp in H.
+    change (round _ _ _ (f a * f b + - f p)) with (RN (f a * f b - f p)) in H. fold power in H. rewrite S in H.
+    split; apply H.
+Qed.
+
+Lemma above p : forall n i o, well_formed n p = true -> In (i, o) p -> (n <= i)%positive.
+Proof.
+  induction p as [|[j k] q IH]; intros n i o W I; [contradiction|]. simpl in *.
+  apply andb_prop in W as [W Wq]. apply andb_prop in W as [W _]. apply andb_prop in W as [W _]. apply Pos.leb_le in W.
+  destruct I as [E | I]; [now injection E as <- <-|]. apply (IH _ _ _ Wq) in I. lia.
+Qed.
+
+Lemma table_find p : forall n i o, well_formed n p = true -> In (i, o) p -> PositiveMap.find i (table p) = Some o.
+Proof.
+  induction p as [|[j k] q IH]; intros n i o W I; [contradiction|]. simpl in *. apply andb_prop in W as [_ Wq].
+  destruct I as [E | I]; [injection E as -> ->; apply PositiveMap.gss|].
+  rewrite PositiveMap.gso; [now apply (IH (Pos.succ j))|]. apply (above _ _ _ _ Wq) in I. lia.
+Qed.
+
+Lemma run_other {T} (step : (positive -> T) -> operation -> T) p :
+  forall e i, PositiveMap.find i (table p) = None -> run step p e i = e i.
+Proof.
+  induction p as [|[j o] p IH]; intros e i H; [reflexivity|]. simpl in *. destruct (Pos.eq_dec i j) as [-> | N].
+  - now rewrite PositiveMap.gss in H.
+  - rewrite PositiveMap.gso in H by exact N. rewrite IH by exact H. destruct (Pos.eqb_spec i j); [contradiction | reflexivity].
+Qed.
+
+Lemma well_formed_operation p : forall n i o,
+  well_formed n p = true -> In (i, o) p -> (forall a, In a (operands o) -> (a < i)%positive) /\ is_representable o = true.
+Proof.
+  induction p as [|[j k] q IH]; intros n i o W I; [contradiction|]. simpl in *.
+  apply andb_prop in W as [W Wq]. apply andb_prop in W as [W Wr]. apply andb_prop in W as [_ Wa].
+  destruct I as [E | I]; [|now apply (IH (Pos.succ j))]. injection E as -> ->. split; [|exact Wr].
+  intros a A. rewrite forallb_forall in Wa. now apply Pos.ltb_lt, Wa.
+Qed.
+
+(** Where nothing overflows and no divisor is zero, the machine has the numbers of the model. *)
+Lemma machine_computes input p :
+  well_formed 1 p = true -> (forall j, is_finite (input j) = true) ->
+  (forall i o, In (i, o) p ->
+    small (computed (real input) p i) /\ match o with Div _ b => computed (real input) p b <> 0 | _ => True end) ->
+  forall i, holds (computed (real input) p i) (machine input p i).
+Proof.
+  intros W I H i. induction i as [i IH] using (well_founded_induction (well_founded_ltof positive Pos.to_nat)).
+  destruct (PositiveMap.find i (table p)) as [o|] eqn:O.
+  - apply table_in in O. destruct (well_formed_operation p 1 i o W O) as (B & C). destruct (H i o O) as (S & D).
+    assert (V := computed_value (real input) p i o W O). rewrite V in *. unfold machine.
+    rewrite (run_value _ p (local_machine input) 1 _ i o W O). apply machine_step; try assumption.
+    intros a A. apply IH, Pos2Nat.inj_lt, B, A.
+  - unfold machine, computed. rewrite !run_other by exact O. split; reflexivity.
+Qed.
+
+(** ** Arguments in a range *)
+
+(** The exact result is not so near a zero of a sum that the bound says nothing. *)
+Definition applies (input : values) (p : program) (b : bound) : Prop :=
+  let x := exact input p in
+  not_zero x (snd (snd b)) /\ deviation x (magnitude input p) (fst (snd b)) (snd (snd b)) < 1.
+
+(** A divisor is not zero, and not so near zero that rounding could make it so. *)
+Definition determined (input : values) (p : program) (b : bound) : Prop :=
+  exact input p (fst b) <> 0 /\ applies input p b.
+
+Definition arguments (given : list binary64) : positive -> binary64 :=
+  fun j => nth (Nat.pred (Pos.to_nat j)) given (B754_zero false).
+
+Definition numbers (given : list R) : values := fun j => nth (Nat.pred (Pos.to_nat j)) given 0.
+
+(** The machine gives a number, no infinity, and it is as near the exact value [y] as a bound says. *)
+Definition accurate (given : list binary64) (p : program) (b : bound) (y : R) : Prop :=
+  let v := machine (arguments given) p (fst b) in
+  let x := numbers (map B2R given) in
+  let t := deviation (exact x p) (magnitude x p) (fst (snd b)) (snd (snd b)) in
+  is_finite v = true /\ (applies x p b -> Rabs (B2R v - y) <= t / (1 - t) * Rabs y).
+
+Definition has_bound (divisors : list bound) (o : operation) : bool :=
+  match o with Div _ b => existsb (fun d => Pos.eqb (fst d) b) divisors | _ => true end.
+
+Definition check_range (k : Z) (p : program) (cert : list command) (bounds divisors : list bound) : bool :=
+  check p cert (divisors ++ bounds) && fits (table p) k (PositiveMap.empty _) p
+  && forallb (fun named => has_bound divisors (snd named)) p.
+
+Definition argument (k : Z) (x : binary64) : Prop := is_finite x = true /\ in_range k (B2R x).
+
+Lemma real_arguments given : real (arguments given) = numbers (map B2R given).
+Proof. apply functional_extensionality. intros j. symmetry. exact (map_nth B2R given (B754_zero false) _). Qed.
+
+Lemma arguments_in k given : Forall (argument k) given -> forall j, argument k (arguments given j).
+Proof.
+  intros H j. unfold arguments. destruct (nth_in_or_default (Nat.pred (Pos.to_nat j)) given (B754_zero false)) as [I | ->].
+  - rewrite Forall_forall in H. now apply H.
+  - split; [reflexivity | now left].
+Qed.
+
+Theorem check_range_sound k p cert bounds divisors :
+  check_range k p cert bounds divisors = true ->
+  forall given ys, Forall (argument k) given -> Forall (determined (numbers (map B2R given)) p) divisors ->
+  map (exact (numbers (map B2R given)) p) (map fst bounds) = ys ->
+  Forall2 (accurate given p) bounds ys.
+Proof.
+  intros H given ys G D <-. assert (A := arguments_in k given G). unfold accurate. rewrite <- real_arguments in *.
+  set (input := arguments given) in *. clearbody input. clear G. unfold check_range in H. apply andb_prop in H as [H Hd]. apply andb_prop in H as [Hc Hf].
+  assert (W := check_well_formed _ _ _ Hc). set (f := computed (real input) p).
+  assert (T : forall i o, PositiveMap.find i (table p) = Some o -> In (i, o) p) by apply table_in.
+  assert (S : Forall (fun named => small (f (fst named)) /\ harmless f (snd named)) p).
+  { apply (fits_sound (table p) k (real input) f) with (known := PositiveMap.empty _).
+    - intros i o O. now apply computed_value, T.
+    - apply float_computed.
+    - intros j. apply float_B2R.
+    - intros j. apply A.
+    - intros i z O. apply float_constant. now apply (well_formed_constant p 1 i z W), T.
+    - intros j t E. rewrite PositiveMap.gempty in E. discriminate.
+    - intros i o O. now apply (table_find p 1).
+    - exact Hf. }
+  rewrite Forall_forall in S, D. rewrite forallb_forall in Hd.
+  assert (Q : forall i a b, In (i, Div a b) p -> exists d, In d divisors /\ fst d = b).
+  { intros i a b O. specialize (Hd _ O). apply existsb_exists in Hd as (d & Id & Ed). apply Pos.eqb_eq in Ed. eauto. }
+  assert (F := check_factors _ _ _ Hc (real input) (fun j => float_B2R (input j))).
+  assert (R : all_regular (real input) p).
+  { apply Forall_forall. intros [i o] O. destruct (S _ O) as (_ & G). destruct o; simpl in *; try exact G.
+    split; [|exact G]. destruct (Q _ _ _ O) as (d & Id & <-). apply D, Id. }
+  specialize (F R). apply Forall_app in F as [Fd Fb]. rewrite Forall_forall in Fd.
+  assert (M : forall i, holds (f i) (machine input p i)).
+  { apply machine_computes; [exact W | intros j; apply A |]. intros i o O. split; [apply (S _ O)|].
+    destruct o; try exact I. destruct (Q _ _ _ O) as (d & Id & <-). destruct (D _ Id) as (X & Z & L). cbv zeta in L.
+    destruct (Fd _ Id Z L) as (q & E & G). fold f in E. change (f (fst d) <> 0). rewrite E. assert (P := factor_pos _ _ L G).
+    intros N. apply Rmult_integral in N. destruct N; [now apply X | lra]. }
+  rewrite map_map. clear Hc. induction Fb as [|b bounds G _ IH]; constructor; [|exact IH]. destruct (M (fst b)) as (M1 & M2). split; [exact M1|]. intros (Z & L).
+  rewrite M2. now apply factor_error.
+Qed.
+
+(** The same certificate is one for all arguments without overflow and underflow. *)
+Theorem check_range_bounds k p cert bounds divisors :
+  check_range k p cert bounds divisors = true ->
+  forall input, (forall j, is_float (input j)) -> all_regular input p -> Forall (bounded input p) bounds.
+Proof.
+  unfold check_range. intros H input I R. apply andb_prop in H as [H _]. apply andb_prop in H as [H _].
+  assert (B := check_sound _ _ _ H input I R). now apply Forall_app in B.
+Qed.

@@ -344,6 +344,9 @@ class _Parts(Transformer[Token, Any]):
             return _Part((_Size(3), _Size(1)), lambda: f"vee({base.text()})", base)
         raise _refused("a mark")
 
+    def slope(self, value: _Part, variable: _Part) -> _Part:
+        raise _refused("a derivative")
+
     def factorial(self, base: _Part) -> _Part:
         raise _refused("a factorial")
 

@@ -90,6 +90,10 @@ class Vocabulary:
         copied._names, copied._taken = self._names, self._taken
         return copied
 
+    def forget(self) -> None:
+        """Forget the values of all letters, so that they are computed again."""
+        self._values.clear()
+
     def define(self, definition: Definition) -> None:
         """Add a definition."""
         self.definitions[definition.symbol] = definition

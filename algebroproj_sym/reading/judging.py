@@ -392,6 +392,8 @@ class _Reader:
             return None
         if symbol in self.vocabulary.letters_of(right):
             return None
+        if not explicit and derivatives_in((left,), self.vocabulary, self.occurring):
+            return None
         usable = not statement.condition and formula.relations[0] in _EQUALITIES
         where, part = self._where(statement), statement.display.part
         made = Definition(symbol, parameters, right, where, part, explicit, usable)
@@ -674,7 +676,7 @@ def _decide(asked: Sequence[_Asked], seconds: float, jobs: int) -> None:
     for (each, way, refutation), changes in zip(failing, candidates, strict=True):
         tried = [(repair, changed, *answers.pop(0)) for repair, changed in changes]
         best = next(((each, *rest) for each, *rest, answer in tried if answer.verdict == "proved"), None)
-        link = _refuted(each, way, refutation, best[0] if best else None)
+        link = _refuted(each, way, refutation, *(best[:2] if best else (None,)))
         if best and best[2] and best[1].left is way.left:
             link = replace(link, corrected=best[2][1])
         if way is each.ways[0] or (link.verdict == "contradicts" != each.link.verdict):
@@ -786,8 +788,19 @@ def _link_of(asked: _Asked, outcome: Outcome, way: _Way) -> Link:
     return replace(link, reason=("the prover does not take it: " if outcome.unreadable else "") + outcome.reason)
 
 
-def _refuted(asked: _Asked, way: _Way, refutation: Outcome, repair: Repair | None) -> Link:
-    """Return the verdict of a link that fails at a point."""
+def _holds_beside(way: _Way, repaired: _Way | None) -> bool:
+    """Whether two entries with letters hold, and a change that makes all hold does not concern them."""
+    if repaired is None:
+        return False
+    before, after = ([*map(entries, map(way.vocabulary.value, each.sides))] for each in (way, repaired))
+    same = [a for a, b, c, d in zip(*before, *after, strict=True) if (a, b) == (c, d) and free_symbols(a)]
+    return len(same) >= 2
+
+
+def _refuted(
+    asked: _Asked, way: _Way, refutation: Outcome, repair: Repair | None, repaired: _Way | None = None
+) -> Link:
+    """Return the verdict of a link that fails at a point, and of the smallest change by which it would follow."""
     suggestion = ""
     if repair is not None:
         now, before = (way.vocabulary.text(tree) for tree in (repair.now, repair.before))
@@ -795,7 +808,9 @@ def _refuted(asked: _Asked, way: _Way, refutation: Outcome, repair: Repair | Non
     doubt = _doubt_of_refutation(way)
     doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
     plain = way is asked.ways[0]
-    certain = (plain and asked.certain) or (repair is not None and repair.kind in STRONG)
+    certain = (plain and asked.certain) or (
+        repair is not None and (repair.kind in STRONG or (repair.kind == "letter" and _holds_beside(way, repaired)))
+    )
     asserted = (certain and not doubt) or (plain and asked.identity and not (doubt and _is_lettered(way)))
     reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
     undecided = doubt.endswith(NOT_COMPUTED)

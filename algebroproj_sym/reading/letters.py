@@ -22,6 +22,7 @@ from algebroproj_sym.reading.vocabulary import Vocabulary
 MOST_PARTS = 1_000
 """How many parts a side may have, with all definitions put in."""
 _COLUMN = re.compile(r"\\(?:mathbf|vec|overrightarrow)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}")
+_TABLE = re.compile(r"\\mathbf\{(?:\\\w+\{)*[A-Z]\}")
 _SIZES = "nmklpqrstuvw"
 
 
@@ -73,6 +74,8 @@ class _Part:
         Of how many parts it is made.
     is_zero : bool
         Whether it is the number 0.
+    is_table : bool
+        Whether it is written as a matrix that is no vector: as a bold capital.
     """
 
     def __init__(self, shape: Shape, text: Callable[[], str], *inside: _Part) -> None:
@@ -81,6 +84,7 @@ class _Part:
         self.square: Callable[[], str] | None = None
         self.weight: int = 1 + sum(part.weight for part in inside)
         self.is_zero = False
+        self.is_table = False
         if self.weight > MOST_PARTS:
             raise UnreadableError(f"expected at most {MOST_PARTS} parts with all definitions put in, got more")
 
@@ -161,7 +165,9 @@ class _Reader:
         if "identity" in properties:
             return _Part((rows, columns), lambda: f"eye({self.size(rows)})")
         shape = self._letters.setdefault(symbol, (rows, columns))
-        return _Part(shape, lambda: name)
+        part = _Part(shape, lambda: name)
+        part.is_table = _TABLE.search(symbol) is not None
+        return part
 
     def size(self, size: _Size) -> str:
         """Return a size as text."""
@@ -318,7 +324,9 @@ class _Parts(Transformer[Token, Any]):
             raise _refused(f"the value of the function {name}")
         columns = (_Size(), _Size(1)) if _COLUMN.search(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
-        return self.reader.whole(name, arguments, shape)
+        part = self.reader.whole(name, arguments, shape)
+        part.is_table = _TABLE.search(name) is not None
+        return part
 
     def power(self, base: _Part, exponent: _Part) -> _Part:
         text = exponent.text().replace(" ", "").strip("()").lstrip("+")
@@ -473,14 +481,7 @@ def _joined(kind: str, left: _Part, right: _Part) -> _Part:
         _vector(left, 3)
         _vector(right, 3)
         return _Part((_Size(3), _Size(1)), lambda: f"cross({left.text()}, {right.text()})", left, right)
-    if (
-        kind == "DOT"
-        and 1 in (left.shape[1].value, right.shape[1].value)
-        and None
-        in (
-            left.shape[1].value,
-            right.shape[1].value,
-        )
-    ):
+    ends = (left.shape[1].value, right.shape[1].value)
+    if kind == "DOT" and 1 in ends and None in ends and not (left.is_table and ends[1] == 1):
         raise UnreadableError("the point may be a product of matrices, or of vectors")
     return _times(left, right)

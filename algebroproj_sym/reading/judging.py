@@ -26,7 +26,7 @@ from algebroproj_sym.reading.grammar import Formula, Parsed, parsed, regrouped, 
 from algebroproj_sym.reading.letters import has_shape, lettered
 from algebroproj_sym.reading.lexing import UnreadableError, tokens_of
 from algebroproj_sym.reading.phrases import properties_in, sizes_in
-from algebroproj_sym.reading.premises import Premise, applicable, cited_in, derivatives_in, extended
+from algebroproj_sym.reading.premises import Premise, applicable, cited_in, crosses_in, derivatives_in, extended
 from algebroproj_sym.reading.repairs import STRONG, Repair, repairs
 from algebroproj_sym.reading.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.symbols import SymbolsFile
@@ -231,6 +231,9 @@ class _Reader:
             for side in each.sides
             for symbol in symbols_in(side)
         )
+        words = (f"{each.before} {each.after}" for each in document.formulas)
+        for definition in crosses_in(sorted(self.occurring), words):
+            self.vocabulary.define(definition)
 
     # -- what is known of the whole document
 

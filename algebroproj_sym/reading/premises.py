@@ -19,6 +19,8 @@ from algebroproj_sym.reading.vocabulary import Definition, Vocabulary
 NEAR_DISPLAYS = 4
 """How many displays above an equation speak of the same matter."""
 _CITED = re.compile(r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\((\d+(?:\.\d+)*[a-z]?)\)")
+_TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
+_TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
 _DERIVATIVE = re.compile(r"(d|\\partial)(.+)/\1(.+)")
 
 
@@ -93,6 +95,19 @@ def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: 
             found[symbol] = made
             waiting += made.symbols
     return [*found.values()][::-1]
+
+
+def crosses_in(symbols: Iterable[str], words: Iterable[str]) -> Iterator[Definition]:
+    r"""Yield what ``\tilde{\mathbf{a}}`` stands for where the words of a document say "tilde matrix".
+
+    It is the matrix of the cross product with ``\mathbf{a}``.
+    """
+    if any(_TILDE_MATRIX.search(each) for each in words):
+        for symbol in symbols:
+            if match := _TILDE.fullmatch(symbol):
+                vector = Tree("symbol", [Token("SYMBOL", rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")])
+                cross = Tree("marked", [vector, Token("MARK", "hat")])
+                yield Definition(symbol, (), cross, 'the words "tilde matrix"', 0, True)
 
 
 def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:

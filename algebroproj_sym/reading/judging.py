@@ -678,8 +678,8 @@ def _decide(asked: Sequence[_Asked], seconds: float, jobs: int) -> None:
     answers = _answers([way for found in candidates for _, way in found], seconds, jobs)
     for (each, way, refutation), changes in zip(failing, candidates, strict=True):
         tried = [(repair, changed, *answers.pop(0)) for repair, changed in changes]
-        best = next(((each, *rest) for each, *rest, answer in tried if answer.verdict == "proved"), None)
-        link = _refuted(each, way, refutation, *(best[:2] if best else (None,)))
+        best = next((found for found in tried if found[3].verdict == "proved"), None)
+        link = _refuted(each, way, refutation, best[0] if best else None, best[1] if best else way)
         if best and best[2] and best[1].left is way.left:
             link = replace(link, corrected=best[2][1])
         if way is each.ways[0] or (link.verdict == "contradicts" != each.link.verdict):
@@ -791,18 +791,16 @@ def _link_of(asked: _Asked, outcome: Outcome, way: _Way) -> Link:
     return replace(link, reason=("the prover does not take it: " if outcome.unreadable else "") + outcome.reason)
 
 
-def _holds_beside(way: _Way, repaired: _Way | None) -> bool:
+def _holds_beside(way: _Way, repaired: _Way) -> bool:
     """Whether two entries with letters hold, and a change that makes all hold does not concern them."""
-    if repaired is None:
+    if _is_lettered(way):
         return False
     before, after = ([*map(entries, map(way.vocabulary.value, each.sides))] for each in (way, repaired))
     same = [a for a, b, c, d in zip(*before, *after, strict=True) if (a, b) == (c, d) and free_symbols(a)]
     return len(same) >= 2
 
 
-def _refuted(
-    asked: _Asked, way: _Way, refutation: Outcome, repair: Repair | None, repaired: _Way | None = None
-) -> Link:
+def _refuted(asked: _Asked, way: _Way, refutation: Outcome, repair: Repair | None, repaired: _Way) -> Link:
     """Return the verdict of a link that fails at a point, and of the smallest change by which it would follow."""
     suggestion = ""
     if repair is not None:

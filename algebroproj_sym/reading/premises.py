@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from lark import Token, Tree
 
@@ -105,8 +106,8 @@ def crosses_in(symbols: Iterable[str], words: Iterable[str]) -> Iterator[Definit
     if any(_TILDE_MATRIX.search(each) for each in words):
         for symbol in symbols:
             if match := _TILDE.fullmatch(symbol):
-                vector = Tree("symbol", [Token("SYMBOL", rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")])
-                cross = Tree("marked", [vector, Token("MARK", "hat")])
+                vector: Formula = Tree("symbol", [Token("SYMBOL", rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")])
+                cross: Formula = Tree("marked", [vector, Token("MARK", "hat")])
                 yield Definition(symbol, (), cross, 'the words "tilde matrix"', 0, True)
 
 
@@ -125,7 +126,7 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     definition = vocabulary.definitions.get(named.get(re.sub(r"\(.*\)$", "", above), ""))
     if definition is None or not definition.usable:
         return None
-    value = Tree("symbol", [Token("SYMBOL", definition.symbol)])
+    value: Formula = Tree("symbol", [Token("SYMBOL", definition.symbol)])
     if definition.parameters:
         arguments = [Tree("symbol", [Token("SYMBOL", each)]) for each in definition.parameters]
         value = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", arguments)])
@@ -156,7 +157,7 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
             terms.append(Tree("run", [_slope(value, letter), Tree("symbol", [Token("SYMBOL", rate)])]))
     if not terms:
         return None
-    signed = [part for term in terms for part in (Token("SIGN", "+"), term)]
+    signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]
     return _made(symbol, Tree("sum", signed), definition, constant, vocabulary)
 
 

@@ -8,7 +8,7 @@ it may be a new statement, a condition or another case.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import islice, pairwise
@@ -175,7 +175,12 @@ class _Asked:
 
 
 def read_document(
-    document: Document, given: SymbolsFile | None = None, *, seconds: float = 10.0, jobs: int = 1
+    document: Document,
+    given: SymbolsFile | None = None,
+    *,
+    seconds: float = 10.0,
+    jobs: int = 1,
+    lines: Collection[int] | None = None,
 ) -> list[Reading]:
     r"""Return the equations of a document, each with its verdict.
 
@@ -189,6 +194,8 @@ def read_document(
         How long the proof of one relation may take.
     jobs : int
         How many worker processes.
+    lines : collection of int, optional
+        The lines on which the equations begin that are to be decided; by default all are.
 
     Examples
     --------
@@ -199,6 +206,7 @@ def read_document(
     """
     reader = _Reader(document, given or SymbolsFile())
     readings, asked = reader.first_pass()
+    asked = [each for each in asked if lines is None or readings[each.reading].line in lines]
     _decide(asked, seconds, jobs)
     for each in asked:
         links = list(readings[each.reading].links)

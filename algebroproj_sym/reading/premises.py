@@ -128,7 +128,7 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
         return None
     value: Formula = Tree("symbol", [Token("SYMBOL", definition.symbol)])
     if definition.parameters:
-        arguments = [Tree("symbol", [Token("SYMBOL", each)]) for each in definition.parameters]
+        arguments: list[Any] = [Tree("symbol", [Token("SYMBOL", each)]) for each in definition.parameters]
         value = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", arguments)])
     letters = vocabulary.letters_of(definition.tree) | {*definition.parameters}
     variable = {_bare(each): each for each in letters}.get(below)

@@ -17,6 +17,8 @@ from importlib import import_module
 from itertools import islice
 from pathlib import Path
 
+from lark import Token
+
 from algebroproj_sym.reading import Reading, document_at, read_document
 
 SECONDS = 5.0
@@ -34,17 +36,17 @@ def readings(path: Path, lines: Collection[int] | None = None) -> list[Reading]:
     return read_document(document_at(path), seconds=SECONDS, lines=lines)
 
 
-def planted(text: str, latex: str) -> Iterator[str]:
-    """Yield the text with one change in the last side of an equation."""
-    start = text.find(latex)
-    if start < 0:
-        return
-    begin = start + latex.rfind("=") + 1
-    for match in _PLACES.finditer(text, begin, start + len(latex)):
-        group = match.lastindex or 1
-        old = match[group]
-        new = _SWAPPED.get(old, str(int(old) + 1) if old.isdigit() else old)
-        yield text[: match.start(group)] + new + text[match.end(group) :]
+def planted(text: str, reading: Reading) -> Iterator[str]:
+    """Yield the text with one change in a side of a link that follows."""
+    assert reading.formula is not None
+    for place, link in enumerate(reading.links):
+        for side in reading.formula.sides[place : place + 2][::-1] if link.verdict == "follows" else ():
+            starts = [token.start_pos for token in side.scan_values(lambda each: isinstance(each, Token))]
+            for match in _PLACES.finditer(text, min(starts, default=0), max(starts, default=-1) + 1):
+                group = match.lastindex or 1
+                old = match[group]
+                new = _SWAPPED.get(old, str(int(old) + 1) if old.isdigit() else old)
+                yield text[: match.start(group)] + new + text[match.end(group) :]
 
 
 def other_readers() -> dict[str, Callable[[str], object]]:
@@ -81,10 +83,9 @@ def measure(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     tried, contradicted, lost, restored = 0, 0, 0, 0
     following = [(place, each) for place, each in enumerate(found) if any(x.verdict == "follows" for x in each.links)]
-    written = [each.latex if each.latex in text else each.statement.display.latex for _, each in following]
-    changes = [islice(planted(text, latex), EACH) for latex in written]
+    changes = [islice(planted(text, each), EACH) for _, each in following]
     for (place, each), own in zip(following, changes, strict=True):
-        for changed in own if tried < MOST else ():
+        for changed in own if tried < MOST and path.suffix != ".ipynb" else ():
             copy = path.with_name(f"planted_{path.name}")
             copy.write_text(changed, encoding="utf-8")
             again = readings(copy, [each.line])[place]

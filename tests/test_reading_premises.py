@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.declaring import DeclarationError
 from algebroproj_sym.declaring.quotes import quotations
-from algebroproj_sym.reading import document_of, read_document
+from algebroproj_sym.reading import document_at, document_of, read_document
 
 
 def last(latex, *, reading=document_of):
@@ -95,6 +95,12 @@ def test_what_may_be_meant_otherwise_contradicts_nothing(latex):
 )
 def test_what_does_not_follow_does_not(latex):
     assert last(latex).verdict != "follows"
+
+
+def test_a_misprint_of_a_published_document_is_found(repository):
+    first, second = read_document(document_at(repository / "examples" / "reading" / "euler_angles.tex"))
+    assert (first.verdict, second.verdict) == ("follows", "contradicts")
+    assert second.links[-1].suggestion == "y instead of z"
 
 
 def test_a_table_gives_a_quote_for_each_row_and_its_cells(tmp_path):

@@ -46,7 +46,8 @@ CASES = re.compile(
 """Words by which an equation may be about a case, so that it contradicts nothing."""
 HENCE = re.compile(
     r"\b(?:hence|thus|therefore|so that|follows|consequently|we (?:get|obtain|find|have)|gives|yields|becomes|equals|"
-    r"substituting|that is|in other words|equivalently)\b",
+    r"substituting|inserting|plugging|combining|rearranging|results? in|leads? to|simplif\w+|that is|in other words|"
+    r"equivalently)\b",
     re.IGNORECASE,
 )
 """Words by which an equation is said to follow from what is above it."""

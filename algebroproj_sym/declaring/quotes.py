@@ -10,6 +10,14 @@ r"""Quotes: where a paper prints what a claim is about, word for word, from the 
     latex = '\mu_3 = -\frac{y_{00}}{u_{30}y_{03}}'    or a list of pieces that follow one another
     edits = [{ scan = '\mu_{31}', read = 'u_{31}', why = "the scan takes u for mu" }]     where the scan is damaged
 
+    [[table]]
+    name = "4/a"                                    the cell of row 1 and column y2 is the claim 4/a#1.y2
+    line = 976                                      of the first row
+    columns = ["X1", "X2", "y1", "y2"]
+    given = ["X1", "X2"]                            columns that are no claims
+    names = { "$O'$" = "O1" }                       what the claims call a row; "" for one with quotes of its own
+    rows = "1\t292.50\t202.50\t-0.0\t0.5"             a line for each row: its name and its cells, with tabs between
+
     [[unquoted]]
     claims = ["1.3/core"]
     reason = "implied"
@@ -21,6 +29,7 @@ number quotes.  A claim with ``/beyond/`` in its number has no quote; where a wh
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -46,7 +55,9 @@ UNQUOTED: dict[Unquoted, str] = {
     "figure": "it stands in a figure or table that the scan does not have as text",
     "lost": "the scan has lost the place",
 }
+Cells = Mapping[str, Mapping[str, str]]
 _BEYOND = "/beyond/"
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 FILE = "quotes.toml"
 
 
@@ -138,12 +149,31 @@ class Quotations:
         Why a claim has no quote, by its number.
     beyond : bool
         Whether all claims of the folder go beyond the papers.
+    tables : mapping of str to mapping of str to mapping of str to str
+        The cells of each table, by row and column; those that are empty are left out.
     """
 
     source: str = ""
     quotes: Mapping[str, Quote] = field(default_factory=dict)
     unquoted: Mapping[str, Unquoted] = field(default_factory=dict)
     beyond: bool = False
+    tables: Mapping[str, Cells] = field(default_factory=dict)
+
+    def numbers(self, claim: str) -> tuple[str, ...]:
+        """Return the numbers in the quote of a claim, as they are printed."""
+        return tuple(_NUMBER.findall(self.quotes[claim].text))
+
+    def decimals(self, claim: str) -> tuple[str, ...]:
+        """Return the decimal fractions in the quote of a claim, as they are printed."""
+        return tuple(number for number in self.numbers(claim) if "." in number)
+
+    def rows(self, table: str, *columns: str) -> dict[str, tuple[str, ...]]:
+        """Return some columns of a table; without the rows in which one of them is empty."""
+        return {
+            name: tuple(cells[column] for column in columns)
+            for name, cells in self.tables[table].items()
+            if cells.keys() >= {*columns}
+        }
 
     def why_unquoted(self, claim: Claim) -> Unquoted | None:
         """Return why a claim has no quote; None if that is not stated."""
@@ -169,13 +199,47 @@ def _read(path: Path, stamp: int) -> Quotations:
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise DeclarationError(f"{path}: expected TOML, got {error}") from error
     quotes = [_quote(entry, path) for entry in content.get("quote", ())]
+    tables = dict[str, Cells]()
+    for entry in content.get("table", ()):
+        rows = [*_rows(entry, path)]
+        tables[entry["name"]] = {**tables.get(entry["name"], {}), **{name: cells for _, name, cells in rows if name}}
+        quotes += _quotes_of(entry, rows)
     reasons = [(number, reason) for entry in content.get("unquoted", ()) for number, reason in _reasons(entry, path)]
     _require_once([*(number for quote in quotes for number in quote.claims), *(number for number, _ in reasons)], path)
     by_number = {number: quote for quote in quotes for number in quote.claims}
     by_number |= {
         mark.claim: Quote((mark.claim,), mark.line, (mark.words,)) for mark, _ in counted(path.parent, quotes)
     }
-    return Quotations(str(content.get("source", "")), by_number, dict(reasons), bool(content.get("beyond", False)))
+    return Quotations(
+        str(content.get("source", "")), by_number, dict(reasons), bool(content.get("beyond", False)), tables
+    )
+
+
+Row = tuple[str, str, dict[str, str]]
+
+
+def _rows(entry: Mapping[str, Any], path: Path) -> Iterator[Row]:
+    """Yield each row of a table: its text, its name for claims, its cells."""
+    known = {"name", "line", "columns", "given", "names", "rows"}
+    where = f"{path}, table {entry.get('name', '?')}"
+    if set(entry) - known or known - {"given", "names"} - set(entry):
+        raise DeclarationError(f"{where}: expected keys of {sorted(known)}, got {sorted(entry)}")
+    for text in entry["rows"].strip("\n").split("\n"):
+        name, *cells = text.split("\t")
+        if len(cells) > len(entry["columns"]):
+            raise DeclarationError(
+                f"{where}: expected {len(entry['columns'])} cells in a row, got {len(cells)}: {text}"
+            )
+        filled = {column: cell for column, cell in zip(entry["columns"], cells, strict=False) if cell}
+        yield text, entry.get("names", {}).get(name, name), filled
+
+
+def _quotes_of(entry: Mapping[str, Any], rows: Sequence[Row]) -> Iterator[Quote]:
+    """Yield a quote for each row of a table that has claims."""
+    for line, (text, name, cells) in enumerate(rows, entry["line"]):
+        claims = tuple(f"{entry['name']}#{name}.{column}" for column in cells if column not in entry.get("given", ()))
+        if name and claims:
+            yield Quote(claims, line, (text,))
 
 
 def counted(folder: Path, quotes: Iterable[Quote]) -> list[tuple[Mark, str]]:

@@ -24,7 +24,9 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
+    diff,
     dot,
+    entries,
     inverse,
     over,
     shape,
@@ -272,6 +274,9 @@ class _Expressions(Transformer[Token, Any]):
     def marked(self, base: Any, mark: Token) -> Any:
         return _marked(base, str(mark))
 
+    def slope(self, value: Any, variable: Any) -> Any:
+        return _slope(value, variable)
+
     def factorial(self, base: Any) -> Any:
         if not isinstance(base, sympy.Integer) or not 0 <= base <= MOST_FACTORIAL:
             raise UnreadableError(f"a factorial is computed of a number up to {MOST_FACTORIAL} only")
@@ -434,6 +439,19 @@ def _determinant(matrix: Any) -> Any:
 def _short(number: Any) -> str:
     text = str(number) if abs(number.p) < 10**40 else "one of more than 40 digits"
     return text
+
+
+_SMOOTH = (sympy.sin, sympy.cos, sympy.tan, sympy.exp, sympy.log, sympy.sinh, sympy.cosh, sympy.atan, over)
+
+
+def _slope(value: Any, variable: Any) -> Any:
+    """Return a derivative; every function in it has one wherever it is defined, a root wherever it is not zero."""
+    for entry in entries(value):
+        functions = all(isinstance(part, _SMOOTH) for part in entry.atoms(sympy.Function))
+        powers = all(isinstance(part.exp, sympy.Rational) for part in entry.atoms(sympy.Pow))
+        if not functions or not powers:
+            raise UnreadableError("the derivative of a function in it is not computed")
+    return diff(value, variable)
 
 
 def _marked(base: Any, mark: str) -> Any:

@@ -8,7 +8,7 @@ it may be a new statement, a condition or another case.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import islice, pairwise
@@ -26,6 +26,7 @@ from algebroproj_sym.reading.grammar import Formula, Parsed, parsed, regrouped, 
 from algebroproj_sym.reading.letters import has_shape, lettered
 from algebroproj_sym.reading.lexing import UnreadableError, tokens_of
 from algebroproj_sym.reading.phrases import properties_in, sizes_in
+from algebroproj_sym.reading.premises import Premise, applicable, cited_in, crosses_in, derivatives_in, extended
 from algebroproj_sym.reading.repairs import STRONG, Repair, repairs
 from algebroproj_sym.reading.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.symbols import SymbolsFile
@@ -45,7 +46,8 @@ CASES = re.compile(
 """Words by which an equation may be about a case, so that it contradicts nothing."""
 HENCE = re.compile(
     r"\b(?:hence|thus|therefore|so that|follows|consequently|we (?:get|obtain|find|have)|gives|yields|becomes|equals|"
-    r"substituting|that is|in other words|equivalently)\b",
+    r"substituting|inserting|plugging|combining|rearranging|results? in|leads? to|simplif\w+|that is|in other words|"
+    r"equivalently)\b",
     re.IGNORECASE,
 )
 """Words by which an equation is said to follow from what is above it."""
@@ -146,24 +148,40 @@ class Reading:
         return next((verdict for verdict in order if verdict in found), "not decided")
 
 
+@dataclass(frozen=True)
+class _Way:
+    """A way to take a link: its sides, what its letters stand for, and why it may not be meant if it fails so."""
+
+    left: Formula
+    right: Formula
+    vocabulary: Vocabulary
+    doubt: str = ""
+    reads: str = ""
+
+    @property
+    def sides(self) -> Sides:
+        return self.left, self.right
+
+
 @dataclass
 class _Asked:
-    """A link that is yet to be decided."""
+    """A link that is yet to be decided: as it stands, and in other ways."""
 
     reading: int
     place: int
-    left: Formula
-    right: Formula
-    others: list[tuple[Formula, Formula]]
-    vocabulary: Vocabulary
+    ways: list[_Way]
     link: Link
-    doubt: str
     identity: bool
     certain: bool
 
 
 def read_document(
-    document: Document, given: SymbolsFile | None = None, *, seconds: float = 10.0, jobs: int = 1
+    document: Document,
+    given: SymbolsFile | None = None,
+    *,
+    seconds: float = 10.0,
+    jobs: int = 1,
+    lines: Collection[int] | None = None,
 ) -> list[Reading]:
     r"""Return the equations of a document, each with its verdict.
 
@@ -177,6 +195,8 @@ def read_document(
         How long the proof of one relation may take.
     jobs : int
         How many worker processes.
+    lines : collection of int, optional
+        The lines on which the equations begin that are to be decided; by default all are.
 
     Examples
     --------
@@ -187,6 +207,7 @@ def read_document(
     """
     reader = _Reader(document, given or SymbolsFile())
     readings, asked = reader.first_pass()
+    asked = [each for each in asked if lines is None or readings[each.reading].line in lines]
     _decide(asked, seconds, jobs)
     for each in asked:
         links = list(readings[each.reading].links)
@@ -210,6 +231,18 @@ class _Reader:
         sizes, properties = sizes_in(self.all), properties_in(self.all)
         self.vocabulary = Vocabulary(given.whole, sizes, self._matrices(), properties, euler=self._has_euler())
         self.seen: dict[str, int] = {}
+        self.premises: list[Premise] = []
+        self.displays: dict[int, int] = {}
+        self.occurring = frozenset(
+            symbol
+            for each in self.trees.values()
+            if isinstance(each, Parsed)
+            for side in each.sides
+            for symbol in symbols_in(side)
+        )
+        words = (f"{each.before} {each.after}" for each in document.formulas)
+        for definition in crosses_in(sorted(self.occurring), words):
+            self.vocabulary.define(definition)
 
     # -- what is known of the whole document
 
@@ -321,13 +354,32 @@ class _Reader:
             links.append(Link("not decided", "it has no relation, so it states nothing"))
         if definition is not None:
             self.vocabulary.define(definition)
+        else:
+            self._assert(statement, found)
         for side in found.sides:
             for symbol in symbols_in(side):
                 self.seen.setdefault(symbol, display.line)
         return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), asked
 
     def _rests(self, *trees: Formula) -> tuple[str, ...]:
-        return tuple(dict.fromkeys(each.where for tree in trees for each in self.vocabulary.used_in(tree)))
+        return _rests_of(self.vocabulary, *trees)
+
+    def _assert(self, statement: Statement, formula: Parsed) -> None:
+        """Keep an equation with a lone letter as a premise of what stands behind it."""
+        if not formula.relations or statement.condition or {*formula.relations} - {*_EQUALITIES}:
+            return
+        ends = (0, -1) if _defined(formula.sides[0])[0] else (-1, 0)
+        symbol, parameters = _defined(formula.sides[ends[0]])
+        if symbol and not parameters:
+            value, display = formula.sides[ends[1]], statement.display
+            given = Definition(symbol, (), value, self._where(statement), display.part, explicit=False)
+            special = CASES.search(f"{display.before[-NEAR:]} {display.after[:NEAR]}") is not None
+            names = frozenset((statement.number, statement.label)) - {""}
+            self.premises.append(Premise(given, self._place_of(statement), names, special))
+
+    def _place_of(self, statement: Statement) -> int:
+        """Return how many displays come before the one of a statement."""
+        return self.displays.setdefault(id(statement.display), len(self.displays))
 
     # -- definitions
 
@@ -351,6 +403,8 @@ class _Reader:
         if any(each.symbol == symbol for each in self.vocabulary.used_in(right)):
             return None
         if symbol in self.vocabulary.letters_of(right):
+            return None
+        if not explicit and derivatives_in((left,), self.vocabulary, self.occurring):
             return None
         usable = not statement.condition and formula.relations[0] in _EQUALITIES
         where, part = self._where(statement), statement.display.part
@@ -379,19 +433,53 @@ class _Reader:
         letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
         identity = self._named(statement, self.given.identities) or (relation == "≡" and bool(letters))
         certain = not letters and all(each.explicit for tree in (left, right) for each in self.vocabulary.used_in(tree))
-        asked = _Asked(
-            place,
-            index,
-            left,
-            right,
-            [*_other_readings(left, right), *self._narrow(statement, formula, index)],
-            self.vocabulary.copied(),
-            Link("not decided", rests_on=rests),
-            doubt,
-            identity,
-            certain,
-        )
+        vocabulary = self.vocabulary.copied()
+        others = [*_other_readings(left, right), *self._narrow(statement, formula, index)]
+        ways = [
+            _Way(left, right, vocabulary, doubt),
+            *(_Way(*each, vocabulary, reads=" = ".join(map(vocabulary.text, each))) for each in others),
+            *self._with_premises(statement, formula, index, vocabulary),
+        ]
+        asked = _Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain)
         return asked.link, asked
+
+    def _with_premises(
+        self, statement: Statement, formula: Parsed, index: int, vocabulary: Vocabulary
+    ) -> Iterator[_Way]:
+        """Yield the ways to take a relation that rest on equations above it, and on derivatives."""
+        left, right = formula.sides[index], formula.sides[index + 1]
+        display = statement.display
+        cited = cited_in(display.before)
+        found = [*applicable(self.premises, display.part, self._place_of(statement), cited)]
+        seen = [tuple(map(id, _used(vocabulary, left, right)))]
+        plain = frozenset(symbols_in(left)) if _defined(left)[0] else frozenset[str]()
+        for premises in ([each for each in found if each.gives.symbol not in plain], found):
+            known = extended(vocabulary, [each.gives for each in premises])
+            for slopes in (False, True):
+                if slopes:
+                    made = derivatives_in((left, right), known, self.occurring)
+                    known = extended(known, made)
+                used = _used(known, left, right)
+                if (ids := tuple(map(id, used))) not in seen:
+                    seen.append(ids)
+                    yield _Way(left, right, known, self._doubt_of_premises(statement, formula, index, known, cited))
+
+    def _doubt_of_premises(
+        self, statement: Statement, formula: Parsed, index: int, vocabulary: Vocabulary, cited: frozenset[str]
+    ) -> str:
+        """Return why an equation that fails under its premises need not contradict them.
+
+        It must follow from them by its own words, and they must be near it or named by it.
+        """
+        place, part = self._place_of(statement), statement.display.part
+        used = _used(vocabulary, formula.sides[index], formula.sides[index + 1])
+        near = {id(each.gives) for each in applicable(self.premises, part, place, cited) if each.gives.part == part}
+        given = {id(each.gives) for each in self.premises}
+        if any(id(each) in given - near for each in used):
+            return "a letter may have another meaning where it was given"
+        if HENCE.search(_last_sentence(statement.display.before)) is None:
+            return "it is not said to follow"
+        return self._doubt(statement, formula, index, vocabulary)
 
     def _narrow(self, statement: Statement, formula: Parsed, index: int) -> Iterator[tuple[Formula, Formula]]:
         """Yield a relation with the arguments of functions as short as possible, where LaTeX leaves that open."""
@@ -400,19 +488,20 @@ class _Reader:
             narrow = parsed(statement.pieces, known, self.functions, wide_arguments=False)
             yield narrow.sides[index], narrow.sides[index + 1]
 
-    def _doubt(self, statement: Statement, formula: Parsed, index: int) -> str:
+    def _doubt(self, statement: Statement, formula: Parsed, index: int, vocabulary: Vocabulary | None = None) -> str:
         """Return why a relation that fails for some values need not be a contradiction; empty if it must be one.
 
         It must be one if its letters are all given: by definitions above it or, in a chain, by the side before.  It may
         not stand beside words that speak of a case, and it may not be a new definition of a letter, or a condition.
         """
+        vocabulary = vocabulary or self.vocabulary
         left, right = formula.sides[index], formula.sides[index + 1]
         before = statement.display.before[-NEAR:]
         ended = _LABELS.sub("", statement.display.latex).rstrip().endswith(".")
         behind = "" if ended else re.split(r"[.]\s", statement.display.after)[0][:NEAR]
         words = f"{before} {statement.condition} {behind}"
         symbols = {*symbols_in(left), *symbols_in(right)}
-        used = [each for tree in (left, right) for each in self.vocabulary.used_in(tree)]
+        used = [each for tree in (left, right) for each in vocabulary.used_in(tree)]
         if formula.relations[index] == "≡":
             return "it may be a congruence"
         if statement.condition:
@@ -429,33 +518,43 @@ class _Reader:
             return f"{imaginary[0]} may be the imaginary unit"
         if formula.chose:
             return formula.chose
-        unusable = sorted(
-            s for s in symbols if s in self.vocabulary.definitions and not self.vocabulary.definitions[s].usable
-        )
+        unusable = sorted(s for s in symbols if s in vocabulary.definitions and not vocabulary.definitions[s].usable)
         if unusable:
-            return f"what {self.vocabulary.name(unusable[0])} {NOT_COMPUTED}"
+            return f"what {vocabulary.name(unusable[0])} {NOT_COMPUTED}"
         lone = [tree for tree in (left, right) if _defined(tree)[0]]
         for tree in lone:
-            definition = self.vocabulary.definitions.get(_defined(tree)[0])
+            definition = vocabulary.definitions.get(_defined(tree)[0])
             if definition is not None and not self._is_meant(definition, statement, before):
-                name = self.vocabulary.name(definition.symbol)
+                name = vocabulary.name(definition.symbol)
                 return f"{name} is defined in {definition.where}; here it may mean something else"
-        ours, theirs = self.vocabulary.letters_of(left), self.vocabulary.letters_of(right)
+        ours, theirs = vocabulary.letters_of(left), vocabulary.letters_of(right)
         if bool(ours) != bool(theirs):
             return "it may be a condition"
         chained = len(formula.sides) > 2 and not lone
         if chained and theirs <= ours and (index > 0 or ours <= theirs):
             return ""
-        base = frozenset(letter for each in used for letter in self.vocabulary.letters_of(each.tree))
+        base = frozenset(letter for each in used for letter in vocabulary.letters_of(each.tree))
         if not used and (ours or theirs):
             return "its letters are defined nowhere above it"
         if new := sorted((ours | theirs) - base):
-            return f"{self.vocabulary.name(new[0])} is not given by the definitions above it"
+            return f"{vocabulary.name(new[0])} is not given by the definitions above it"
         return ""
 
     def _is_meant(self, definition: Definition, statement: Statement, before: str) -> bool:
         """Whether a letter still has the meaning that it was given."""
         return definition.part == statement.display.part and (definition.explicit or HENCE.search(before) is not None)
+
+
+def _used(vocabulary: Vocabulary, *trees: Formula) -> list[Definition]:
+    return [each for tree in trees for each in vocabulary.used_in(tree)]
+
+
+def _rests_of(vocabulary: Vocabulary, *trees: Formula) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(each.where for each in _used(vocabulary, *trees)))
+
+
+def _last_sentence(words: str) -> str:
+    return re.split(r"[.!?]\s+(?=[A-Z\\])|\n\s*\n", words.rstrip())[-1]
 
 
 def _factors(tree: Any) -> Iterator[str]:
@@ -573,39 +672,32 @@ def _asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Que
 
 
 def _decide(asked: Sequence[_Asked], seconds: float, jobs: int) -> None:
-    """Decide every link, first as it stands, then as else it can be read, then with single changes."""
-    found = [[(each, sides) for sides in ((each.left, each.right), *each.others)] for each in asked]
-    answers = _answers([pair for group in found for pair in group], seconds, jobs)
-    refuted: list[tuple[_Asked, Outcome]] = []
-    for group in found:
-        answered = [answers.pop(0) for _ in group]
+    """Decide every link, first as it stands, then in other ways, then with single changes."""
+    answers = _answers([way for each in asked for way in each.ways], seconds, jobs)
+    failing: list[tuple[_Asked, _Way, Outcome]] = []
+    for each in asked:
+        answered = [answers.pop(0) for _ in each.ways]
         place = next((i for i, (_, answer) in enumerate(answered) if answer.verdict == "proved"), 0)
-        each, sides = group[place]
         question, outcome = answered[place]
-        each.link = replace(_link_of(each, outcome, sides if place else None), sides=question)
-        if outcome.verdict == "refuted":
-            refuted.append((each, outcome))
-    candidates = [_likely_repairs(each) for each, _ in refuted]
-    answers = _answers(
-        [(each, sides) for (each, _), found in zip(refuted, candidates, strict=True) for _, sides in found],
-        seconds,
-        jobs,
-    )
-    for (each, refutation), changes in zip(refuted, candidates, strict=True):
-        tried = [(repair, sides, *answers.pop(0)) for repair, sides in changes]
-        best = next(
-            ((repair, sides, asked) for repair, sides, asked, answer in tried if answer.verdict == "proved"), None
-        )
-        each.link = _refuted(each, refutation, best[0] if best else None)
-        if best and best[2] and best[1][0] is each.left:
-            each.link = replace(each.link, corrected=best[2][1])
+        each.link = replace(_link_of(each, outcome, each.ways[place]), sides=question)
+        if each.link.verdict != "follows":
+            refuted = [(way, answer) for way, (_, answer) in zip(each.ways, answered, strict=True)]
+            failing += [(each, way, answer) for way, answer in refuted if answer.verdict == "refuted" and not way.reads]
+    candidates = [_likely_repairs(way) for _, way, _ in failing]
+    answers = _answers([way for found in candidates for _, way in found], seconds, jobs)
+    for (each, way, refutation), changes in zip(failing, candidates, strict=True):
+        tried = [(repair, changed, *answers.pop(0)) for repair, changed in changes]
+        best = next((found for found in tried if found[3].verdict == "proved"), None)
+        link = _refuted(each, way, refutation, best[0] if best else None, best[1] if best else way)
+        if best and best[2] and best[1].left is way.left:
+            link = replace(link, corrected=best[2][1])
+        if way is each.ways[0] or (link.verdict == "contradicts" != each.link.verdict):
+            each.link = link
 
 
-def _answers(
-    pairs: Sequence[tuple[_Asked, Sides]], seconds: float, jobs: int
-) -> list[tuple[tuple[str, str] | None, Outcome]]:
+def _answers(ways: Sequence[_Way], seconds: float, jobs: int) -> list[tuple[tuple[str, str] | None, Outcome]]:
     """Return each pair of sides as text with its outcome; one that cannot be asked is open."""
-    asked = [_asked_of(each.vocabulary, *sides) for each, sides in pairs]
+    asked = [_asked_of(each.vocabulary, *each.sides) for each in ways]
     questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions))) if questions else iter(())
     return [
@@ -642,24 +734,22 @@ def _of_entries(found: Sequence[Outcome]) -> Outcome:
     return Outcome("proved", "entries", sum(each.seconds for each in found), "", hypotheses, None, certificate)
 
 
-def _likely_repairs(asked: _Asked) -> list[tuple[Repair, Sides]]:
+def _likely_repairs(way: _Way) -> list[tuple[Repair, _Way]]:
     """Return the changes after which the sides agree at some points."""
-    vocabulary = asked.vocabulary
-    used = vocabulary.used_in(Tree("run", [asked.left, asked.right]))
-    symbols = {
-        symbol for tree in (asked.left, asked.right, *(each.tree for each in used)) for symbol in symbols_in(tree)
-    }
-    right = [(repair, (asked.left, repair.formula)) for repair in repairs(asked.right, symbols)]
-    left = [(repair, (repair.formula, asked.right)) for repair in repairs(asked.left, symbols)]
-    found = sorted([*right, *left], key=lambda pair: pair[0].kind not in STRONG)
-    changed = [pair for pair in found if pair[1][0] != pair[1][1]]
-    if _is_lettered(asked):
+    vocabulary, left, right = way.vocabulary, way.left, way.right
+    used = _used(vocabulary, left, right)
+    symbols = {symbol for tree in (left, right, *(each.tree for each in used)) for symbol in symbols_in(tree)}
+    changes = [(each, replace(way, right=each.formula)) for each in repairs(right, symbols)]
+    changes += [(each, replace(way, left=each.formula)) for each in repairs(left, symbols)]
+    found = sorted(changes, key=lambda pair: pair[0].kind not in STRONG)
+    changed = [pair for pair in found if pair[1].left != pair[1].right]
+    if _is_lettered(way):
         return changed[:MOST_REPAIRS_OF_LETTERS]
-    return [*islice((pair for pair in changed if _agree(vocabulary, pair[1])), MOST_REPAIRS)]
+    return [*islice((pair for pair in changed if _agree(vocabulary, pair[1].sides)), MOST_REPAIRS)]
 
 
-def _is_lettered(asked: _Asked) -> bool:
-    questions = _asked_of(asked.vocabulary, asked.left, asked.right)
+def _is_lettered(way: _Way) -> bool:
+    questions = _asked_of(way.vocabulary, *way.sides)
     return isinstance(questions, list) and questions[0].letters is not None
 
 
@@ -680,9 +770,9 @@ def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:
     return True
 
 
-def _doubt_of_refutation(asked: _Asked) -> str:
+def _doubt_of_refutation(way: _Way) -> str:
     """Return why sides that differ at a point may still be meant to be equal; empty for no reason."""
-    questions = _asked_of(asked.vocabulary, asked.left, asked.right)
+    questions = _asked_of(way.vocabulary, *way.sides)
     assert isinstance(questions, list)
     letters = questions[0].letters
     if letters is not None:
@@ -695,35 +785,50 @@ def _doubt_of_refutation(asked: _Asked) -> str:
     return "it holds where its letters are positive" if positive else ""
 
 
-def _link_of(asked: _Asked, outcome: Outcome, other: Sides | None) -> Link:
+def _link_of(asked: _Asked, outcome: Outcome, way: _Way) -> Link:
     """Return the verdict of a link, as far as it is decided without changes."""
     link = asked.link
     if outcome.verdict == "proved":
-        reason = ""
-        if other is not None:
-            reason = f"read as {asked.vocabulary.text(other[0])} = {asked.vocabulary.text(other[1])}"
         return replace(
-            link, verdict="follows", reason=reason, hypotheses=outcome.hypotheses, certificate=outcome.certificate
+            link,
+            verdict="follows",
+            reason=f"read as {way.reads}" if way.reads else "",
+            rests_on=_rests_of(way.vocabulary, *way.sides),
+            hypotheses=outcome.hypotheses,
+            certificate=outcome.certificate,
         )
     return replace(link, reason=("the prover does not take it: " if outcome.unreadable else "") + outcome.reason)
 
 
-def _refuted(asked: _Asked, refutation: Outcome, repair: Repair | None) -> Link:
-    """Return the verdict of a link that fails at a point."""
+def _holds_beside(way: _Way, repaired: _Way) -> bool:
+    """Whether two entries with letters hold, and a change that makes all hold does not concern them."""
+    if _is_lettered(way):
+        return False
+    before, after = ([*map(entries, map(way.vocabulary.value, each.sides))] for each in (way, repaired))
+    same = [a for a, b, c, d in zip(*before, *after, strict=True) if (a, b) == (c, d) and free_symbols(a)]
+    return len(same) >= 2
+
+
+def _refuted(asked: _Asked, way: _Way, refutation: Outcome, repair: Repair | None, repaired: _Way) -> Link:
+    """Return the verdict of a link that fails at a point, and of the smallest change by which it would follow."""
     suggestion = ""
     if repair is not None:
-        now, before = (asked.vocabulary.text(tree) for tree in (repair.now, repair.before))
+        now, before = (way.vocabulary.text(tree) for tree in (repair.now, repair.before))
         suggestion = f"{now} instead of {before}"
-    doubt = _doubt_of_refutation(asked)
-    doubt = doubt if doubt.endswith(NOT_COMPUTED) else asked.doubt or doubt
-    certain = asked.certain or (repair is not None and repair.kind in STRONG)
-    asserted = (certain and not doubt) or (asked.identity and not (doubt and _is_lettered(asked)))
+    doubt = _doubt_of_refutation(way)
+    doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
+    plain = way is asked.ways[0]
+    certain = (plain and asked.certain) or (
+        repair is not None and (repair.kind in STRONG or (repair.kind == "letter" and _holds_beside(way, repaired)))
+    )
+    asserted = (certain and not doubt) or (plain and asked.identity and not (doubt and _is_lettered(way)))
     reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
     undecided = doubt.endswith(NOT_COMPUTED)
     return replace(
         asked.link,
         verdict="contradicts" if asserted else "not decided" if undecided else "independent",
         reason=reason,
+        rests_on=_rests_of(way.vocabulary, *way.sides),
         counterexample=refutation.counterexample,
         suggestion=suggestion,
         certificate=refutation.certificate,

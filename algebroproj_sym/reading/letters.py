@@ -16,12 +16,14 @@ from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, wrapped
-from algebroproj_sym.reading.lexing import UnreadableError
+from algebroproj_sym.reading.lexing import UnreadableError, split_symbol
 from algebroproj_sym.reading.vocabulary import Vocabulary
 
 MOST_PARTS = 1_000
 """How many parts a side may have, with all definitions put in."""
-_COLUMN = re.compile(r"\\(?:mathbf|vec|overrightarrow)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}")
+_STYLE = r"\\(?:mathbf|vec|overrightarrow)"
+_COLUMN = re.compile(rf"{_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
+_TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
 _SIZES = "nmklpqrstuvw"
 
 
@@ -56,6 +58,8 @@ class _Size:
 
 
 Shape = tuple[_Size, _Size]
+_Term = tuple[bool, list["_Part"]]
+MOST_TERMS = 100
 
 
 class _Part:
@@ -73,6 +77,12 @@ class _Part:
         Of how many parts it is made.
     is_zero : bool
         Whether it is the number 0.
+    is_table : bool
+        Whether it is written as a matrix that is no vector: as a bold capital.
+    terms : list of (bool, list of _Part)
+        The products of which it is the sum, each with whether it is taken away.
+    symbols : frozenset of str
+        The symbols in it.
     """
 
     def __init__(self, shape: Shape, text: Callable[[], str], *inside: _Part) -> None:
@@ -81,6 +91,9 @@ class _Part:
         self.square: Callable[[], str] | None = None
         self.weight: int = 1 + sum(part.weight for part in inside)
         self.is_zero = False
+        self.is_table = False
+        self.terms: list[_Term] = [(False, [self])]
+        self.symbols: frozenset[str] = frozenset().union(*(part.symbols for part in inside))
         if self.weight > MOST_PARTS:
             raise UnreadableError(f"expected at most {MOST_PARTS} parts with all definitions put in, got more")
 
@@ -147,6 +160,12 @@ class _Reader:
         vocabulary = self._vocabulary
         if symbol in vocabulary.given.symbols or vocabulary.constant(symbol) is not None or symbol == r"\infty":
             raise UnreadableError(f"{symbol} stands for no letter")
+        part = self._letter(symbol)
+        part.symbols = frozenset((symbol,))
+        return part
+
+    def _letter(self, symbol: str) -> _Part:
+        vocabulary = self._vocabulary
         name, size, properties = vocabulary.name(symbol), vocabulary.size_of(symbol), vocabulary.properties_of(symbol)
         self._names.add(name)
         if vocabulary.is_component(symbol):
@@ -161,7 +180,9 @@ class _Reader:
         if "identity" in properties:
             return _Part((rows, columns), lambda: f"eye({self.size(rows)})")
         shape = self._letters.setdefault(symbol, (rows, columns))
-        return _Part(shape, lambda: name)
+        part = _Part(shape, lambda: name)
+        part.is_table = _TABLE.search(symbol) is not None
+        return part
 
     def size(self, size: _Size) -> str:
         """Return a size as text."""
@@ -198,7 +219,9 @@ class _Reader:
                 raise UnreadableError(f"{name} has two sizes")
             return own
 
-        return _Part(shape, text, *arguments)
+        found = _Part(shape, text, *arguments)
+        found.symbols |= {*re.findall(r"(?<![a-zA-Z\\])[a-zA-Z](?![a-zA-Z])", name)}
+        return found
 
     def question(self, sides: list[_Part]) -> Question:
         """Return a question with the letters that occur, and what is known of the values of functions."""
@@ -279,13 +302,7 @@ class _Parts(Transformer[Token, Any]):
             signs, values = [sign for sign, _ in kept], [value for _, value in kept]
         if not values:
             return _number("0")
-        for value in values[1:]:
-            _same_shape(values[0], value)
-        return _Part(
-            values[0].shape,
-            lambda: "(" + "".join(f" {sign} {value.text()}" for sign, value in zip(signs, values, strict=True)) + ")",
-            *values,
-        )
+        return _sum(list(zip((sign == "-" for sign in signs), values, strict=True)))
 
     def product(self, first: _Part, *rest: Any) -> _Part:
         found = first
@@ -318,7 +335,10 @@ class _Parts(Transformer[Token, Any]):
             raise _refused(f"the value of the function {name}")
         columns = (_Size(), _Size(1)) if _COLUMN.search(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
-        return self.reader.whole(name, arguments, shape)
+        part = self.reader.whole(name, arguments, shape)
+        part.is_table = _TABLE.search(name) is not None
+        part.symbols |= {name}
+        return part
 
     def power(self, base: _Part, exponent: _Part) -> _Part:
         text = exponent.text().replace(" ", "").strip("()").lstrip("+")
@@ -343,6 +363,9 @@ class _Parts(Transformer[Token, Any]):
                 size.unite(_Size(3))
             return _Part((_Size(3), _Size(1)), lambda: f"vee({base.text()})", base)
         raise _refused("a mark")
+
+    def slope(self, value: _Part, variable: _Part) -> _Part:
+        raise _refused("a derivative")
 
     def factorial(self, base: _Part) -> _Part:
         raise _refused("a factorial")
@@ -372,7 +395,24 @@ class _Parts(Transformer[Token, Any]):
         raise _refused("a root of another degree than two")
 
     def big(self, name: Token, body: _Part) -> _Part:
-        return self.reader.whole(str(name), [body], body.shape)
+        index = re.match(r"\\sum_\{([a-z])(?:=.*)?\}", name)
+        if index is None or len(body.terms) > MOST_TERMS:
+            return self.reader.whole(str(name), [body], body.shape)
+        return _sum([(minus, self._summed(str(name), index[1], factors)) for minus, factors in body.terms])
+
+    def _summed(self, name: str, index: str, factors: list[_Part]) -> _Part:
+        """Return a sum of products: what does not depend on the index stands before or behind it."""
+        numbers = [each for each in factors if each.is_number]
+        rest = [each for each in factors if not each.is_number]
+        depends = [_depends_on(each, index) for each in rest]
+        first = depends.index(True) if True in depends else len(rest)
+        last = len(rest) - depends[::-1].index(True) if True in depends else len(rest)
+        within = [each for each in numbers if _depends_on(each, index)]
+        middle = rest[first:last]
+        inner = _in_order(within, reduce(_times, middle) if middle else None)
+        outer = [each for each in numbers if not _depends_on(each, index)]
+        whole = self.reader.whole(name, [inner], inner.shape)
+        return reduce(_times, [*outer, *rest[:first], whole, *rest[last:]])
 
     def absolute(self, inside: _Part) -> _Part:
         return self.norm(inside)
@@ -450,14 +490,55 @@ def _total(sizes: list[_Size]) -> int:
 
 def _times(left: _Part, right: _Part) -> _Part:
     if left.is_number or right.is_number:
-        return _Part((right if left.is_number else left).shape, lambda: f"{left.text()}*{right.text()}", left, right)
-    left.shape[1].unite(right.shape[0])
-    return _Part((left.shape[0], right.shape[1]), lambda: f"{left.text()}*{right.text()}", left, right)
+        shape = (right if left.is_number else left).shape
+    else:
+        left.shape[1].unite(right.shape[0])
+        shape = (left.shape[0], right.shape[1])
+    found = _Part(shape, lambda: f"{left.text()}*{right.text()}", left, right)
+    if len(left.terms) * len(right.terms) <= MOST_TERMS:
+        found.terms = [(a != b, [*one, *other]) for a, one in left.terms for b, other in right.terms]
+    return found
+
+
+def _sum(signed: list[tuple[bool, _Part]]) -> _Part:
+    """Return a sum of parts, each with whether it is taken away."""
+    first = signed[0][1]
+    for _, value in signed[1:]:
+        _same_shape(first, value)
+    text = lambda: "(" + "".join(f" {'-' if minus else '+'} {part.text()}" for minus, part in signed) + ")"  # noqa: E731
+    found = _Part(first.shape, text, *(part for _, part in signed))
+    found.terms = [(minus != other, factors) for minus, part in signed for other, factors in part.terms]
+    return found
+
+
+def _in_order(numbers: list[_Part], rest: _Part | None) -> _Part:
+    """Return a product whose numbers stand in the order of their texts, so that the same product has the same text."""
+    shape = (_Size(1), _Size(1)) if rest is None else rest.shape
+    parts = [*numbers, *([] if rest is None else [rest])]
+
+    def text() -> str:
+        return "*".join([*sorted(each.text() for each in numbers), *([] if rest is None else [rest.text()])]) or "1"
+
+    return _Part(shape, text, *parts)
+
+
+def _depends_on(part: _Part, index: str) -> bool:
+    """Whether an index stands in the symbols of a part, or may do so."""
+    for symbol in part.symbols:
+        if " " in symbol or "/" in symbol:
+            return True
+        letter, _, below, above = split_symbol(symbol)
+        if index in (letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")):
+            return True
+    return False
 
 
 def _divided(above: _Part, below: _Part) -> _Part:
     _scalar(below, "a quotient")
-    return _Part(above.shape, lambda: f"{above.text()}/({below.text()})", above, below)
+    found = _Part(above.shape, lambda: f"{above.text()}/({below.text()})", above, below)
+    inverse = _number_of(lambda: f"1/({below.text()})", below)
+    found.terms = [(minus, [*factors, inverse]) for minus, factors in above.terms]
+    return found
 
 
 def _joined(kind: str, left: _Part, right: _Part) -> _Part:
@@ -470,14 +551,7 @@ def _joined(kind: str, left: _Part, right: _Part) -> _Part:
         _vector(left, 3)
         _vector(right, 3)
         return _Part((_Size(3), _Size(1)), lambda: f"cross({left.text()}, {right.text()})", left, right)
-    if (
-        kind == "DOT"
-        and 1 in (left.shape[1].value, right.shape[1].value)
-        and None
-        in (
-            left.shape[1].value,
-            right.shape[1].value,
-        )
-    ):
+    ends = (left.shape[1].value, right.shape[1].value)
+    if kind == "DOT" and 1 in ends and None in ends and not (left.is_table and ends[1] == 1):
         raise UnreadableError("the point may be a product of matrices, or of vectors")
     return _times(left, right)

@@ -93,6 +93,7 @@ _BARS = {"|": "BAR", r"\vert": "BAR", r"\lvert": "BAR", r"\rvert": "BAR"} | dict
     (r"\|", r"\Vert", r"\lVert", r"\rVert"), "NORM"
 )
 ARGUMENT = "LaTeX leaves open how far the argument of a function goes"
+_AXIS = r"[xyzA-SU-Z]"
 _INDICES = re.compile(r"(?:[a-zA-Z]|\\[a-zA-Z]+){2,}")
 _LETTER = re.compile(r"[a-zA-Z]|\\[a-zA-Z]+")
 _VALUE_ENDS = frozenset(
@@ -495,7 +496,7 @@ class _Lexer:
         elif re.fullmatch(r"\*(T|-1|\\top)", above):
             self.name(written(letter, primes, below, "*"), start, raised=True)
             self.power(above[1:], self.raised[1:])
-        elif _PART_OF_NAME.fullmatch(above):
+        elif _PART_OF_NAME.fullmatch(above) or self.is_axis(letter, above):
             self.name(whole, start)
         elif self.functions is not None and self.has_indices(letter, below, above):
             self.chose = "letters above may be indices"
@@ -504,6 +505,10 @@ class _Lexer:
             self.name(bare, start, raised=True)
             self.power(above, [piece for piece in self.raised if piece.text not in ("'", r"\prime")])
         self.after()
+
+    def is_axis(self, letter: str, above: str) -> bool:
+        r"""Whether what stands above a vector is an axis or a frame, as in ``\mathbf{e}^z``, and no power."""
+        return self.functions is not None and letter.startswith(r"\mathbf{") and bool(re.fullmatch(_AXIS, above))
 
     def is_unknown_letter(self) -> bool:
         """Whether a command of the document that nothing defines may be a letter: it takes no argument."""
@@ -837,11 +842,24 @@ class _Lexer:
     def braces(self) -> None:
         start, inside = self.place, self.group()
         lexer = _Lexer(inside, self.known, self.functions, self.wide, self.depth + 1)
+        if lexer.keeps_room():
+            return
         if self.peek() in ("_", "^", "'") and inside and lexer.depth < MAX_NESTING and lexer.is_lone_letter():
             self.scripted(lexer.letter(), start)
         elif any(not piece.text.isspace() for piece in inside):
             self.inner(inside)
             self.after()
+
+    def keeps_room(self) -> bool:
+        r"""Whether there is nothing but room, as before the frame in ``{\vphantom{\omega}}^{B}\omega``."""
+        self.skip()
+        if self.text not in (r"\phantom", r"\hphantom", r"\vphantom"):
+            return False
+        self.index += 1
+        self.group()
+        self.skip()
+        alone, self.index = self.index == len(self.pieces), 0
+        return alone
 
     def is_lone_letter(self) -> bool:
         """Whether there is nothing but a letter, with its style and accents."""
@@ -905,8 +923,10 @@ class _Lexer:
         subscript = f"{below}_{own_below}" if below else own_below
         if above:
             subscript = f"{above}^{subscript}"
-        self.name(written(letter, primes, subscript, ""), start)
-        self.power(own_above, self.raised)
+        axis = own_above if self.is_axis(letter, own_above) else ""
+        self.name(written(letter, primes, subscript, axis), start)
+        if not axis:
+            self.power(own_above, self.raised)
         self.after()
 
 

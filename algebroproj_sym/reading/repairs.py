@@ -16,7 +16,7 @@ MOST = 250
 STRONG = frozenset(("sign", "number", "exponent", "index", "fraction", "function"))
 """Changes that no special case makes: a factor or term that is missing may be one or zero in the author's mind."""
 
-_ORDER = ("sign", "number", "index", "exponent", "function", "fraction", "transpose", "factor")
+_ORDER = ("sign", "number", "index", "exponent", "function", "letter", "fraction", "transpose", "factor")
 _OTHERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh", "tan": "cot", "cot": "tan"}
 _TWO = Tree("number", [Token("NUMBER", "2")])
 _MINUS, _PLUS = Token("SIGN", "-"), Token("SIGN", "+")
@@ -77,7 +77,10 @@ def _of(node: Any, symbols: list[str]) -> Iterator[tuple[str, Formula]]:
             if value >= 0:
                 yield "number", Tree("number", [Token("NUMBER", str(value))])
     elif kind == "symbol":
-        yield from (("index", Tree("symbol", [Token("SYMBOL", other)])) for other in _siblings(str(parts[0]), symbols))
+        siblings = _siblings(str(parts[0]), symbols)
+        yield from (("index", Tree("symbol", [Token("SYMBOL", other)])) for other in siblings)
+        others = (each for each in symbols if each not in (*siblings, str(parts[0])) and _is_letter(each))
+        yield from (("letter", Tree("symbol", [Token("SYMBOL", other)])) for other in others)
         yield "exponent", Tree("power", [node, _TWO])
     elif kind == "power":
         yield "exponent", parts[0]
@@ -109,6 +112,10 @@ def _with(node: Formula, place: int, child: Any) -> Formula:
     children = list(node.children)
     children[place] = child
     return Tree(node.data, children)
+
+
+def _is_letter(symbol: str) -> bool:
+    return " " not in symbol and "/" not in symbol and not split_symbol(symbol)[0].startswith(r"\math")
 
 
 def _siblings(symbol: str, symbols: list[str]) -> list[str]:

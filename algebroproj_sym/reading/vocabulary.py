@@ -17,7 +17,7 @@ from algebroproj_sym.reading.symbols import Table, letters_of
 MOST_DEFINITIONS = 20_000
 
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
-_BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z])")
+_BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
 
 
 class UnsizedError(UnreadableError):
@@ -89,6 +89,10 @@ class Vocabulary:
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
+
+    def forget(self) -> None:
+        """Forget the values of all letters, so that they are computed again."""
+        self._values.clear()
 
     def define(self, definition: Definition) -> None:
         """Add a definition."""

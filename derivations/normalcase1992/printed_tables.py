@@ -1,28 +1,21 @@
 # %% [markdown]
 # # 4 Numerical example: the tables, as printed
 #
-# Nothing is computed here.
+# Nothing is computed here, and nothing typed again: the digits are those of the quotes.
 #
 # The eight points, in millimeters, and the two matrices of correlation.
 
 # %%
-LEFT = (
-    ("-10.620", "1.694"),
-    ("8.308", "0.808"),
-    ("-16.623", "14.596"),
-    ("17.472", "13.804"),
-    ("-11.904", "-1.314"),
-    ("14.764", "-2.293"),
-    ("-21.802", "6.968"),
-    ("-12.778", "8.770"),
-)
-RIGHT_X = ("-1.851", "14.936", "-7.583", "22.767", "-15.519", "1.799", "-18.058")
-RIGHT_Y = ("2.316", "1.613", "13.604", "17.806", "-0.481", "-1.931", "6.299", "8.746")
-Z_PRINTED = (
-    ("-0.00391", "0.26581", "0.01067"),
-    ("0.28609", "0.01536", "-0.99664"),
-    ("-0.00645", "1.00000", "-0.01313"),
-)
+from pathlib import Path
+
+from algebroproj_sym.declaring import quotations
+
+quotes = quotations(Path(__file__).parent)
+coordinates = quotes.decimals("4/coordinates#left")
+LEFT = tuple(zip(coordinates[:8], coordinates[8:16], strict=True))
+RIGHT_X, RIGHT_Y = coordinates[16:23], coordinates[23:]
+z = quotes.decimals("4/Z#z11")
+Z_PRINTED = tuple(zip(z[:3], z[3:6], z[6:], strict=True))
 C_PRINTED = (("-0.00404", "0.26580", "0.01111"), (None, None, "-0.99454"), ("-0.00696", "1.00000", None))
 
 # %% [markdown]
@@ -30,24 +23,11 @@ C_PRINTED = (("-0.00404", "0.26580", "0.01111"), (None, None, "-0.99454"), ("-0.
 # their standard errors and the definitive rotations in gon, and the definitive matrix.
 
 # %%
-TABLE = (
-    ("4.81", "-141.38", "-2545.03", "28.22", "-829.52", "0.0500", "1.0"),
-    ("17.77", "-1129.97", "-2524.54", "-0.18", "11.25", "0.0118", "1.0"),
-    ("-36.4", "132.58", "-2731.04", "314.63", "-1147.66", "-1.0271", "1.1"),
-    ("511.63", "-1679.62", "-2736.65", "-106.82", "351.20", "-1.1611", "1.1"),
-    ("-1.71", "-73.60", "-2359.54", "-35.51", "-1525.32", "-0.0885", "1.0"),
-    ("-71.63", "-1360.76", "-2274.17", "-29.84", "-566.33", "-0.1081", "0.9"),
-    ("-45.25", "348.39", "-2479.64", "224.47", "-1731.91", "-0.6591", "1.0"),
-    ("7.05", "-41.83", "-2608.91", "162.05", "-963.52", "-0.6622", "1.0"),
-)
-Q_PRINTED = (
-    ("8.484", "0.902", "1.076", "4.334", "-1.887"),
-    ("0.902", "1.768", "-0.871", "-4.126", "1.276"),
-    ("1.076", "-0.871", "0.521", "2.128", "-0.812"),
-    ("4.334", "-4.126", "2.128", "20.392", "-2.079"),
-    ("-1.887", "1.276", "-0.812", "-2.079", "1.517"),
-)
-DEFINITIVE = {"phip": "-16.728", "kappap": "-0.463", "omega": "-0.878", "phipp": "17.561", "kappapp": "-0.180"}
+TABLE = tuple(quotes.decimals(f"4/errors#{row}.phip") for row in range(1, 9))
+q, last = quotes.decimals("4/Q#11"), quotes.decimals("4/Q#55")
+Q_PRINTED = (*((*q[4 * i : 4 * i + 4], last[i]) for i in range(4)), last)
+ANGLES = ("phip", "kappap", "omega", "phipp", "kappapp")
+DEFINITIVE = dict(zip(ANGLES, quotes.decimals("4/definitive#phip"), strict=True))
 
 # %% [markdown]
 # Not in the paper: what the definitive rotations leave, and the adjustment without the slips.

@@ -1,0 +1,122 @@
+"""Equations rest on equations above them, derivatives are computed, sums are linear; and nothing true contradicts."""
+
+import pytest
+
+from algebroproj_sym.declaring import DeclarationError
+from algebroproj_sym.declaring.quotes import quotations
+from algebroproj_sym.reading import document_at, document_of, read_document
+
+
+def last(latex, *, reading=document_of):
+    return read_document(reading(latex), seconds=10)[-1]
+
+
+ENERGY = r"\[ T := \frac12 m \dot x^2 + \frac12 k x^2 \] The letter $\ddot x = a$ is used. "
+ORBIT = r"""The letters $h > p > \mu$ are used.
+\[ h = 2 \mu p \] \begin{equation} p = a(1-e^2) \label{p} \end{equation} """
+PLATE = r"We introduce the tilde matrix. \[ \mathbf{h} := [\tilde{\mathbf{w}}]\mathbf{d} \] "
+ROTATIONS = r"""\[ \begin{bmatrix}\cos z & -\sin z & 0\\ \sin z & \cos z & 0\\ 0&0&1\end{bmatrix}
+\begin{bmatrix}\cos y\\ 0\\ -\sin y\end{bmatrix} = \begin{bmatrix}\cos y\cos z\\ \cos y\sin z\\ -\sin %s\end{bmatrix}
+= \begin{bmatrix}\cos z\cos y\\ \sin z\cos y\\ -\sin %s\end{bmatrix} \]"""
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        ORBIT + r"Hence \[ h = 2 \mu a (1-e^2) \]",
+        ENERGY + r"\[ \frac{\partial T}{\partial x} = k x \]",
+        ENERGY + r"\[ \dot T = m \dot x \ddot x + k x \dot x \]",
+        r"\[ f(x) := x^3 + \sin x \] \[ \frac{d f}{d x} = 3x^2 + \cos x \]",
+        PLATE + r"\[ \mathbf{h} = -[\mathbf{\tilde{d}}]\mathbf{w} \]",
+        r"\[ \mathbf{c} := \sum_{j=1}^n m_j (\mathbf{r}_j + \mathbf{w}\times\mathbf{d}) \]"
+        r"\[ \mathbf{c} = \sum_{j=1}^n m_j \mathbf{r}_j + \mathbf{w}\times\mathbf{d} \sum_{j=1}^n m_j \]",
+        r"\[ \mathbf{c} := \sum_{j=1}^n m_j l_j \mathbf{r}_j \] \[ \mathbf{c} = \sum_{j=1}^n l_j m_j \mathbf{r}_j \]",
+        r"\[ \dot{\bm r} = \bm a \times \bm b \] \[ \dot{\bm r} = -\bm b \times \bm a \]",
+        r"\[ {\vphantom{\bm w}}^{B}{\bm w} = 2 \bm a \] \[ \bm a = \frac12 {}^{B}\bm w \]",
+    ],
+)
+def test_what_follows_from_what_stands_above_follows(latex):
+    assert last(latex).verdict == "follows"
+
+
+def test_the_verdict_names_what_it_rests_on():
+    (link,) = last(ORBIT + r"Hence \[ h = 2 \mu a (1-e^2) \]").links
+    assert link.rests_on == ("(1), line 2", "line 2")
+    (link,) = last(ENERGY + r"\[ \dot T = m \dot x \ddot x + k x \dot x \]").links
+    assert "the derivative of line 1, where k, m do not change" in link.rests_on
+    (link,) = last(PLATE + r"\[ \mathbf{h} = -[\tilde{\mathbf{d}}]\mathbf{w} \]").links
+    assert 'the words "tilde matrix"' in link.rests_on
+
+
+@pytest.mark.parametrize(
+    ("latex", "suggestion"),
+    [
+        (ORBIT + r"Substituting \eqref{p} yields \[ h = 2 \mu a (1+e^2) \]", "1 - e**2 instead of 1 + e**2"),
+        (ENERGY + r"Hence \[ \frac{\partial T}{\partial x} = 2 k x \]", "1 instead of 2"),
+        (r"The letters $x > y$. \[ x = y + 1 \] Thus \[ y = x + 1 \]", "x - 1 instead of x + 1"),
+        (ROTATIONS % ("z", "z"), "y instead of z"),
+    ],
+)
+def test_a_slip_in_what_is_said_to_follow_is_found(latex, suggestion):
+    reading = last(latex)
+    assert reading.verdict == "contradicts"
+    assert suggestion in {link.suggestion for link in reading.links}
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        ORBIT + r"Another orbit has \[ h = 2 \mu a (1+e^2) \]",
+        ORBIT + r"\section{Other} Hence \[ h = 2 \mu a (1+e^2) \]",
+        ENERGY + r"In steady motion \[ \dot T = 0 \]",
+        ENERGY + r"If $m$ changes, then hence \[ \dot T = m \dot x \ddot x + k x \dot x + \dot m \dot x^2 / 3\]",
+        r"The sum is \[ \bm c := \sum_{j=1}^n m_j \bm r_j \] hence \[ \bm c = \sum_{j=1}^k m_j \bm r_j \]",
+        r"\[ \mathbf{c} := \sum_{j=1}^n m_j \mathbf{r}_j \] Hence \[ \mathbf{c} = m_j \sum_{j=1}^n \mathbf{r}_j \]",
+        r"The tilde is an estimate. \[ \mathbf{h} := \tilde{\mathbf{w}} \] Hence \[ \mathbf{h} = -\mathbf{w} \]",
+        r"\[ x^2 + y^2 = 2 x y \]",
+    ],
+)
+def test_what_may_be_meant_otherwise_contradicts_nothing(latex):
+    assert last(latex).verdict != "contradicts"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{c} := \sum_{j=1}^n m_j \mathbf{r}_j \] \[ \mathbf{c} = m_j \sum_{j=1}^n \mathbf{r}_j \]",
+        r"\[ \mathbf{c} := \sum_{j=1}^n \mathbf{r}_{jk} \] \[ \mathbf{c} = n \mathbf{r}_{jk} \]",
+        r"\[ \mathbf{c} := \sum_j \sum_k b_{jk} \mathbf{r}_k \] \[ \mathbf{c} = \sum_k b_{jk} \sum_j \mathbf{r}_k \]",
+        r"The letters $x > y$. \[ x = y + 1 \] Thus \[ y = x + 1 \]",
+        r"\[ g := y^2 \] \[ f := x g \] where \[ x = g \] \[ \frac{\partial f}{\partial y} = x \]",
+        r"\[ f := a x \] \[ \frac{\partial f}{\partial x} = a + x \]",
+        r"\[ f := |x| \] \[ \frac{\partial f}{\partial x} = 1 \]",
+        r"\[ \mathbf{h} := \tilde{\mathbf{w}}\mathbf{d} \] \[ \mathbf{h} = \mathbf{w}\times\mathbf{d} \]",
+    ],
+)
+def test_what_does_not_follow_does_not(latex):
+    assert last(latex).verdict != "follows"
+
+
+def test_a_misprint_of_a_published_document_is_found(repository):
+    first, second = read_document(document_at(repository / "examples" / "reading" / "euler_angles.tex"))
+    assert (first.verdict, second.verdict) == ("follows", "contradicts")
+    assert second.links[-1].suggestion == "y instead of z"
+
+
+def test_a_table_gives_a_quote_for_each_row_and_its_cells(tmp_path):
+    file = tmp_path / "quotes.toml"
+    table = '[[table]]\nname = "4/a"\nline = 7\ncolumns = ["X", "y", "z"]\ngiven = ["X"]\nnames = { "$O$" = "O" }\n'
+    file.write_text(table + 'rows = """\n1\t2.50\t-0.10\t3\n$O$\t\t0.20\n"""\n', encoding="utf-8")
+    found = quotations(tmp_path)
+    assert found.rows("4/a", "X", "y") == {"1": ("2.50", "-0.10")}
+    assert found.rows("4/a", "y") == {"1": ("-0.10",), "O": ("0.20",)}
+    assert found.quotes["4/a#O.y"].line == 8
+    assert found.quotes.keys() == {"4/a#1.y", "4/a#1.z", "4/a#O.y"}
+    assert found.decimals("4/a#1.z") == ("2.50", "-0.10")
+
+
+def test_a_row_with_too_many_cells_is_refused(tmp_path):
+    rows = '[[table]]\nname = "a"\nline = 1\ncolumns = ["x"]\nrows = "1\\t2\\t3"\n'
+    (tmp_path / "quotes.toml").write_text(rows, encoding="utf-8")
+    with pytest.raises(DeclarationError, match=r"expected 1 cells.*got 2"):
+        quotations(tmp_path)

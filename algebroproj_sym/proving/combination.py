@@ -41,9 +41,7 @@ class System:
     @cached_property
     def basis(self) -> GroebnerBasis | None:
         """The Groebner basis of what is left; None if there is nothing, or it takes too long."""
-        found: GroebnerBasis | None = (
-            _attempted(lambda: self._basis_of(self.members)) if self.members else None
-        )
+        found: GroebnerBasis | None = _attempted(lambda: self._basis_of(self.members)) if self.members else None
         return found
 
     @cached_property

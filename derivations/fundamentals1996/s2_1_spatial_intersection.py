@@ -44,7 +44,7 @@ section = Section("fundamentals1996", "2.1", "Spatial intersection and the matri
 mup, mupp = sympy.symbols("mup mupp")
 y, yp0, ypp0, pp, ppp, d_bold = (MatrixSymbol(name, 3, 1) for name in ("y", "yp0", "ypp0", "pp", "ppp", "d"))
 base = (y - yp0) - (y - ypp0)
-seen_from_centers = [Eq(mup * pp, y - yp0), Eq(mupp * ppp, y - ypp0), Eq(d_bold, base)]
+seen_from_centers = [Eq(y, yp0 + mup * pp), Eq(ypp0, y - mupp * ppp), Eq(d_bold, base)]
 base
 
 # %% [markdown]
@@ -168,7 +168,7 @@ section.identity("2.1.4#components", "matrix of correlation, by components", der
 
 # %%
 C_bold = Pp.T * Skew(d_bold) * Ppp
-homologous = [Eq(mup * Pp * up, y - yp0), Eq(mupp * Ppp * upp, y - ypp0), Eq(d_bold, base)]
+homologous = [Eq(y, yp0 + mup * Pp * up), Eq(ypp0, y - mupp * Ppp * upp), Eq(d_bold, base)]
 
 section.identity(
     "2.1.3#homologous",

@@ -759,7 +759,7 @@ def test_a_claim_in_letters_is_a_theorem_about_the_entries():
     (theorem,) = exported(
         lettered(printed=(first.I + second) * first, derived=sympy.Identity(2) + second * first)
     ).theorems
-    assert "A_11 * A_22 - A_12 * A_21 <> 0 ->" in theorem.statement
+    assert "- (A_21 * A_12) + A_22 * A_11 <> 0 ->" in theorem.statement
 
 
 def test_what_a_constraint_defines_is_put_in():

@@ -773,6 +773,7 @@ def test_other_claims_in_letters_have_a_reason():
     first, second = letters("A", "B")
     turned = lettered(printed=first.T * first, derived=sympy.Identity(2), properties={first: "rotation"})
     assert exported(turned).reason == "no theorem is written yet for letters under constraints"
+    assert not exported(turned).refused
     wrong = lettered(printed=first - second, derived=first + second, corrected=second + first, expect="misprint")
     assert exported(wrong).reason == "no theorem is written yet for a claim in letters of this kind or verdict"
     assert exported({**turned, "derived": "2*eye(2)"}).refused

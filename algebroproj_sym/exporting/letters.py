@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from algebroproj_sym.exporting.refusal import NotExportable
+from algebroproj_sym.exporting.refusal import Silent
 from algebroproj_sym.replaying.evaluation import Algebra
 from algebroproj_sym.replaying.letters.matrices import Coordinates, Entries, Matrix
 from algebroproj_sym.replaying.letters.series import has_functions
@@ -47,21 +47,21 @@ def in_entries(record: Mapping[str, Any]) -> dict[str, Any]:
 
     Raises
     ------
-    NotExportable
+    Silent
         If the claim is of another kind or is refuted, a size is a letter, there are functions of angles, or a
         constraint defines nothing.
     """
     setting = record["setting"]
     if record["verdict"] != "proved" or record["kind"] not in ("identity", "identity under constraints"):
-        raise NotExportable("no theorem is written yet for a claim in letters of this kind or verdict")
+        raise Silent("no theorem is written yet for a claim in letters of this kind or verdict")
     question = {"letters": setting["letters"], "lhs": record["printed"], "rhs": record["derived"]}
     conditional = {name: setting.get(name, []) for name in ("constraints", "nonzero")}
     statement = without_definitions(without_lengths(stated(question | conditional)))
     if statement.sizes or has_functions(statement):
-        raise NotExportable("no theorem is written yet for letters of any size, or with functions of angles")
+        raise Silent("no theorem is written yet for letters of any size, or with functions of angles")
     coordinates = {name: Coordinates(name, letter) for name, letter in statement.letters.items()}
     if statement.constraints or any(each.properties - {"symmetric", "skew"} for each in coordinates.values()):
-        raise NotExportable("no theorem is written yet for letters under constraints")
+        raise Silent("no theorem is written yet for letters under constraints")
     algebra = Algebra(_Text, lambda value: _Text(str(Fraction(value))))
     entries = Entries(algebra, {name: each.matrix(algebra) for name, each in coordinates.items()}, {})
     hypotheses = sorted(entries.scalar(condition).text for condition in conditions(statement))

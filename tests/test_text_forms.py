@@ -397,7 +397,7 @@ ERRORS = {
     "unknown function": (
         lambda s: s.identity("1.1", "t", printed=sympy.gamma(x), derived=sin(x)),
         DeclarationError,
-        "printed: expected + - * /, powers, derivatives and the functions",
+        "printed: expected + - * /, powers, derivatives, integrals, taylor and the functions",
     ),
     "float beside a quotient": (
         lambda s: s.rank("1.1", "t", printed=1, derived=Matrix([[0.5 * over(x, y)]])),

@@ -23,7 +23,7 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, located, quotations, select
 from algebroproj_sym.declaring.quotes import Edit
 from algebroproj_sym.declaring.transcription import numbers_in
-from algebroproj_sym.expressions import Matrix, entries, over, vector
+from algebroproj_sym.expressions import Matrix, TextForm, entries, over, vector
 from algebroproj_sym.mutating import mutants
 from algebroproj_sym.proving import prove
 from algebroproj_sym.reading import Symbols, Table, UnreadableError, read_formula, symbols_for, tables_in
@@ -339,6 +339,8 @@ def _again(finding, claim=None, quote=None):
 
 
 def _differs(left, right):
+    if isinstance(right, TextForm):
+        return left != right
     left, right = ([e for form in (f if isinstance(f, tuple) else (f,)) for e in entries(form)] for f in (left, right))
     return not same(vector(*left), vector(*right)) and not same(vector(*left), -vector(*right))
 

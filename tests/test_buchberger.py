@@ -6,7 +6,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from algebroproj_sym.proving.buchberger import MAX_LENGTH, EffortExceededError, GroebnerBasis
+from algebroproj_sym.proving.buchberger import MAX_LENGTH, EffortExceededError, GroebnerBasis, Work
 
 CONTEXT = flint.fmpq_mpoly_ctx.get(("x", "y", "z"), flint.Ordering.degrevlex)
 LARGEST = 2**15 - 1
@@ -78,6 +78,19 @@ def test_the_effort_is_bounded_in_steps_and_in_length():
     with pytest.raises(EffortExceededError):
         GroebnerBasis([x - y]).remainder(long)
     assert GroebnerBasis([x**26 - y]).remainder(long) == long
+
+
+def test_bases_share_what_they_may_cost_together():
+    x, y, z = CONTEXT.gens()
+    generators = [x * y - z, y**2 - x, x * z - y]
+    once, together = Work(), Work()
+    GroebnerBasis(generators, work=once)
+    cost = Work().left - once.left
+    together.left = 2 * cost
+    for _ in range(2):
+        GroebnerBasis(generators, work=together)
+    with pytest.raises(EffortExceededError):
+        GroebnerBasis(generators, work=together)
 
 
 def test_the_reduced_basis_is_that_of_sympy():

@@ -41,7 +41,7 @@ from algebroproj_sym.exporting.terms import (
 from algebroproj_sym.expressions import Matrix, over, vector
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import declaration_digest
-from algebroproj_sym.reporting.ledger import ledger
+from algebroproj_sym.reporting.ledger import claim_record, ledger
 
 a, b, t, x, y, z = sympy.symbols("a b t x y z")
 WITHOUT_THEOREM = {"1.25", "1.26", "1.27"}
@@ -736,3 +736,44 @@ def test_the_kernel_rejects_an_object_that_is_made_otherwise(objects, library):
     claims = [*export(records, objects=made)]
     assert library(claims, lambda text: text.replace("determinant (the_N", "- determinant (the_N")).error
     assert library(claims, lambda text: text.replace("inverse (the_M", "adjugate (the_M")).error
+
+
+# -- claims in letters
+
+
+def lettered(**claim):
+    section = Section("demo", "1", "Letters")
+    made = section.identity("1.1", "a statement", **claim)
+    return json.loads(json.dumps(claim_record(judge(made), timed=False)))
+
+
+def letters(*names, size=2):
+    return (sympy.MatrixSymbol(name, size, size) for name in names)
+
+
+def test_a_claim_in_letters_is_a_theorem_about_the_entries():
+    first, second = letters("A", "B")
+    (theorem,) = exported(lettered(printed=(first * second).T, derived=second.T * first.T)).theorems
+    assert theorem.statement.startswith("forall A_11 A_12 A_21 A_22 B_11 B_12 B_21 B_22 : R,")
+    assert theorem.statement.count("=") == 4
+    (theorem,) = exported(
+        lettered(printed=(first.I + second) * first, derived=sympy.Identity(2) + second * first)
+    ).theorems
+    assert "- (A_21 * A_12) + A_22 * A_11 <> 0 ->" in theorem.statement
+
+
+def test_what_a_constraint_defines_is_put_in():
+    first, second = letters("A", "B")
+    defined = sympy.Eq(second, first + first.T)
+    (theorem,) = exported(lettered(printed=second.T, derived=second, constraints=[defined])).theorems
+    assert theorem.statement.startswith("forall A_11 A_12 A_21 A_22 : R,")
+
+
+def test_other_claims_in_letters_have_a_reason():
+    first, second = letters("A", "B")
+    turned = lettered(printed=first.T * first, derived=sympy.Identity(2), properties={first: "rotation"})
+    assert exported(turned).reason == "no theorem is written yet for letters under constraints"
+    assert not exported(turned).refused
+    wrong = lettered(printed=first - second, derived=first + second, corrected=second + first, expect="misprint")
+    assert exported(wrong).reason == "no theorem is written yet for a claim in letters of this kind or verdict"
+    assert exported({**turned, "derived": "2*eye(2)"}).refused

@@ -1,6 +1,7 @@
 """Findings: the grave ones first, each once, with what follows and the numbers that are proved."""
 
 import pytest
+import sympy
 from sympy.abc import x, y
 
 from algebroproj_sym import Section
@@ -67,3 +68,12 @@ def test_what_makes_no_finding_is_refused(options):
     expected = {"expect": "false", "instead": "1.1"} if options.get("grade") else {}
     with pytest.raises(DeclarationError, match=next(iter(options))):
         section.identity("1.1", "", printed=x, derived=x, **expected, **options)
+
+
+def test_matrices_at_a_counterexample_are_not_told():
+    section = Section("demo", "1", "Squares")
+    a, b = sympy.MatrixSymbol("a", 2, 1), sympy.MatrixSymbol("b", 2, 1)
+    wrong = section.identity("1.1", "a sign", printed=a - b, derived=a + b, corrected=a + b, expect="misprint")
+    text = findings([judge(wrong)])
+    assert "printed -b + a, corrected a + b`" in text
+    assert "Matrix" not in text

@@ -28,12 +28,14 @@ from algebroproj_sym.expressions.letters import (
     Skew,
     parse_letters,
 )
-from algebroproj_sym.proving import Question, UndefinedError
-from algebroproj_sym.proving.letters import prove_texts
+from algebroproj_sym.proving import Question, UndefinedError, constrained
+from algebroproj_sym.proving.buchberger import Work
+from algebroproj_sym.proving.letters import deciding, prove_texts
 from algebroproj_sym.proving.letters.deciding import _Question
 from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_letters
 from algebroproj_sym.proving.letters.rules import RULES
 from algebroproj_sym.proving.letters.statements import Statement
+from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.worker import _decided
 from algebroproj_sym.replaying import replay_identity
 from algebroproj_sym.replaying.letters import checking
@@ -743,3 +745,33 @@ def test_a_malformed_item_is_named(tmp_path, changes, message):
     result = CliRunner().invoke(main, ["check", str(path)])
     assert result.exit_code == 2
     assert message in result.output
+
+
+# -- effort
+
+
+def test_a_question_that_costs_too_much_ends_open(monkeypatch):
+    refused, spend = [], Work.spend
+
+    def counted(self, terms):
+        try:
+            spend(self, terms)
+        except EffortExceededError:
+            refused.append(self)
+            raise
+
+    monkeypatch.setattr(Work, "spend", counted)
+    monkeypatch.setattr(Work.__init__, "__defaults__", (20_000,))
+    for module in (deciding, constrained):
+        monkeypatch.setattr(module, "MOST_OF_SEARCH", 10_000)
+    asked = {"constraints": ["A**2 + B**2 = 0"], "letters": {"A": "3x3", "B": "3x3"}}
+    assert prove("det(A)", "det(B)", **asked).certificate["reason"].startswith("neither a proof nor")
+    assert len({*refused}) > 2
+    assert len(refused) < 300
+
+
+def test_matrices_with_many_zeros_refute_what_random_ones_do_not_reach():
+    found = prove("A", "0", constraints=["A**3 = 0"], letters={"A": "3x3"})
+    assert found.verdict == "refuted"
+    (value,) = found.counterexample.values()
+    assert value**3 == sympy.zeros(3) != value

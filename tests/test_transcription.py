@@ -5,8 +5,17 @@ from decimal import Decimal
 import pytest
 import sympy
 
-from algebroproj_sym.declaring import BrokenModuleError, derivation_at, derivations_of, judge, statement_text
+from algebroproj_sym.auditing import audited
+from algebroproj_sym.declaring import (
+    BrokenModuleError,
+    derivation_at,
+    derivations_of,
+    judge,
+    quotations,
+    statement_text,
+)
 from algebroproj_sym.expressions import evaluate, over, symbols_of, vector
+from algebroproj_sym.reading import symbols_for, tables_in
 from algebroproj_sym.showing import as_declared, shown
 
 HEAD = """
@@ -165,6 +174,52 @@ def test_a_table_for_other_claims_says_nothing(declared):
     calls = "\n".join(f'section.identity("{number}", "", derived=x)' for number in ("1.9", "1.8"))
     nine, eight = declared(calls, 'latex = "z"', ("1.9", "1.8"))
     assert (str(nine.printed), str(eight.printed)) == ("x", "z")
+
+
+LETTERS = r"""
+[[table]]
+symbols = { '\mathbf{R}' = "[[r11, r12], [r21, r22]]", '\mathbf{0}' = "0" }
+matrices = { '\mathbf{R}' = "R 3x3", '\mathbf{b}' = "b 3x1" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("quote", "text", "derived"),
+    [
+        (r"latex = '2 \mathbf{R}^T \mathbf{b}'", "2*R.T*b", "z"),
+        (r"latex = '(\mathbf{b} \times \mathbf{b}) \cdot \mathbf{b}'", "dot(cross(b, b), b)", "z.T * z"),
+        (r"latex = '\frac{\mu}{\nu} \mathbf{R}^{-1} \mathbf{b} - \mathbf{b}'", "-b + (mu*nu**-1)*R**-1*b", "z"),
+        (r"latex = '\det(\mathbf{R}) \mathbf{b}'", "det(R)*b", "z"),
+        (
+            r"latex = '\begin{bmatrix} \mathbf{R} & \mathbf{b} \end{bmatrix}'",
+            "block([R, b])",
+            "z * z.T * z * [[1, 1, 1, 1]]",
+        ),
+        ("latex = '\\mathbf{b} = \\mathbf{R} \\mathbf{b}'\nsides = [0, 1]", "block([b, R*b])", "z * [[1, 1]]"),
+        (r"latex = ['\mathbf{b} = \mathbf{0}', '\mathbf{R} \mathbf{b} = \mathbf{0}']", "0", "z"),
+    ],
+)
+def test_a_quote_is_read_in_letters_where_the_derived_form_has_them(quote, text, derived, declared):
+    derived = derived.replace("[[", "sympy.Matrix([[").replace("]]", "]])")
+    call = f'z = sympy.MatrixSymbol("z", 3, 1)\nsection.identity("1.1", "", derived={derived})'
+    (claim,) = declared(call, quote, symbols=LETTERS)
+    folder = claim.source.folder
+    assert str(claim.printed) == text
+    assert judge(claim).verdict == "false"
+    assert audited(claim, quotations(folder), symbols_for("1", "1.1", tables_in(folder))).status == "equal"
+
+
+def test_an_audit_tells_letters_that_are_not_those_of_the_quote(declared):
+    call = 'z = sympy.MatrixSymbol("b", 3, 1)\nsection.identity("1.1", "", printed=-z, derived=z)'
+    (claim,) = declared(call, r"latex = '\mathbf{b}'", symbols=LETTERS)
+    folder = claim.source.folder
+    found = audited(claim, quotations(folder), symbols_for("1", "1.1", tables_in(folder)))
+    assert (found.status, found.reason) == ("failed", "the quote reads b")
+
+
+def test_a_broken_matrix_of_a_table_is_a_named_error(declared):
+    with pytest.raises(BrokenModuleError, match=r"matrices, b: expected a name and a shape such as 'R 3x3', got 'b 3'"):
+        declared(IDENTITY, 'latex = "x"', symbols="[[table]]\nmatrices = { b = 'b 3' }")
 
 
 def test_a_broken_table_is_a_named_error(declared):

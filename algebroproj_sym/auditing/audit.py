@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any, Literal, get_args
 
 import sympy
 
 from algebroproj_sym.declaring import Claim, Quotations, Quote
-from algebroproj_sym.declaring.transcription import numbers_in, readings
+from algebroproj_sym.declaring.transcription import beside, numbers_in, readings
 from algebroproj_sym.expressions import TextForm, entries, shape, vector
+from algebroproj_sym.expressions.letters import Reading, letters_text
 from algebroproj_sym.proving import prove
-from algebroproj_sym.reading import Symbols, UnreadableError
+from algebroproj_sym.reading import Symbols, UnreadableError, in_letters
 
 Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
 STATUSES: tuple[Status, ...] = get_args(Status)
@@ -65,8 +66,8 @@ def audited(claim: Claim, quotations: Quotations, symbols: Symbols, printed_toge
         return Finding(claim, "unquoted", reason) if reason else Finding(claim, "failed", "no quote, and no reason")
     if quote.unparsed:
         return Finding(claim, "quoted", quote.unparsed, quote)
-    if claim.printed is None or isinstance(claim.printed, TextForm):
-        what = "an illegible form is" if claim.printed is None else "letters and real functions are"
+    if claim.printed is None or (isinstance(claim.printed, TextForm) and claim.printed.letters is None):
+        what = "an illegible form is" if claim.printed is None else "real functions are"
         wrong = f"expected a reason why the quote is not parsed: {what} not compared with it"
         return Finding(claim, "failed", wrong, quote)
     if isinstance(claim.printed, Decimal):
@@ -109,10 +110,14 @@ def _in_words(number: str, text: str) -> bool:
 
 
 def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
+    lettered = isinstance(claim.printed, TextForm)
     try:
-        read = readings(quote, symbols)
+        read = readings(quote, replace(symbols, in_letters=lettered), in_letters if lettered else None)
     except UnreadableError as error:
         return Finding(claim, "failed", f"cannot be read: {error}", quote)
+    if lettered:
+        same = letters_text(Reading().term(beside(read), "quote")) == str(claim.printed)
+        return Finding(claim, "equal" if same else "failed", "" if same else f"the quote reads {beside(read)}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)
     if any(_are_equal(theirs, ours) for theirs, ours in _layouts(read, printed, quote)):
         return Finding(claim, "equal", "", quote)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
 from itertools import product
@@ -17,6 +17,7 @@ from algebroproj_sym.declaring.quotes import FILE, UNPARSED, Quote, quotations
 from algebroproj_sym.expressions import Matrix, entries, remembered, shape, vector
 from algebroproj_sym.expressions.arranging import negated, sum_of
 from algebroproj_sym.proving import prove
+from algebroproj_sym.proving.statements import speaks_of_letters
 from algebroproj_sym.reading import (
     Builder,
     Side,
@@ -24,6 +25,7 @@ from algebroproj_sym.reading import (
     UnreadableDocumentError,
     UnreadableError,
     formula_of,
+    in_letters,
     read_formula,
     symbols_for,
     tables_in,
@@ -45,7 +47,8 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
         Where the claim stands.
     derived : Expression or None
         What is derived: the numbers of a quote fill its shape by rows, and a zero stands for a column of zeros.  A row
-        is read as a column where the formula begins with what is transposed, as in x^T = (1, y).
+        is read as a column where the formula begins with what is transposed, as in x^T = (1, y).  If it is in letters,
+        the quote is read in letters, several forms side by side.
     build : callable, optional
         What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
 
@@ -54,7 +57,9 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     DeclarationError
         If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
-    quote, found = _read(folder, section, number, build)
+    quote, found = _read(folder, section, number, build, speaks_of_letters([derived]))
+    if speaks_of_letters([derived]):
+        return beside(found)
     wanted: tuple[int, ...] = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
         is_row_of_column = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
@@ -74,7 +79,7 @@ def transcribed_factors(
     folder: Path, section: str, number: str, derived: Any, build: Builder | None = None
 ) -> tuple[Any, ...]:
     """Return the expressions of a quote; see `transcribed`."""
-    return tuple(entry for form in _read(folder, section, number, build)[1] for entry in entries(form))
+    return tuple(entry for form in _read(folder, section, number, build, letters=False)[1] for entry in entries(form))
 
 
 def transcribed_number(folder: Path, section: str, number: str, derived: Any) -> Decimal:
@@ -93,10 +98,22 @@ def transcribed_number(folder: Path, section: str, number: str, derived: Any) ->
     return found[quote.claims.index(number)]
 
 
-def _read(folder: Path, section: str, number: str, build: Builder | None) -> tuple[Quote, list[Any]]:
+def beside(forms: Sequence[Any]) -> Any:
+    """Return forms in letters as one: several ones side by side, of which a zero stands for any number."""
+    if all(form == 0 for form in forms):
+        return sympy.Integer(0)
+    return forms[0] if len(forms) == 1 else sympy.BlockMatrix([[*map(_as_matrix, forms)]])
+
+
+def _as_matrix(form: Any) -> Any:
+    return form if isinstance(form, sympy.MatrixExpr) else sympy.Matrix([[form]])
+
+
+def _read(folder: Path, section: str, number: str, build: Builder | None, letters: bool) -> tuple[Quote, list[Any]]:
     quote = _quote_of(folder, number)
     try:
-        return quote, readings(quote, symbols_for(section, number, tables_in(folder)), build)
+        symbols = replace(symbols_for(section, number, tables_in(folder)), in_letters=letters)
+        return quote, readings(quote, symbols, in_letters if letters else build)
     except UnreadableDocumentError as error:
         raise DeclarationError(str(error)) from error
     except UnreadableError as error:

@@ -12,6 +12,7 @@ from typing import Any
 
 from algebroproj_sym.exporting.claims import Proved, theorems
 from algebroproj_sym.exporting.gallina import LEMMAS
+from algebroproj_sym.exporting.letters import in_entries
 from algebroproj_sym.exporting.objects import Definition, Object
 from algebroproj_sym.exporting.refusal import AnotherForm, NotExportable, Silent
 from algebroproj_sym.exporting.terms import free
@@ -29,7 +30,6 @@ ABOUT = ("paper", "number", "section", "title", "kind", "verdict")
 NO_STEPS = "no steps are written for claims of this kind"
 NO_THEOREM = {
     "assumptions": "no theorem is written yet for a claim with real functions",
-    "letters": "no theorem is written yet for a claim in letters",
 }
 """Why a claim has no theorem, by the entry of its setting that says what it is about."""
 LONGEST_NAME = 200
@@ -128,7 +128,9 @@ def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     missing = made if isinstance(made, str) else ""
     found: Proved = {}
     try:
-        if isinstance(made, Object):
+        if "letters" in setting:
+            found = theorems(in_entries(record))
+        elif isinstance(made, Object):
             try:
                 found, definitions = theorems(record, made), made.definitions
             except AnotherForm:

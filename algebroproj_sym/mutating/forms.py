@@ -12,6 +12,7 @@ import sympy
 
 from algebroproj_sym.declaring import Claim, Statement
 from algebroproj_sym.expressions import TextForm, entries, over, written
+from algebroproj_sym.mutating.letters import changes_in_letters
 
 _ENTRYWISE = ("identity", "identity under constraints", "identity up to scale", "limit")
 
@@ -50,6 +51,7 @@ def mutants(claim: Claim) -> list[Mutant]:
 
 def _changes(claim: Claim, printed: Any) -> Iterator[tuple[str, Any]]:
     if isinstance(printed, TextForm):
+        yield from changes_in_letters(printed) if printed.letters else ()
         return
     if isinstance(printed, Decimal):
         yield from _of_decimal(printed)

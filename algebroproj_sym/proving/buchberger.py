@@ -24,6 +24,30 @@ Powers = tuple[int, ...]
 MAX_STEPS = 20_000
 MAX_LENGTH = 3_000
 MAX_BASIS = 400
+MOST_WORK = 12_000_000
+
+
+class Work:
+    """How much all bases of a question may cost together, in terms of the polynomials that are reduced.
+
+    Examples
+    --------
+    >>> work = Work(5)
+    >>> work.spend(5)
+    >>> work.spend(1)
+    Traceback (most recent call last):
+    ...
+    algebroproj_sym.proving.polynomials.EffortExceededError
+    """
+
+    def __init__(self, terms: int = MOST_WORK) -> None:
+        self.left = terms
+
+    def spend(self, terms: int) -> None:
+        """Count what was done; raise `EffortExceededError` if it is too much."""
+        self.left -= terms
+        if self.left < 0:
+            raise EffortExceededError
 
 
 class GroebnerBasis:
@@ -35,6 +59,8 @@ class GroebnerBasis:
         In a context with degree reverse lexicographic order.
     steps : int
         How many reductions may be made.
+    work : Work, optional
+        What all bases of a question may cost together.
 
     Raises
     ------
@@ -53,7 +79,8 @@ class GroebnerBasis:
     True
     """
 
-    def __init__(self, generators: Sequence[Any], steps: int = MAX_STEPS) -> None:
+    def __init__(self, generators: Sequence[Any], steps: int = MAX_STEPS, work: Work | None = None) -> None:
+        self._work = work or Work()
         self._generators = list(generators)
         self._context = self._generators[0].context()
         self._steps = steps
@@ -178,6 +205,7 @@ class GroebnerBasis:
             self._steps -= 1
             if self._steps < 0 or len(polynomial) > MAX_LENGTH:
                 raise EffortExceededError
+            self._work.spend(len(polynomial) + len(self._elements[place]))
             factor = polynomial.leading_coefficient()
             monomial = _minus(powers, self._leading[place])
             polynomial = polynomial - self._context.from_dict({monomial: factor}) * self._elements[place]

@@ -41,9 +41,7 @@ class System:
     @cached_property
     def basis(self) -> GroebnerBasis | None:
         """The Groebner basis of what is left; None if there is nothing, or it takes too long."""
-        found: GroebnerBasis | None = (
-            _attempted(lambda: GroebnerBasis(self.members, self._steps)) if self.members else None
-        )
+        found: GroebnerBasis | None = _attempted(lambda: self._basis_of(self.members)) if self.members else None
         return found
 
     @cached_property
@@ -51,7 +49,7 @@ class System:
         """The same, where what is not zero does not vanish; None if nothing of that occurs."""
         if self._unit.is_constant():
             return None
-        found: GroebnerBasis | None = _attempted(lambda: GroebnerBasis(self._without(self._unit), self._steps))
+        found: GroebnerBasis | None = _attempted(lambda: self._basis_of(self._without(self._unit)))
         return found
 
     @property
@@ -77,6 +75,9 @@ class System:
     def _unit(self) -> Any:
         return self.elimination.unit_product()
 
+    def _basis_of(self, generators: list[Any]) -> GroebnerBasis:
+        return GroebnerBasis(generators, self._steps, self.elimination.work)
+
     def _without(self, unit: Any) -> list[Any]:
         return [*self.members, 1 - self.elimination.context.gens()[-1] * unit]
 
@@ -100,7 +101,7 @@ class System:
 
     def _in_radical(self, goal: Any) -> End | None:
         unit = self._unit * goal
-        parts = GroebnerBasis(self._without(unit), self._steps).cofactors(self._one)
+        parts = self._basis_of(self._without(unit)).cofactors(self._one)
         if parts is None:
             return None
         power, cleared = cleared_of_spare(parts[:-1], unit)

@@ -22,6 +22,7 @@ import sympy
 from algebroproj_sym.expressions import Expression, evaluate
 from algebroproj_sym.expressions.exact import fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField
+from algebroproj_sym.proving.buchberger import Work
 from algebroproj_sym.proving.cases import case_distinction
 from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.consequences import Case, End, flattened, follows, method_of, pruned, recorded
@@ -39,6 +40,7 @@ ENOUGH_POINTS = 12
 MORE_TRIES = 300
 FURTHER_TRIES = 100
 MOST_STEPS = 4
+MOST_OF_SEARCH = 3_000_000
 
 
 @dataclass(frozen=True)
@@ -113,6 +115,7 @@ class Problem:
             [*map(self.frame.restricted, polynomials)] for polynomials in (self.claims, self.generators, self.units)
         )
         self.witness: _Place | None = None
+        self.search = Work(MOST_OF_SEARCH)
 
     def _frame(self, polynomials: Sequence[Any]) -> Frame:
         """Return the translations that change nothing in the question, as the engine of the question confirms."""
@@ -284,7 +287,7 @@ class Problem:
     def _places(self, tries: int, *, extension: bool = False, further: bool = False) -> Iterator[tuple[_Place, bool]]:
         """Yield places where constraints and hypotheses hold, and whether the sides differ there."""
         members, kinds = self.system.members, {"extension": extension, "further": further}
-        for values in real_points(members, self.context, self.seed, tries, **kinds):
+        for values in real_points(members, self.context, self.seed, tries, **kinds, work=self.search):
             whole = self._completed(values)
             if whole is not None:
                 field = whole[0].field if isinstance(whole[0], Algebraic) else None

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Any
 
-from algebroproj_sym.proving.buchberger import GroebnerBasis
+from algebroproj_sym.proving.buchberger import GroebnerBasis, Work
 from algebroproj_sym.proving.consequences import Cofactors, End, Positive, Step, Zeros
 from algebroproj_sym.proving.polynomials import (
     EffortExceededError,
@@ -77,6 +77,10 @@ class Elimination:
         The variables taken out, in order.
     is_empty : End or None
         What shows that no point is left, if that was found.
+    refused : set of str
+        What was not taken.
+    work : Work
+        What the bases of all cases may cost together.
 
     Examples
     --------
@@ -98,6 +102,7 @@ class Elimination:
     solved: list[Solved] = field(default_factory=list)
     is_empty: End | None = None
     refused: set[str] = field(default_factory=set)
+    work: Work = field(default_factory=Work)
 
     @property
     def one(self) -> Any:
@@ -279,7 +284,7 @@ class Elimination:
         members = [self.zeros[place] for place in places]
         generators = [*members, factor, 1 - self.context.gens()[-1] * product]
         try:
-            parts = GroebnerBasis(generators, DERIVATION_STEPS).cofactors(self.one)
+            parts = GroebnerBasis(generators, DERIVATION_STEPS, self.work).cofactors(self.one)
             power, cleared = (0, None) if parts is None else cleared_of_spare(parts[:-1], product)
         except EffortExceededError:
             return False

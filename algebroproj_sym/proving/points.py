@@ -12,6 +12,7 @@ import sympy
 
 from algebroproj_sym.expressions import evaluate, free_symbols
 from algebroproj_sym.expressions.exact import ExactPoint, exact, fmpq, fraction
+from algebroproj_sym.proving.buchberger import Work
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 from algebroproj_sym.proving.varieties import real_points
 
@@ -68,7 +69,11 @@ def points_on(
 
 
 def rational_zeros(
-    expressions: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int, tries: int
+    expressions: Sequence[sympy.Expr],
+    symbols: Sequence[sympy.Symbol],
+    seed: int,
+    tries: int,
+    work: Work | None = None,
 ) -> Iterator[Point]:
     """Yield rational points on which all expressions vanish, also where that takes a rational root or a resultant.
 
@@ -81,7 +86,7 @@ def rational_zeros(
     """
     field = RationalFunctionField(symbols, "flint")
     polynomials = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
-    for values in real_points(polynomials, polynomials[0].context(), seed, tries):
+    for values in real_points(polynomials, polynomials[0].context(), seed, tries, work=work):
         point: Point = dict(zip(symbols, values, strict=True))  # type: ignore[arg-type]
         if _vanish(expressions, point):
             yield point

@@ -17,7 +17,7 @@ import flint
 
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField, has_real_root, roots_in_field
-from algebroproj_sym.proving.buchberger import GroebnerBasis
+from algebroproj_sym.proving.buchberger import GroebnerBasis, Work
 from algebroproj_sym.proving.polynomials import EffortExceededError
 
 Value = Fraction | Algebraic
@@ -29,7 +29,7 @@ SCALES = 7
 MAX_DEGREE_TOGETHER = 30
 MAX_DEGREE_OF_ROOT = 9
 TOGETHER_STEPS = 3_000
-MOST_OF_RESULTANT = 60_000
+MOST_AT_ONCE = 60_000
 MOST_SIMPLE = 800
 _SCALES = (Fraction(1), Fraction(2), Fraction(1, 2))
 _SMALL = [Fraction(n) for n in (1, 2, 3, -1, -2, 4, 5, -3, 7, -4)]
@@ -48,6 +48,7 @@ def real_points(
     *,
     extension: bool = False,
     further: bool = False,
+    work: Work | None = None,
 ) -> Iterator[list[Value]]:
     """Yield points with real coordinates on which the constraints vanish.
 
@@ -66,6 +67,8 @@ def real_points(
     further : bool
         Whether smaller values are tried, and systems with finitely many solutions are solved as a whole; the last
         variable must occur in no constraint.
+    work : Work, optional
+        What all searches of a question may cost together; where it is used up, no more points come.
 
     Yields
     ------
@@ -83,13 +86,15 @@ def real_points(
     >>> [number.expression for number in next(real_points([x**2 - 2, x + y], context, 1, 9, extension=True))]
     [-sqrt(2), sqrt(2)]
     """
-    generator = random.Random(seed)
+    generator, work = random.Random(seed), work or Work()
     for attempt in range(tries):
         try:
-            start = _Start(context, generator, attempt, extension, further)
+            start = _Start(context, generator, attempt, extension, further, work)
             point = start.completed(list(constraints))
         except (_DeadEndError, ZeroDivisionError):
             continue
+        except EffortExceededError:
+            return
         if all(value_at(constraint, point) == 0 for constraint in constraints):
             yield point
 
@@ -138,8 +143,11 @@ def value_at(polynomial: Any, point: Sequence[Value]) -> Value:
 class _Start:
     """One attempt: values for the variables, one after the other."""
 
-    def __init__(self, context: Any, generator: random.Random, attempt: int, extension: bool, further: bool) -> None:
+    def __init__(
+        self, context: Any, generator: random.Random, attempt: int, extension: bool, further: bool, work: Work
+    ) -> None:
         self._context = context
+        self._work = work
         self._variables = context.gens()
         self._generator = generator
         self._attempt = attempt
@@ -165,7 +173,7 @@ class _Start:
             constraints = self._assign(constraints, variable, self._context.constant(fmpq(self._value())))
         constraints = [constraint for constraint in constraints if constraint != 0]
         try:
-            while constraints and (free := GroebnerBasis(constraints, TOGETHER_STEPS).free()):
+            while constraints and (free := GroebnerBasis(constraints, TOGETHER_STEPS, self._work).free()):
                 value = self._context.constant(fmpq(self._value()))
                 constraints = [c for c in self._assign(constraints, min(free), value) if c != 0]
             if constraints:
@@ -175,7 +183,7 @@ class _Start:
         return self._point()
 
     def _take_root(self, constraints: list[Any]) -> None:
-        basis = GroebnerBasis(constraints, TOGETHER_STEPS)
+        basis = GroebnerBasis(constraints, TOGETHER_STEPS, self._work)
         if basis.is_unit:
             raise _DeadEndError
         variables = [self._variables[i] for i in basis.occurring()]
@@ -190,7 +198,7 @@ class _Start:
         factor, spare = self._generator.choice(factors), self._variables[-1]
         powers = list(basis.powers(form, factor.degree() - 1))
         value = sum(c * power for c, power in zip(factor.coeffs(), basis.powers(form, factor.degree()), strict=True))
-        basis = GroebnerBasis([*constraints, value], TOGETHER_STEPS)
+        basis = GroebnerBasis([*constraints, value], TOGETHER_STEPS, self._work)
         self._root = len(self._variables) - 1
         self._minimal = sum(c * spare**k for k, c in enumerate(factor.coeffs()))
         self._known.append((self._root, spare))
@@ -254,6 +262,10 @@ class _Start:
 
     def _assign(self, constraints: list[Any], variable: int, value: Any) -> list[Any]:
         self._known.append((variable, value))
+        cost = sum(_length_of_replaced(constraint, variable, value) for constraint in constraints)
+        if cost > MOST_AT_ONCE:
+            raise _DeadEndError
+        self._work.spend(cost)
         return [self._reduced(_replaced(constraint, variable, value)) for constraint in constraints]
 
     def _reduced(self, polynomial: Any) -> Any:
@@ -326,7 +338,9 @@ class _Start:
         for _, i, j, variable in sorted(pairs)[:3]:
             first, second = constraints[i], constraints[j]
             degree = first.degrees()[variable] * second.degrees()[variable]
-            if degree <= 12 and degree * len(first) * len(second) <= MOST_OF_RESULTANT:
+            cost = degree * len(first) * len(second)
+            if degree <= 12 and cost <= MOST_AT_ONCE:
+                self._work.spend(cost)
                 found = self._reduced(first.resultant(second, variable))
                 if found != 0 and found not in constraints:
                     return found
@@ -348,6 +362,13 @@ class _Start:
             return [fraction(values[i].leading_coefficient() if values[i] != 0 else flint.fmpq(0)) for i in range(size)]
         field = RealField(self._univariate(self._minimal))
         return [Algebraic(field, self._univariate(values[i])) for i in range(size)]
+
+
+def _length_of_replaced(polynomial: Any, variable: int, value: Any) -> int:
+    """Return how many terms a polynomial has at most with another one for a variable."""
+    if len(value) < 2 or polynomial == 0:
+        return len(polynomial)
+    return sum(len(value) ** int(powers[variable]) for powers in polynomial.monoms())
 
 
 def _replaced(polynomial: Any, variable: int, value: Any) -> Any:

@@ -11,6 +11,7 @@ from algebroproj_sym.reading.folder import write_folder
 from algebroproj_sym.reading.grammar import Builder, Side, formula_of, read_formula
 from algebroproj_sym.reading.judging import VERDICTS, Link, Reading, Verdict, read_document
 from algebroproj_sym.reading.lexing import UnreadableError
+from algebroproj_sym.reading.matrices import in_letters
 from algebroproj_sym.reading.ordering import in_order
 from algebroproj_sym.reading.symbols import Symbols, SymbolsFile, Table, symbols_file, symbols_for, tables_in
 
@@ -30,6 +31,7 @@ __all__ = [
     "document_at",
     "document_of",
     "formula_of",
+    "in_letters",
     "in_order",
     "read_document",
     "read_formula",

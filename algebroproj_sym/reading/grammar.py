@@ -184,11 +184,16 @@ def evaluated(tree: Formula, names: Names) -> Expression:
     UnreadableError
         If a symbol is not known, shapes do not fit, or what it stands for is no expression.
     """
+    expression: Expression = transformed(_Expressions(names), tree)
+    return expression
+
+
+def transformed(transformer: Transformer[Token, Any], tree: Formula) -> Any:
+    """Return what a transformer makes of a tree; what fails in it cannot be read."""
     try:
-        expression: Expression = _Expressions(names).transform(wrapped(tree)).children[0]
+        return transformer.transform(wrapped(tree)).children[0]
     except VisitError as error:
         raise _as_unreadable(error.orig_exc) from error
-    return expression
 
 
 def wrapped(tree: Formula) -> Formula:

@@ -12,6 +12,7 @@ r"""What the symbols of a paper stand for: the reviewed tables in its file ``sym
     symbols = { '\mathbf{u}' = "[[1], [u1], [u2]]" }   a symbol, and the expression it stands for
     sizes = { '\mathbf{R}' = [3, 3] }            a vector or matrix, and its size
     properties = { '\mathbf{R}' = "rotation" }   what a vector or matrix is
+    matrices = { '\mathbf{R}' = "R 3x3" }        in claims in letters: the name and the shape of a vector or matrix
     primes = false                               where the claims write no primes
 
 A symbol that no table has is named by rule: letter, a p for each prime, subscript.  Later tables come first.
@@ -43,7 +44,7 @@ MOST_ENTRIES = 6
 Size = tuple[int, int]
 _LISTS = ("definitions", "statements", "identities")
 _KEYS = frozenset((*_LISTS, "table"))
-_TABLE_KEYS = frozenset(("claims", "letters", "symbols", "sizes", "properties", "primes"))
+_TABLE_KEYS = frozenset(("claims", "letters", "symbols", "sizes", "properties", "matrices", "primes"))
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,8 @@ class Table:
         Rows and columns of the symbols that are vectors or matrices.
     properties : mapping of str to tuple of str
         What vectors and matrices are: one of `algebroproj_sym.proving.letters.PROPERTIES`, or "identity".
+    matrices : mapping of str to MatrixSymbol
+        What symbols stand for in claims in letters.
     """
 
     claims: tuple[str, ...] = ()
@@ -72,6 +75,7 @@ class Table:
     primes: bool = True
     sizes: Mapping[str, Size] = field(default_factory=dict)
     properties: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    matrices: Mapping[str, sympy.MatrixSymbol] = field(default_factory=dict)
 
     def covers(self, section: str, number: str) -> bool:
         """Whether the table is for the claim with a number in a section."""
@@ -104,10 +108,14 @@ class SymbolsFile:
 
 @dataclass(frozen=True)
 class Symbols:
-    """The tables for one claim, the most special one first, and values of letters that stand for indices."""
+    """The tables for one claim, the most special one first, and values of letters that stand for indices.
+
+    With `in_letters` the matrices of the tables are letters, also where others write them out.
+    """
 
     tables: tuple[Table, ...]
     indices: tuple[tuple[str, str], ...] = ()
+    in_letters: bool = False
 
     def __call__(self, symbol: str) -> Any:
         """Return what a symbol stands for; None if no table and no rule says so."""
@@ -116,6 +124,9 @@ class Symbols:
         for index, value in self.indices:
             subscript, superscript = subscript.replace(index, value), superscript.replace(index, value)
         whole = function + written(letter, primes, subscript, superscript)
+        for table in self.tables if self.in_letters else ():
+            if whole in table.matrices:
+                return table.matrices[whole]
         for table in self.tables:
             if whole in table.symbols:
                 return table.symbols[whole]
@@ -202,6 +213,7 @@ def _table(entry: Mapping[str, Any]) -> Table:
         primes=bool(entry.get("primes", True)),
         sizes={_canonical(name): _size(size, name) for name, size in entry.get("sizes", {}).items()},
         properties={_canonical(name): _known(given, name) for name, given in entry.get("properties", {}).items()},
+        matrices={_canonical(name): _matrix(text, name) for name, text in entry.get("matrices", {}).items()},
     )
 
 
@@ -216,6 +228,13 @@ def _known(given: Any, name: str) -> tuple[str, ...]:
     if unknown := [each for each in listed if each not in known]:
         raise ValueError(f"properties, {name}: expected one of {', '.join(known)}, got {unknown[0]!r}")
     return listed
+
+
+def _matrix(text: Any, name: str) -> sympy.MatrixSymbol:
+    match = re.fullmatch(r"([A-Za-z]\w*) (\d)x(\d)", text) if isinstance(text, str) else None
+    if match is None:
+        raise ValueError(f"matrices, {name}: expected a name and a shape such as 'R 3x3', got {text!r}")
+    return sympy.MatrixSymbol(match[1], int(match[2]), int(match[3]))
 
 
 def _size(size: Any, name: str) -> Size:

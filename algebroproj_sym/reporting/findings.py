@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
+import sympy
+
 from algebroproj_sym.declaring import GRADES, KINDS, NUMBER_OF, Claim, Grade, Judgement, grade_of, statement_text
 from algebroproj_sym.reporting.explaining import finding_line, sides_at_counterexample
 from algebroproj_sym.reporting.templating import TEMPLATES
@@ -120,8 +122,13 @@ def findings(judgements: Sequence[Judgement]) -> str:
 
 
 def values_at_counterexample(judgement: Judgement) -> str:
-    """Return in a sentence what is printed and what is right at the counterexample; nothing if that is long."""
+    """Return in a sentence what is printed and what is right at the counterexample; nothing if that is long.
+
+    Matrices are too long, as points of statements in letters have them.
+    """
     point = judgement.counterexample or {}
+    if any(isinstance(value, sympy.MatrixBase) for value in point.values()):
+        return ""
     different = [(place, pair) for place, pair in enumerate(sides_at_counterexample(judgement)) if pair[0] != pair[1]]
     if not different or not 0 < len(point) <= MOST_COORDINATES or not KINDS[judgement.claim.kind].is_marked:
         return ""

@@ -6,7 +6,7 @@
 
 # %%
 import sympy
-from sympy import BlockMatrix, Determinant, Eq, Identity, MatrixSymbol, Trace, ZeroMatrix, cos, sin, tan
+from sympy import Determinant, Eq, MatrixSymbol, Trace, cos, sin, tan
 
 from algebroproj_derivations.normalcase1992.notation import turn_kappa, turn_omega, turn_phi
 from algebroproj_sym import Section
@@ -46,35 +46,6 @@ section.identity(
 )
 section.identity(
     "8/determinant", "the determinant vanishes", printed=Determinant(E), derived=sympy.Integer(0), **essential
-)
-
-# %% [markdown]
-# ## Projection between cartesian systems
-#
-# (1.4.5) of 1996 is $\mu \mathbf v = \mathbf A_v \mathbf M \mathbf A_X^{-1} \mathbf X$.  The affine frame of the object
-# points has the first one, $\mathbf g$, as its origin and differences of points as columns of $\mathbf B$.  With
-# $\mathbf P = \mathbf A_v^{-1} \mathbf R^T \mathbf B$ the matrix of the image is
-# $\mathbf M = (-\mathbf P \mathbf z, \mathbf P)$, where $\mathbf z$ is the center of projection in the affine frame.
-# The left side must be the ray from that center, in the image system.
-
-# %%
-A_v, B, P = (MatrixSymbol(name, 3, 3) for name in ("A_v", "B", "P"))
-g, z, x = (MatrixSymbol(name, 3, 1) for name in "gzx")
-M, A_X, X = MatrixSymbol("M", 3, 4), MatrixSymbol("A_X", 4, 4), MatrixSymbol("X", 4, 1)
-
-section.identity(
-    "8/projection",
-    "projection between cartesian systems",
-    printed=A_v * M * A_X.I * X,
-    derived=R.T * (x - (g + B * z)),
-    constraints=[
-        Eq(P, A_v.I * R.T * B),
-        Eq(M, BlockMatrix([[-P * z, P]])),
-        Eq(A_X, BlockMatrix([[Identity(1), ZeroMatrix(1, 3)], [g, B]])),
-        Eq(X, BlockMatrix([[Identity(1)], [x]])),
-    ],
-    properties={R: "rotation"},
-    note="(1.4.5) of 1996 in letters.  A_v may be any regular matrix.",
 )
 
 # %% [markdown]

@@ -7,6 +7,7 @@
 
 # %%
 import sympy
+from sympy import Identity, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
@@ -27,6 +28,7 @@ from algebroproj_sym.expressions import (
     solve,
     vector,
 )
+from algebroproj_sym.expressions.letters import Adjugate, Cross
 
 section = Section("fundamentals1996", "1.1", "Projection from space to plane")
 
@@ -152,19 +154,20 @@ section.identity(
 # they reconstruct the same ray, new reciprocal vectors if they invert the new base.
 
 # %%
-A = Matrix(3, 3, sympy.symbols("a:3:3"))
+A, B_bold = MatrixSymbol("A", 3, 3), MatrixSymbol("B", 3, 3)
+x_bold, *base_bold = (MatrixSymbol(name, 3, 1) for name in ("x", "b0", "b1", "b2"))
 
 section.identity(
     "1.1/contravariant",
     "the coordinates are contravariant",
-    printed=(B * A) * solve(A, x),
-    derived=reconstruction,
+    printed=(B_bold * A) * (A.I * x_bold),
+    derived=B_bold * x_bold,
 )
 section.identity(
     "1.1/contravariant-tensor",
     "the matrix of the reciprocal vectors is contravariant",
-    printed=(inverse(A) * inverse(B)) * (B * A),
-    derived=E3,
+    printed=(A.I * B_bold.I) * (B_bold * A),
+    derived=Identity(3),
 )
 
 # %% [markdown]
@@ -175,8 +178,8 @@ section.identity(
 section.identity(
     "1.1/cross-product",
     "cross product in affine coordinates",
-    printed=adjugate(A).T * cross(b0, b1),
-    derived=cross(A * b0, A * b1),
+    printed=Adjugate(A).T * Cross(*base_bold[:2]),
+    derived=Cross(A * base_bold[0], A * base_bold[1]),
 )
 
 # %% [markdown]
@@ -198,7 +201,12 @@ section.definition("1.1/quasihomogeneous", "quasihomogeneous vector of an image 
 # **Print.**  The same point as a weighted mean of the base vectors, and as a product of matrices.
 
 # %%
-section.identity("1.1/p", "image point from the base", derived=p)
+origin, *others = base_bold
+section.identity(
+    "1.1/p",
+    "image point from the base",
+    derived=origin + u1 * (others[0] - origin) + u2 * (others[1] - origin),
+)
 section.identity("1.1/p#base", "image point, barycentric", derived=p)
 section.identity("1.1/p#U", "image point, affine", derived=p)
 

@@ -9,6 +9,7 @@
 from fractions import Fraction
 
 import sympy
+from sympy import BlockMatrix, Eq, Identity, MatrixSymbol, ZeroMatrix
 
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
@@ -332,11 +333,13 @@ space_points = rows(origin, *(origin + edges.row(n).T for n in range(3)))
 plane_points = rows(plane_origin, *(plane_origin + plane_edges.row(n).T for n in range(2)))
 A_X, A_v = frame(space_points), frame(plane_points)
 
+R_bold, A_v_bold = MatrixSymbol("R", 3, 3), MatrixSymbol("A_v", 3, 3)
 section.identity(
     "1.4.6",
     "matrix of projection, rotation and affine transformation",
-    printed=inverse(A_v) * rotation.T,
-    derived=inverse(rotation * A_v),
+    printed=A_v_bold.I * R_bold.T,
+    derived=(R_bold * A_v_bold).I,
+    properties={R_bold: "rotation"},
 )
 
 # %% [markdown]
@@ -362,16 +365,26 @@ section.identity(
 # %% [markdown]
 # **Are these the collinearity equations?**  Seen from the image system the ray is $\mathbf R^T (\mathbf X - \mathbf
 # X_0)$, and its first component is the factor of the quasihomogeneous image vector $\mathbf v$.  On the other side
-# $\mathbf M$ is put together by (1.1.6), with (1.4.6) and $\mathbf X - \mathbf X_0 = \mathbf A_X \mathbf z$.
+# $\mathbf M$ is put together by (1.1.6), with (1.4.6) and $\mathbf X - \mathbf X_0 = \mathbf A_X \mathbf z$.  The
+# affine frame has the first basic point $\mathbf g$ as its origin, and the edges as columns of $\mathbf F$.  Of
+# $\mathbf A_v$ nothing is needed but its inverse.
 
 # %%
-P_star = inverse(A_v) * rotation.T * A_X[1:, 1:]
-M = columns(-P_star * center, P_star)
+F, P_star, M = MatrixSymbol("F", 3, 3), MatrixSymbol("Ps", 3, 3), MatrixSymbol("M", 3, 4)
+A_X_bold, X_homogeneous = MatrixSymbol("A_X", 4, 4), MatrixSymbol("X", 4, 1)
+g_bold, y0_bold, x_bold = (MatrixSymbol(name, 3, 1) for name in ("g", "y0", "x"))
 section.identity(
     "1.4.5",
     "projection between cartesian systems",
-    printed=A_v * (M * (inverse(A_X) * homogeneous(X))),
-    derived=rotation.T * (X - point_at(center, space_points)),
+    printed=A_v_bold * M * A_X_bold.I * X_homogeneous,
+    derived=R_bold.T * (x_bold - (g_bold + F * y0_bold)),
+    constraints=[
+        Eq(P_star, A_v_bold.I * R_bold.T * F),
+        Eq(M, BlockMatrix([[-P_star * y0_bold, P_star]])),
+        Eq(A_X_bold, BlockMatrix([[Identity(1), ZeroMatrix(1, 3)], [g_bold, F]])),
+        Eq(X_homogeneous, BlockMatrix([[Identity(1)], [x_bold]])),
+    ],
+    properties={R_bold: "rotation"},
 )
 
 # %% [markdown]

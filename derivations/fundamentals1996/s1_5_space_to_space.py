@@ -7,6 +7,7 @@
 
 # %%
 import sympy
+from sympy import ImmutableMatrix, MatrixSymbol
 
 from algebroproj_derivations.cameras import inhomogeneous
 from algebroproj_derivations.figures import SpaceDrawing
@@ -17,7 +18,6 @@ from algebroproj_sym.expressions import (
     Matrix,
     columns,
     determinant,
-    diff,
     dot,
     homogeneous,
     inverse,
@@ -26,6 +26,7 @@ from algebroproj_sym.expressions import (
     solve,
     vector,
 )
+from algebroproj_sym.expressions.letters import Dot
 
 section = Section("fundamentals1996", "1.5", "Projection from space to space, the regular projective transformation")
 
@@ -358,15 +359,15 @@ section.identity(
 # ## Quadrics
 #
 # The same substitution $\mathbf y = \mu \mathbf M \mathbf u$ in $\mathbf y^T \mathbf A \mathbf y$ gives a quadratic
-# form in $\mathbf u$; the elements of its symmetric matrix are half its second derivatives.
+# form in $\mathbf u$; the elements of its symmetric matrix are the values of the bilinear form at unit vectors.
 
 # %%
-A = Matrix(4, 4, lambda i, j: sympy.Symbol(f"a{min(i, j)}{max(i, j)}"))
-substituted = M_inverse * vector(*Y)
-quadratic_form = dot(substituted, A * substituted)
+A, M = MatrixSymbol("A", 4, 4), MatrixSymbol("M", 4, 4)
+units = [ImmutableMatrix(sympy.eye(4)[:, i]) for i in range(4)]
 
 section.identity(
     "1.5/conics",
     "symmetric matrix of the image of a quadric",
-    derived=Matrix(4, 4, lambda i, j: diff(quadratic_form, Y[i], Y[j]) / 2),
+    derived=ImmutableMatrix(4, 4, lambda i, j: Dot(M * units[i], A * (M * units[j]))),
+    properties={A: "symmetric"},
 )

@@ -10,6 +10,7 @@
 
 # %%
 import sympy
+from sympy import BlockMatrix, Determinant, Eq, ImmutableMatrix, MatrixSymbol, ZeroMatrix
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
@@ -28,6 +29,7 @@ from algebroproj_sym.expressions import (
     solve,
     vector,
 )
+from algebroproj_sym.expressions.letters import Cross, Dot, Skew, Vee
 
 section = Section("fundamentals1996", "2.1", "Spatial intersection and the matrix of correlation")
 
@@ -39,23 +41,11 @@ section = Section("fundamentals1996", "2.1", "Spatial intersection and the matri
 # in the difference of the two.
 
 # %%
-factor_left, factor_right = sympy.symbols("mup mupp")
-point = vector(y1, y2, y3)
-center_left = vector(*sympy.symbols("yp01 yp02 yp03"))
-center_right = vector(*sympy.symbols("ypp01 ypp02 ypp03"))
-to_point_left, to_point_right = point - center_left, point - center_right
-
-d = vector(*sympy.symbols("d1 d2 d3"))
-base = to_point_left - to_point_right
+mup, mupp = sympy.symbols("mup mupp")
+y, yp0, ypp0, pp, ppp, d_bold = (MatrixSymbol(name, 3, 1) for name in ("y", "yp0", "ypp0", "pp", "ppp", "d"))
+base = (y - yp0) - (y - ypp0)
+seen_from_centers = [Eq(y, yp0 + mup * pp), Eq(ypp0, y - mupp * ppp), Eq(d_bold, base)]
 base
-
-# %%
-p_left, p_right = (vector(*sympy.symbols(f"{name}1 {name}2 {name}3")) for name in ("pp", "ppp"))
-seen_from_centers = {
-    **given(d, base),
-    **{symbol: over(entry, factor_left) for symbol, entry in zip(p_left, to_point_left, strict=True)},
-    **{symbol: over(entry, factor_right) for symbol, entry in zip(p_right, to_point_right, strict=True)},
-}
 
 # %% [markdown]
 # **Print.**  $\mathbf y'_0 - \mathbf y''_0$, the opposite one.
@@ -66,7 +56,7 @@ section.identity(
     "base of the two centers",
     derived=base,
     expect="misprint",
-    corrected=center_right - center_left,
+    corrected=ypp0 - yp0,
     note="Ruled out: a negative sign of both mu, or an interchange of the two images, would contradict (1.1.4) and "
     "(2.1.1).  The scan alone cannot tell a slip of the scan from one of the print.",
 )
@@ -79,9 +69,8 @@ section.identity(
 section.identity(
     "2.1.1",
     "spatial intersection",
-    printed=columns(factor_left * p_left, d + factor_right * p_right),
-    where=seen_from_centers,
-    derived=columns(to_point_left, to_point_left),
+    constraints=seen_from_centers,
+    derived=BlockMatrix([[y - yp0, y - yp0]]),
 )
 
 # %% [markdown]
@@ -91,28 +80,33 @@ section.identity(
 # right side.
 
 # %%
-section.identity("2.1/p''", "triple product with a repeated vector", derived=dot(cross(p_right, d), p_right))
+section.identity("2.1/p''", "triple product with a repeated vector", derived=Dot(Cross(ppp, d_bold), ppp))
 section.identity(
-    "2.1.2", "condition of coplanarity", derived=dot(cross(p_left, d), p_right).xreplace(seen_from_centers)
+    "2.1.2",
+    "condition of coplanarity",
+    constraints=seen_from_centers,
+    nonzero=[mup, mupp],
+    derived=Dot(Cross(pp, d_bold), ppp),
 )
 
 # %% [markdown]
 # The vector product is a product with a skew-symmetric matrix: $\mathbf D \mathbf v = \mathbf d \times \mathbf v$,
-# and the row $\mathbf v^T \mathbf D$ is $\mathbf v \times \mathbf d$.
+# and the row $\mathbf v^T \mathbf D$ is $\mathbf v \times \mathbf d$.  Its elements:
 
 # %%
+d = vector(*sympy.symbols("d1 d2 d3"))
+ray = vector(*sympy.symbols("pp1 pp2 pp3"))
 D_printed = Matrix([[0, -d[2], d[1]], [d[2], 0, -d[0]], [-d[1], d[0], 0]])
 unit_vectors = (vector(1, 0, 0), vector(0, 1, 0), vector(0, 0, 1))
 D = columns(*(cross(d, unit) for unit in unit_vectors))
 D
 
 # %%
-
 section.identity(
     "2.1/D",
     "the vector product with the base as a product of matrices",
-    printed=D_printed.T * p_left,
-    derived=cross(p_left, d),
+    printed=D_printed.T * ray,
+    derived=cross(ray, d),
 )
 
 # %% [markdown]
@@ -138,15 +132,22 @@ C = correlation_matrix(P_left, P_right, d)
 # **Print.**  Three members, each of which must be the triple product of the two rays and the base.
 
 # %%
-C_elements = Matrix(3, 3, sympy.symbols("c:3:3"))
-correlation = given(C_elements, C)
-triple = dot(cross(P_left * u_left, d), P_right * u_right)
+Pp, Ppp, C_bold, D_bold = (MatrixSymbol(name, 3, 3) for name in ("Pp", "Ppp", "C", "D"))
+up, upp = MatrixSymbol("up", 3, 1), MatrixSymbol("upp", 3, 1)
+units = [ImmutableMatrix(unit) for unit in unit_vectors]
+triple_products = ImmutableMatrix(3, 3, lambda i, j: Dot(Cross(Pp * units[i], d_bold), Ppp * units[j]))
+triple = Dot(Cross(pp, d_bold), ppp)
 
 section.identity(
     "2.1.3",
     "condition of coplanarity in image coordinates",
-    where=correlation | given(p_left, P_left * u_left) | given(p_right, P_right * u_right),
-    derived=vector(triple, triple, triple),
+    constraints=[
+        Eq(pp, Pp * up),
+        Eq(ppp, Ppp * upp),
+        Eq(D_bold, Skew(d_bold)),
+        Eq(C_bold, triple_products),
+    ],
+    derived=ImmutableMatrix([[triple, triple, triple]]),
 )
 
 # %% [markdown]
@@ -162,22 +163,33 @@ section.identity(
 section.identity("2.1.4#components", "matrix of correlation, by components", derived=P_left.T * D * P_right)
 
 # %% [markdown]
-# **Do homologous points satisfy it?**  They are images of one object point.  With $\mathbf u'$ and $\mu'$ given, the
-# ray of $P'$ ends there, and the right image sees it at $\mu'' \mathbf u'' = \mathbf P''^* (\mu' \mathbf P' \mathbf
-# u' - \mathbf d)$.
+# **Do homologous points satisfy it?**  They are images of one object point $\mathbf y$.  Both rays, $\mu \mathbf P
+# \mathbf u$ from their centers, end there.  From now on $\mathbf C$ is the product (2.1.4).
 
 # %%
-ray_left = factor_left * P_left * u_left
-ray_right = ray_left - d
-projected = solve(P_right, ray_right)
-homologous = {
-    factor_right: projected[0],
+C_bold = Pp.T * Skew(d_bold) * Ppp
+homologous = [Eq(y, yp0 + mup * Pp * up), Eq(ypp0, y - mupp * Ppp * upp), Eq(d_bold, base)]
+
+section.identity(
+    "2.1.3#homologous",
+    "homologous points satisfy the equation",
+    constraints=homologous,
+    nonzero=[mup, mupp],
+    derived=Dot(up, C_bold * upp),
+)
+
+# %% [markdown]
+# By components: with $\mathbf u'$ and $\mu'$ given, the right image sees the point at $\mu'' \mathbf u'' = \mathbf
+# P''^* (\mu' \mathbf P' \mathbf u' - \mathbf d)$.
+
+# %%
+projected = solve(P_right, mup * P_left * u_left - d)
+seen = {
+    mupp: projected[0],
     u_right[1]: over(projected[1], projected[0]),
     u_right[2]: over(projected[2], projected[0]),
 }
-seen_right = u_right.xreplace(homologous)
-
-section.identity("2.1.3#homologous", "homologous points satisfy the equation", derived=dot(u_left, C * seen_right))
+seen_right = u_right.xreplace(seen)
 
 # %% [markdown]
 # **An example.**  Two cameras in $(0, 0, 0)$ and $(4, 0, 0)$ look at the point $P = (2, 1, 4)$.  Their matrix of
@@ -225,8 +237,8 @@ SpaceDrawing(
 # $\mathbf D$ takes the base to zero.  So $\mathbf D$ is singular, and with it $\mathbf C$.
 
 # %%
-section.identity("2.1/det-D", "the matrix of the base is singular", derived=determinant(D))
-section.identity("2.1/det-C", "the matrix of correlation is singular", derived=determinant(C))
+section.identity("2.1/det-D", "the matrix of the base is singular", derived=Determinant(Skew(d_bold)))
+section.identity("2.1/det-C", "the matrix of correlation is singular", derived=Determinant(C_bold))
 
 # %% [markdown]
 # ## 2. Where is the partner of a point?
@@ -235,7 +247,7 @@ section.identity("2.1/det-C", "the matrix of correlation is singular", derived=d
 # and $\mathbf h'' = \mathbf C^T \mathbf u'$.
 
 # %%
-h_left, h_right = (vector(*sympy.symbols(f"{name}0 {name}1 {name}2")) for name in ("hp", "hpp"))
+C_elements = Matrix(3, 3, sympy.symbols("c:3:3"))
 
 section.definition("2.1.5", "dual transformations", printed=columns((u_left.T * C_elements).T, C_elements * u_right))
 
@@ -257,8 +269,8 @@ section.identity(
 section.up_to_scale(
     "2.1/locus",
     "the line is the image of the ray",
-    printed=C.T * u_left,
-    derived=cross(solve(P_right, -d), solve(P_right, P_left * u_left)),
+    printed=C_bold.T * up,
+    derived=Cross(Ppp.I * -d_bold, Ppp.I * Pp * up),
 )
 
 # %% [markdown]
@@ -269,7 +281,10 @@ section.up_to_scale(
 # %%
 inverse_left, inverse_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("ps", "qs"))
 inverses = given(inverse_left, inverse(P_left)) | given(inverse_right, inverse(P_right))
+center_left, center_right = (vector(*sympy.symbols(f"{name}01 {name}02 {name}03")) for name in ("yp", "ypp"))
 at_centers = given(d, center_right - center_left)
+P_star, Pp_star, Ppp_star = (MatrixSymbol(name, 3, 3) for name in ("Ps", "Pps", "Ppps"))
+between_centers = Eq(d_bold, ypp0 - yp0)
 
 # %% [markdown]
 # **Print.**  The factor $\mu_0$ is free.  For the right image it takes the sign, for the left center lies in the
@@ -277,13 +292,16 @@ at_centers = given(d, center_right - center_left)
 
 # %%
 section.up_to_scale(
-    "2.1/epipoles#left", "epipole in P'", where=inverses | at_centers, derived=solve(P_left, center_right - center_left)
+    "2.1/epipoles#left",
+    "epipole in P'",
+    constraints=[Eq(P_star, Pp.I), between_centers],
+    derived=Pp.I * (ypp0 - yp0),
 )
 section.up_to_scale(
     "2.1/epipoles#right",
     "epipole in P''",
-    where=inverses | at_centers,
-    derived=solve(P_right, center_left - center_right),
+    constraints=[Eq(P_star, Ppp.I), between_centers],
+    derived=Ppp.I * (yp0 - ypp0),
 )
 
 # %% [markdown]
@@ -298,7 +316,7 @@ section.definition(
     "matrices of projection and reconstruction",
     printed=inverse(P_left) * P_left,
 )
-section.identity("2.1/Dd", "the base annihilates itself", derived=D * d)
+section.identity("2.1/Dd", "the base annihilates itself", derived=Skew(d_bold) * d_bold)
 
 # %% [markdown]
 # So the epipole of $P''$ is annihilated.  Both sides of the chain, the product and zero, are held against $\mathbf C
@@ -308,9 +326,9 @@ section.identity("2.1/Dd", "the base annihilates itself", derived=D * d)
 section.identity(
     "2.1/Cu0''",
     "dual transformation of the epipole of P''",
-    printed=columns(P_left.T * D_printed * P_right * (inverse_right * d), vector(0, 0, 0)),
-    where=inverses,
-    derived=columns(C * epipole_right, C * epipole_right),
+    printed=BlockMatrix([[Pp.T * D_bold * Ppp * Ppp_star * d_bold, ZeroMatrix(3, 1)]]),
+    constraints=[Eq(D_bold, Skew(d_bold)), Eq(Ppp_star, Ppp.I)],
+    derived=BlockMatrix([[C_bold * Ppp.I * d_bold, C_bold * Ppp.I * d_bold]]),
 )
 
 # %% [markdown]
@@ -320,11 +338,11 @@ section.identity(
 section.identity(
     "2.1/u0'C",
     "dual transformation of the epipole of P'",
-    printed=(d.T * inverse_left.T * P_left.T * D_printed * P_right).T,
-    where=inverses,
-    derived=C.T * epipole_left,
+    printed=d_bold.T * Pp_star.T * Pp.T * D_bold * Ppp,
+    constraints=[Eq(D_bold, Skew(d_bold)), Eq(Pp_star, Pp.I)],
+    derived=(Pp.I * d_bold).T * C_bold,
 )
-section.identity("2.1/u0'C#zero", "the left epipole is annihilated", derived=C.T * epipole_left)
+section.identity("2.1/u0'C#zero", "the left epipole is annihilated", derived=(Pp.I * d_bold).T * C_bold)
 
 # %% [markdown]
 # **Meaning.**  The epipoles are the solutions of $\mathbf C^T \mathbf u'_0 = \mathbf 0$ and $\mathbf C
@@ -334,10 +352,8 @@ section.identity("2.1/u0'C#zero", "the left epipole is annihilated", derived=C.T
 section.identity(
     "2.1.6",
     "equations for the epipoles",
-    derived=columns(
-        C.T.xreplace(at_centers) * solve(P_left, center_right - center_left),
-        C.xreplace(at_centers) * solve(P_right, center_left - center_right),
-    ),
+    constraints=[between_centers],
+    derived=BlockMatrix([[C_bold.T * Pp.I * (ypp0 - yp0), C_bold * Ppp.I * (yp0 - ypp0)]]),
 )
 section.rank(
     "2.1/rank-C",
@@ -375,13 +391,13 @@ section.up_to_scale(
 section.identity(
     "2.1/epipolar-line",
     "every line h'' contains the epipole of P''",
-    derived=vector(dot(C.T * u_left, epipole_right), dot(u_left, C * epipole_right)),
+    derived=ImmutableMatrix([[Dot(C_bold.T * up, Ppp.I * d_bold), Dot(up, C_bold * Ppp.I * d_bold)]]),
 )
 section.identity(
     "2.1/beyond/epipolar-line-left",
     "every line h' contains the epipole of P'",
     printed=0,
-    derived=dot(C * u_right, epipole_left),
+    derived=Dot(C_bold * upp, Pp.I * d_bold),
 )
 
 # %% [markdown]
@@ -395,24 +411,22 @@ section.identity(
 # of it.
 
 # %%
-moment = cross(d, ray_left)
-moment_left, moment_right = P_left.T * moment, P_right.T * moment
-mu_u_right = factor_right * u_right
-lines = given(h_left, C * seen_right) | given(h_right, C.T * u_left)
+moment = Cross(d_bold, y - yp0)
+hp, hpp = MatrixSymbol("hp", 3, 1), MatrixSymbol("hpp", 3, 1)
+base_matrix = Eq(D_bold, Skew(d_bold))
+correlated = [base_matrix, Eq(MatrixSymbol("C", 3, 3), C_bold), Eq(hp, C_bold * upp), Eq(hpp, C_bold.T * up)]
 
 section.identity(
     "2.1/intersection",
     "spatial intersection in image coordinates",
-    printed=columns(factor_left * P_left * u_left, d + P_right * mu_u_right),
-    where=homologous,
-    derived=columns(ray_left, ray_left),
+    constraints=homologous,
+    derived=BlockMatrix([[y - yp0, y - yp0]]),
 )
 section.identity(
     "2.1.7",
     "symmetric relation between the image coordinates",
-    printed=columns(D_printed * (factor_left * P_left * u_left), D_printed * (P_right * mu_u_right)),
-    where=homologous,
-    derived=columns(moment, moment),
+    constraints=[base_matrix, *homologous],
+    derived=BlockMatrix([[moment, moment]]),
 )
 
 # %% [markdown]
@@ -423,22 +437,16 @@ section.identity(
 section.identity(
     "2.1.8#left",
     "first equation: first, third and fourth member",
-    printed=columns(
-        P_left.T * (D_printed * (P_left * (factor_left * u_left))),
-        C_elements * mu_u_right,
-        factor_right * h_left,
-    ),
-    where=correlation | homologous | lines,
-    derived=columns(moment_left, moment_left, moment_left),
+    constraints=[*correlated, *homologous],
+    derived=BlockMatrix([[Pp.T * moment, Pp.T * moment, Pp.T * moment]]),
 )
 section.identity(
     "2.1.8#left-second",
     "first equation: second member",
-    printed=P_right.T * (D_printed * (P_right * mu_u_right)),
-    where=homologous,
-    derived=moment_left,
+    constraints=[base_matrix, *homologous],
+    derived=Pp.T * moment,
     expect="error",
-    corrected=P_left.T * (D_printed * (P_right * mu_u_right)),
+    corrected=mupp * Pp.T * D_bold * Ppp * upp,
     note="The same exchange stands in both equations, in products that exist: the scan alone did not make it.  Ruled "
     "out: an interchange of the images changes all members.",
     follows="The second members are those of the other image. Who used them would get the moment of the wrong bundle; "
@@ -452,25 +460,22 @@ section.identity(
 section.identity(
     "2.1.8#right",
     "second equation: first, third and fourth member",
-    printed=columns(
-        P_right.T * (D_printed * (P_right * mu_u_right)),
-        -factor_left * C_elements.T * u_left,
-        -factor_left * h_right,
-    ),
-    where=correlation | homologous | lines,
-    derived=columns(moment_right, moment_right, moment_right),
+    constraints=[*correlated, *homologous],
+    derived=BlockMatrix([[Ppp.T * moment, Ppp.T * moment, Ppp.T * moment]]),
 )
 section.identity(
     "2.1.8#right-second",
     "second equation: second member",
-    printed=P_left.T * (D_printed * (P_left * (factor_left * u_left))),
-    derived=moment_right,
+    constraints=[base_matrix, *homologous],
+    derived=Ppp.T * moment,
     expect="error",
-    corrected=P_right.T * (D_printed * (P_left * (factor_left * u_left))),
+    corrected=mup * Ppp.T * D_bold * Pp * up,
     note="The first factor must be P''^T, as in the first equation it must be P'^T.",
     same_as="2.1.8#left-second",
 )
-section.identity("2.1/D-skew", "the matrix of the base is skew-symmetric", derived=D.T)
+section.identity(
+    "2.1/D-skew", "the matrix of the base is skew-symmetric", constraints=[base_matrix], derived=Skew(d_bold).T
+)
 
 # %% [markdown]
 # **What do the equations contain?**  All elements of both transformations, says the paper, and they are very
@@ -529,8 +534,12 @@ section.rank(
 
 # %%
 section.identity("2.1.9#product", "K as a product", derived=K)
-section.identity("2.1.9#triple", "K by triple products with the base in the middle", derived=P.T * D * P)
-section.identity("2.1.9#volume", "K by triple products with the base at the end", derived=P.T * D * P)
+p0, p1, p2 = (MatrixSymbol(name, 3, 1) for name in ("p0", "p1", "p2"))
+P_bold = BlockMatrix([[p0, p1, p2]])
+K_product = P_bold.T * Skew(d_bold) * P_bold
+
+section.identity("2.1.9#triple", "K by triple products with the base in the middle", derived=K_product)
+section.identity("2.1.9#volume", "K by triple products with the base at the end", derived=K_product)
 
 # %% [markdown]
 # For the fourth form the vector products are expressed by the rows $\mathbf p^j$ of $\mathbf P^*$, the reciprocal
@@ -561,9 +570,8 @@ section.structure("2.1.9#kappa", "K is skew-symmetric", derived=P.T * D * P)
 section.identity(
     "2.1/beyond/kappa",
     "the three elements of K are the projection of the base",
-    printed=DET * (P_inverse * d),
-    where={DET: determinant(P)} | inverses,
-    derived=kappa_elements,
+    printed=Determinant(Pp) * Pp.I * d_bold,
+    derived=Vee(Pp.T * Skew(d_bold) * Pp),
 )
 
 # %% [markdown]
@@ -575,15 +583,28 @@ section.identity(
 # %%
 K_left = K
 K_right = P_right.T * D * P_right
-section.identity("2.1.10#left", "dual relation in P'", where=homologous | lines, derived=K_left * u_left)
-section.identity("2.1.10#right", "dual relation in P''", where=homologous | lines, derived=K_right * seen_right)
+lines = [*homologous, Eq(hp, C_bold * upp), Eq(hpp, C_bold.T * up)]
+section.identity(
+    "2.1.10#left",
+    "dual relation in P'",
+    constraints=lines,
+    nonzero=[mup],
+    derived=Pp.T * Skew(d_bold) * Pp * up,
+)
+section.identity(
+    "2.1.10#right",
+    "dual relation in P''",
+    constraints=lines,
+    nonzero=[mupp],
+    derived=Ppp.T * Skew(d_bold) * Ppp * upp,
+)
 
 # %% [markdown]
 # $\mathbf K$ annihilates the epipole, and its elements are the epipole: that of either image, for $\mathbf d$ and
 # $-\mathbf d$ have the same quotients.
 
 # %%
-section.identity("2.1.11", "K annihilates the epipole", derived=K * solve(P, d))
+section.identity("2.1.11", "K annihilates the epipole", derived=Pp.T * Skew(d_bold) * Pp * Pp.I * d_bold)
 projected_base = solve(P, d)
 section.identity(
     "2.1.12",

@@ -10,13 +10,19 @@
 from itertools import product
 
 import sympy
+from sympy import ImmutableMatrix, MatrixSymbol
 
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion, ratios
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import Delta, P, y0_of_mu
-from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import C, at_basic_points, correlation_matrix
+from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import (
+    C,
+    at_basic_points,
+    correlation_matrix,
+    units,
+)
 from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
@@ -25,7 +31,6 @@ from algebroproj_sym.expressions import (
     columns,
     cross,
     determinant,
-    diff,
     divided,
     dot,
     homogeneous,
@@ -35,6 +40,7 @@ from algebroproj_sym.expressions import (
     solve,
     vector,
 )
+from algebroproj_sym.expressions.letters import Dot
 
 section = Section("fundamentals1996", "2.2", "Determination and utilization of the matrix of correlation")
 
@@ -278,17 +284,15 @@ section.up_to_scale(
 # ## Change of coordinates
 #
 # Must $\mathbf u$ be the coordinates?  With any homogeneous transformation $\mathbf u = \mathbf A \mathbf v$ of both
-# images the equation keeps its form.  The elements of the new matrix are the coefficients of $v'_i v''_j$.  The scan
+# images the equation keeps its form.  The elements of the new matrix are its values at unit vectors.  The scan
 # has lost the prime of $\mathbf v'^T$.  The paper refers to section 1.4 here, by wrong numbers.
 
 # %%
-A_left, A_right = (Matrix(3, 3, sympy.symbols(f"{name}:3:3")) for name in ("ap", "app"))
-v_left, v_right = (vector(*sympy.symbols(f"{name}:3")) for name in ("vp", "vpp"))
-transformed = dot(A_left * v_left, c * (A_right * v_right))
+Ap, App, C_bold = (MatrixSymbol(name, 3, 3) for name in ("Ap", "App", "C"))
 section.identity(
     "2.2/C-bar",
     "correlation in other coordinates",
-    derived=Matrix(3, 3, lambda i, j: diff(transformed, v_left[i], v_right[j])),
+    derived=ImmutableMatrix(3, 3, lambda i, j: Dot(Ap * units[i], C_bold * (App * units[j]))),
 )
 AFFINE_REFERENCE = (
     "Subsection 1.3 has nothing of the kind.  'Again' takes up subsection 1.4, where (1.4.5) holds for image "

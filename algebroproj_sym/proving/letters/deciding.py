@@ -20,9 +20,10 @@ import sympy
 
 from algebroproj_sym.expressions import admits, is_plain, over, text, values_of
 from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text
+from algebroproj_sym.proving.buchberger import Work
 from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.entries import Field, Rows, degree_of, entries_of
-from algebroproj_sym.proving.letters.points import example, has_properties
+from algebroproj_sym.proving.letters.points import example, has_properties, sparse
 from algebroproj_sym.proving.letters.properties import Coordinates, Letter, coordinates
 from algebroproj_sym.proving.letters.rewriting import proof_in_words
 from algebroproj_sym.proving.letters.rules import rules_for
@@ -48,6 +49,8 @@ ENOUGH_POINTS = 4
 MORE_TRIES = 200
 CONSTRAINED_STARTS = 8
 CONSTRAINED_TRIES = 60
+SPARSE_TRIES = 200
+MOST_OF_SEARCH = 1_000_000
 
 _CIRCLE = [(Fraction(a, c), Fraction(b, c)) for a, b, c in ((3, 4, 5), (-4, 3, 5), (5, 12, 13), (-8, 15, 17))]
 _NUMBERS = Field(Fraction)
@@ -169,12 +172,14 @@ class _Question:
         self.statement = statement
         self.engine = engine
         self.witness: Point | None = None
+        self.search = Work(MOST_OF_SEARCH)
         self.angles, self.plain = without_series(statement) if speaks_of_angles(statement) else ([], statement)
         self.terms = statement.terms if self.angles else stated
         self.hypotheses = hypotheses_of(statement.terms, statement.letters)
 
     def found(self) -> Found:
-        refuting = self._differing(FIRST_TRIES, ENOUGH_POINTS)
+        refuting = self._differing(self._sparse_points(), SPARSE_TRIES)
+        refuting = refuting or self._differing(self._points(FIRST_TRIES), ENOUGH_POINTS)
         if refuting is not None:
             return self._refuted(refuting)
         found = self._in_words()
@@ -183,7 +188,7 @@ class _Question:
             found = self._by_entries()
             reason = "neither a proof nor exact matrices at which the sides differ were found"
         if found is None:
-            refuting = self._differing(MORE_TRIES, MORE_TRIES)
+            refuting = self._differing(self._points(MORE_TRIES), MORE_TRIES)
             return self._open(reason) if refuting is None else self._refuted(refuting)
         if self.witness is None and found.verdict == "proved":
             return self._open("no exact matrices were found at which both sides are defined and all conditions hold")
@@ -206,10 +211,10 @@ class _Question:
 
     # -- points
 
-    def _differing(self, tries: int, enough: int) -> Point | None:
+    def _differing(self, points: Iterator[Point], enough: int) -> Point | None:
         """Return a point at which the sides differ; the first other one is the witness."""
         count = 0
-        for point in self._points(tries):
+        for point in points:
             differs = self.differs_at(point)
             if differs:
                 return point
@@ -307,6 +312,23 @@ class _Question:
     def _number(self, symbol: sympy.Symbol, generator: random.Random, attempt: int) -> Fraction:
         return generator.choice(values_of(symbol)[: 8 + attempt])
 
+    def _sparse_points(self) -> Iterator[Point]:
+        """Yield points at which letters in constraints have few entries other than zero, where the constraints hold."""
+        constraints = self.statement.constraints
+        if not constraints or self.angles:
+            return
+        generator = random.Random(self.statement.seed)
+        bound = {part.value for term in constraints for part in factors_of(term) if part.kind == "letter"}
+        for attempt in range(SPARSE_TRIES):
+            sizes = self._sizes(generator, attempt)
+            letters = {
+                name: (sparse if name in bound and not letter.properties else example)(letter, sizes, generator, 0)
+                for name, letter in self.statement.letters.items()
+            }
+            scalars = {name: self._number(symbol, generator, 0) for name, symbol in self._scalars().items()}
+            if None not in letters.values():
+                yield Point(letters, scalars, sizes)  # type: ignore[arg-type]
+
     def _constrained_points(self, sizes: Mapping[str, int], attempt: int) -> Iterator[Point]:
         """Yield points on the constraints, in the coordinates of the letters."""
         if attempt >= CONSTRAINED_STARTS:
@@ -315,7 +337,8 @@ class _Question:
         expansion = _Expansion(statement)
         if not expansion.equations:
             return
-        zeros = rational_zeros(expansion.equations, expansion.symbols, statement.seed + attempt, CONSTRAINED_TRIES)
+        seed = statement.seed + attempt
+        zeros = rational_zeros(expansion.equations, expansion.symbols, seed, CONSTRAINED_TRIES, self.search)
         with suppress(ZeroDivisionError):
             for values in islice(zeros, ENOUGH_POINTS):
                 scalars = {symbol.name: value for symbol, value in values.items()}

@@ -30,6 +30,13 @@ def example(letter: Letter, sizes: Mapping[str, int], generator: random.Random, 
     return found if has_properties(letter, found) else None
 
 
+def sparse(letter: Letter, sizes: Mapping[str, int], generator: random.Random, attempt: int) -> Rows | None:
+    """Return entries of a letter without properties of which most are zero, as nilpotent matrices have."""
+    rows, columns = (size if isinstance(size, int) else sizes[size] for size in letter.shape)
+    values = (*[Fraction(0)] * generator.randint(1, 8), Fraction(1), Fraction(-1), Fraction(2))
+    return [[generator.choice(values) for _ in range(columns)] for _ in range(rows)]
+
+
 def _example(properties: frozenset[str], rows: int, columns: int, generator: random.Random, height: int) -> Rows:
     def random_rows(width: int = columns) -> Rows:
         return [[Fraction(generator.randint(-height, height)) for _ in range(width)] for _ in range(rows)]

@@ -22,6 +22,7 @@ from algebroproj_sym.declaring import judge, select
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.live.answering import CONDITIONS, MOST_CHARACTERS, answer
 from algebroproj_sym.reporting.live.bundling import own_sources
+from algebroproj_sym.reporting.live.compiling import compiled
 from algebroproj_sym.reporting.live.fetching import FetchError, Package, fetched, genuine, pinned
 from algebroproj_sym.reporting.live.questions import KINDS, question
 
@@ -162,6 +163,24 @@ def test_the_modules_are_the_same_bytes_on_every_machine(monkeypatch):
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(zlib, "compressobj", None)
     assert own_sources() == content
+
+
+def test_the_modules_of_a_wheel_are_compiled_without_its_tests_and_with_its_licence(tmp_path):
+    """They are imported without their source, and the same wheel gives the same bytes."""
+    wheel = BytesIO()
+    with ZipFile(wheel, "w") as archive:
+        archive.writestr("demo/__init__.py", "from demo.inner import answer")
+        archive.writestr("demo/inner.py", "def answer(found={'a', 'b', 'c'}):\n    return sorted(found)")
+        archive.writestr("demo/tests/test_inner.py", "raise SystemExit")
+        archive.writestr("demo-1.dist-info/LICENSE", "MIT")
+    content = compiled(wheel.getvalue())
+    assert content == compiled(wheel.getvalue())
+    (tmp_path / "demo.zip").write_bytes(content)
+    with ZipFile(BytesIO(content)) as archive:
+        assert archive.namelist() == ["demo-1.dist-info/LICENSE", "demo/__init__.pyc", "demo/inner.pyc"]
+    command = [sys.executable, "-c", "import sys; sys.path.insert(0, 'demo.zip'); import demo; print(demo.answer())"]
+    ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert ran.stdout == "['a', 'b', 'c']\n"
 
 
 def test_a_package_with_another_digest_is_refused():

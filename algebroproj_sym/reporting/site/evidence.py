@@ -158,6 +158,8 @@ def _data(caption: str, record: Mapping[str, Any]) -> list[Table]:
 
 def _readable(value: Any) -> Markup | str:
     if isinstance(value, Sequence) and not isinstance(value, str):
+        if all(isinstance(each, int) for each in value):
+            return ", ".join(map(str, value))
         return Markup("<ul>{}</ul>").format(_items(value))
     return _code(value) if isinstance(value, str) else str(value)
 
@@ -166,10 +168,10 @@ def _items(values: Iterable[Any]) -> Markup:
     return Markup("").join(Markup("<li>{}</li>").format(_code(_item(value))) for value in values)
 
 
-def _item(value: Any) -> str:
+def _item(value: Any, between: str = " ^ ") -> str:
     if isinstance(value, Mapping):
-        return "; ".join(f"{key}: {_item(each)}" for key, each in value.items())
-    return " ^ ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
+        return "; ".join(f"{key}: {_item(each, ', ')}" for key, each in value.items())
+    return between.join(map(_item, value)) if isinstance(value, list | tuple) else str(value)
 
 
 def _code(text: str) -> Markup:

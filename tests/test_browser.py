@@ -37,7 +37,7 @@ REPRESENTATIVE = (
 )
 DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}
 READ_PAGE = """() => {
-  const shown = (element) => !element.closest("details:not([open])");
+  const shown = (element) => !element.closest("details:not([open]), [popover]:not(:popover-open)");
   const boxes = [...document.querySelectorAll("math")].filter(shown).map((m) => m.getBoundingClientRect());
   return {
     math: boxes.length,
@@ -168,7 +168,7 @@ def test_axe_finds_no_barrier(site, browser, request, scheme, viewport):
 
 UNFOLD = """() => {
   for (const part of document.querySelectorAll("details")) part.open = true;
-  document.querySelector("[popover]")?.showPopover();
+  document.querySelector("[popovertarget]")?.click();
 }"""
 
 

@@ -588,6 +588,7 @@ def closure(pairs):
         (r"\mu_3 = -\frac{y_{00}}{y_{03}} \tag{1.3.5}", "<mfrac>"),
         (r"the rank of $C$ is 2", "<p>the rank of <math"),
         (r"the rank of $C is 2", "<p>the rank of $C is 2</p>"),
+        (r"= \mathbf{z}$ as in", "</math> as in</p>"),
         (r"a &= b \\ c &= d", "<mtable"),
         ("1\t0.5\t$x$", "<span>1</span> <span>0.5</span> <span><math"),
         (r"\left( x + \frac{1}{", r"<code>\left( x + \frac{1}{</code>"),

@@ -4,6 +4,7 @@ from algebroproj_sym.expressions.bounds import TooLargeError, require_bounded
 from algebroproj_sym.expressions.counting import at_most, chosen, floor
 from algebroproj_sym.expressions.differentiation import derivatives, diff, differential, jacobian
 from algebroproj_sym.expressions.evaluation import evaluate
+from algebroproj_sym.expressions.expansion import taylor
 from algebroproj_sym.expressions.grammar import (
     Expression,
     NotRationalError,
@@ -91,6 +92,7 @@ __all__ = [
     "size",
     "solve",
     "symbols_of",
+    "taylor",
     "text",
     "values_of",
     "vector",

@@ -115,6 +115,9 @@ def _real(term: Term) -> Written:
         return rf"\frac{{{above}}}{{{below}}}", POWER
     if kind == "^":
         return _power(args[0], term.value)
+    if kind == "taylor":
+        names, degree = term.value
+        return rf"\left[{_real(args[0])[0]}\right]_{{{', '.join(map(latex_name, names))}}}^{{\leq {degree}}}", POWER
     if kind in ("diff", "integrate"):
         return _of_calculus(term)
     return _function(kind, args)

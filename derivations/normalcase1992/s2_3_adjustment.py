@@ -7,6 +7,7 @@
 
 # %%
 import sympy
+from sympy import cos, sin
 
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.inserting import given, inserted
@@ -21,6 +22,7 @@ from algebroproj_sym.expressions import (
     inverse,
     linear_system,
     over,
+    taylor,
     vector,
 )
 
@@ -29,14 +31,15 @@ section = Section("normalcase1992", "2.3", "Adjustment")
 # %% [markdown]
 # ## What is a small rotation?
 #
-# **Definition.**  The derivatives of $\mathbf R(\Omega, \varphi, \kappa)$ of section 2.1 where all angles are zero:
-# what is of first order in $d\mathbf R - \mathbf E$.
+# **Definition.**  What is of first order in $\mathbf R(d\Omega, d\varphi, d\kappa) - \mathbf E$, with the rotations of
+# section 2.1.
 
 # %%
-NO_TURN = given((c_omega, s_omega, c_phipp, s_phipp, c_kappapp, s_kappapp), map(sympy.Integer, (1, 0, 1, 0, 1, 0)))
-turn = turn_omega(*OMEGA) * turn_phi(*PHI_RIGHT) * turn_kappa(*KAPPA_RIGHT)
-by_omega, by_phi, by_kappa = (derivative(turn, angle).xreplace(NO_TURN) for angle in (OMEGA, PHI_RIGHT, KAPPA_RIGHT))
-d_turn = domega * by_omega + dphi * by_phi + dkappa * by_kappa
+angles = (domega, dphi, dkappa)
+about_x, about_y, about_z = (
+    turn(cos(angle), sin(angle)) for turn, angle in zip((turn_omega, turn_phi, turn_kappa), angles, strict=True)
+)
+d_turn = (about_x * about_y * about_z - E3).applyfunc(lambda entry: taylor(entry, angles, 1))
 d_turn
 
 # %% [markdown]
@@ -176,8 +179,10 @@ section.identity(
 # $d\mathbf R$ in place of $\mathbf E + d\mathbf A$, at $d\mathbf R = \mathbf E$.  The sign is plus.
 
 # %%
+turn = turn_omega(*OMEGA) * turn_phi(*PHI_RIGHT) * turn_kappa(*KAPPA_RIGHT)
 p_rotated = turn_phi(*PHI_LEFT) * turn_kappa(*KAPPA_LEFT) * projector_left, turn * projector_right
 rotated = dot(p_rotated[0], B * p_rotated[1])
+NO_TURN = given((c_omega, s_omega, c_phipp, s_phipp, c_kappapp, s_kappapp), map(sympy.Integer, (1, 0, 1, 0, 1, 0)))
 NO_TURN_LEFT = given((c_phip, c_kappap, s_phip, s_kappap), (1, 1, 0, 0))
 coefficients_of_projectors = vector(p1p * p2pp, p1p * p3pp, p2p * p2pp + p3p * p3pp, -p1pp * p2p, -p1pp * p3p)
 section.identity(

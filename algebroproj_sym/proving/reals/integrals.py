@@ -15,8 +15,15 @@ from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.proving.reals.samples import samples_at
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.reals.comparisons import comparisons
-from algebroproj_sym.replaying.reals.definitions import Condition, conditions, is_affine, kinds, replaced
-from algebroproj_sym.replaying.reals.integrals import NOT_CONTINUOUS, at_the_ends, inside, ordered, with_ends
+from algebroproj_sym.replaying.reals.definitions import (
+    NOT_CONTINUOUS,
+    Condition,
+    conditions,
+    is_affine,
+    kinds,
+    replaced,
+)
+from algebroproj_sym.replaying.reals.integrals import at_the_ends, inside, ordered, with_ends
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.statement import Statement, with_antiderivatives
 from algebroproj_sym.replaying.reals.terms import Term, negative, written

@@ -18,10 +18,11 @@ from algebroproj_sym.expressions import (
     is_plain,
     over,
     symbols_of,
+    taylor,
 )
 from algebroproj_sym.expressions.symbols import is_name
 from algebroproj_sym.replaying.reals.comparisons import comparisons, equations
-from algebroproj_sym.replaying.reals.definitions import Condition
+from algebroproj_sym.replaying.reals.definitions import Condition, expansion
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.terms import (
     ALIASES,
@@ -42,6 +43,7 @@ from algebroproj_sym.replaying.reals.terms import (
 from algebroproj_sym.replaying.reals.terms import over as quotient
 from algebroproj_sym.replaying.reals.theory import RESERVED
 from algebroproj_sym.replaying.reals.values import value_of
+from algebroproj_sym.replaying.rejection import Rejected
 
 MOST_PARTS = 4_000
 
@@ -92,9 +94,15 @@ def term_of(value: Any, argument: str) -> Term:
 
 def _read(text: str, argument: str) -> Term:
     try:
-        return _unreserved(read(text), argument)
+        found = _unreserved(read(text), argument)
+        for part in found.parts():
+            if part.kind == "taylor":
+                expansion(part)
     except UnreadableError as error:
         raise ParseError(error.position, error.expected, error.got, argument) from None
+    except Rejected as error:
+        raise NotRationalError(f"{argument}: expected fewer terms, {error}") from None
+    return found
 
 
 def _unreserved(term: Term, argument: str) -> Term:
@@ -140,6 +148,11 @@ def _term(node: Any, argument: str) -> Term:
         if len(ends) != 1:
             name = _unreserved(Term("symbol", variable.name), argument).value
             return Term("integrate", name, tuple(_term(part, argument) for part in (node.function, *ends)))
+    if isinstance(node, taylor):
+        whole, variables, degree = node.args
+        given = variables if isinstance(variables, sympy.Tuple) else (variables,)
+        names = tuple(_unreserved(Term("symbol", symbol.name), argument).value for symbol in given)
+        return Term("taylor", (names, int(degree)), (_term(whole, argument),))
     name = type(node).__name__
     name = ALIASES.get(name, name)
     is_own = isinstance(node, sympy.Function) and not isinstance(node, AppliedUndef)
@@ -147,7 +160,8 @@ def _term(node: Any, argument: str) -> Term:
         return function(name, *(_term(part, argument) for part in node.args))
     known = ", ".join(sorted(ARITY))
     raise NotRationalError(
-        f"{argument}: expected + - * /, powers, derivatives and the functions {known}, got {str(node)[:80]}"
+        f"{argument}: expected + - * /, powers, derivatives, integrals, taylor and the functions {known}, "
+        f"got {str(node)[:80]}"
     )
 
 

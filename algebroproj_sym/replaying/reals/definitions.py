@@ -1,11 +1,14 @@
-"""What functions are defined as, where terms are defined and smooth, and their derivatives."""
+"""What functions are defined as, where terms are defined and smooth, their derivatives and expansions."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
+from functools import lru_cache
+from operator import add
 
 from algebroproj_sym.replaying.reals.terms import (
+    CALCULUS,
     ONE_HALF,
     PI,
     Term,
@@ -17,6 +20,13 @@ from algebroproj_sym.replaying.reals.terms import (
     power,
     times,
 )
+from algebroproj_sym.replaying.rejection import require
+
+MOST_PARTS = 20_000
+"""Parts of the coefficients of an expansion."""
+
+NOT_CONTINUOUS = frozenset({"sign", "atan2"}) | CALCULUS
+"""Kinds of which a function is not composed that must be continuous wherever it is defined."""
 
 Condition = tuple[str, Term]
 """A relation, and what it relates to zero."""
@@ -37,6 +47,8 @@ def expanded(term: Term) -> tuple[Term, tuple[Condition, ...]]:
     if kind == "diff":
         (whole,) = term.args
         return derivative(whole, term.value), (*conditions(whole), *smoothness(whole, term.value))
+    if kind == "taylor":
+        return expansion(term), (*conditions(term),)
     if kind not in _DEFINED:
         return term, ()
     u = term.args[0]
@@ -103,6 +115,9 @@ def conditions(term: Term) -> Iterator[Condition]:
     >>> [(relation, written(part)) for relation, part in conditions(read("tan(x) + log(1/sqrt(y))"))]
     [('!=', 'cos(x)'), ('>=', 'y'), ('!=', 'sqrt(y)'), ('>', '1/sqrt(y)')]
     """
+    if term.kind == "taylor":
+        yield from _analytic_at_zero(term)
+        return
     for part in term.args[1:] if term.kind == "integrate" else term.args:
         yield from conditions(part)
     if term.kind == "diff":
@@ -142,6 +157,13 @@ def conditions(term: Term) -> Iterator[Condition]:
         yield ">=", plus(u, negative(one))
     elif term.kind == "atanh":
         yield ">", plus(one, negative(power(u, 2)))
+
+
+def _analytic_at_zero(term: Term) -> Iterator[Condition]:
+    """Yield what must hold for a term to be analytic where the symbols of its expansion are zero."""
+    names, (whole,) = term.value[0], term.args
+    for relation, part in (*conditions(whole), *(pair for name in names for pair in smoothness(whole, name))):
+        yield relation, expansion(Term("taylor", (names, 0), (part,)))
 
 
 def smoothness(term: Term, name: str) -> Iterator[Condition]:
@@ -208,16 +230,30 @@ def derivative(term: Term, name: str) -> Term:
         return negative(slope)
     if term.kind == "*":
         return _sum(_product(slope, term.args[1]), _product(u, slopes[1]))
-    if term.kind in ("/", "atan2"):
+    if term.kind == "/":
         v = term.args[1]
-        if term.kind == "/" and _is(slopes[1], 0):
+        if _is(slopes[1], 0):
             return over(slope, v)
-        above = _sum(_product(slope, v), negative(_product(u, slopes[1])))
-        return over(above, power(v, 2) if term.kind == "/" else plus(power(u, 2), power(v, 2)))
+        return over(_sum(_product(slope, v), negative(_product(u, slopes[1]))), power(v, 2))
+    return _sum(*map(_product, _partial_derivatives(term), slopes))
+
+
+def _partial_derivatives(term: Term) -> list[Term]:
+    """Return the derivatives of a power, or a function, by its arguments."""
+    u = term.args[0]
     if term.kind == "^":
-        outer = _product(constant(term.value), u if term.value == 2 else power(u, term.value - 1))
-        return constant(0) if term.value == 0 else slope if term.value == 1 else _product(outer, slope)
-    return _product(_DERIVATIVES[term.kind](u), slope)
+        outer = constant(term.value)
+        return [
+            constant(0)
+            if term.value == 0
+            else outer
+            if term.value == 1
+            else times(outer, u if term.value == 2 else power(u, term.value - 1))
+        ]
+    if term.kind == "atan2":
+        square = plus(power(u, 2), power(term.args[1], 2))
+        return [over(term.args[1], square), negative(over(u, square))]
+    return [_DERIVATIVES[term.kind](u)]
 
 
 _DERIVATIVES: dict[str, Callable[[Term], Term]] = {
@@ -231,19 +267,155 @@ _DERIVATIVES: dict[str, Callable[[Term], Term]] = {
 }
 
 
+@lru_cache(maxsize=256)
+def expansion(term: Term) -> Term:
+    """Return the polynomial that ``taylor(f, (x, y), n)`` is: the terms of f up to degree n in x and y.
+
+    It differs from f by what is of order n + 1, where f is analytic at zero.
+
+    Raises
+    ------
+    Rejected
+        If it has too many parts.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.replaying.reals.terms import read, written
+    >>> written(expansion(read("taylor(y*sin(2*x)/(1 - x), x, 3)")))
+    'y*2*x + y*2*x**2 + (y*(-4/3) + y*2)*x**3'
+    """
+    names, order = term.value
+    whole = _Expansion(names).parts(term.args[0], order)
+    terms = ((_monomial(names, powers), part) for form in whole for powers, part in sorted(form.items(), reverse=True))
+    return _sum(*(_product(part, monomial) for monomial, part in terms))
+
+
+def _monomial(names: Sequence[str], powers: Sequence[int]) -> Term:
+    found = constant(1)
+    for name, exponent in zip(names, powers, strict=True):
+        symbol = Term("symbol", name)
+        found = _product(found, power(symbol, exponent) if exponent > 1 else symbol if exponent else constant(1))
+    return found
+
+
+Form = dict[tuple[int, ...], Term]
+"""The coefficients of monomials of one degree, without those that are zero."""
+
+
+class _Expansion:
+    """The parts of degree 0, 1, ... in some symbols of terms that are analytic where these are zero."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        self.names = frozenset(names)
+        self.one = (0,) * len(names)
+        self.variables = {name: tuple(int(name == other) for other in names) for name in names}
+        self.size = 0
+        self._known: dict[tuple[Term, int], list[Form]] = {}
+
+    def parts(self, term: Term, order: int) -> list[Form]:
+        """Return the parts up to an order."""
+        if (term, order) not in self._known:
+            found = self._parts(term, order)
+            self.size += sum(coefficient.size() for form in found for coefficient in form.values())
+            require(self.size <= MOST_PARTS, f"an expansion has more than {MOST_PARTS} parts")
+            self._known[term, order] = found
+        return self._known[term, order]
+
+    def _parts(self, term: Term, order: int) -> list[Form]:
+        others: list[Form] = [{} for _ in range(order)]
+        if not self.names & term.symbols():
+            return [self._constant(term), *others]
+        if term.kind == "symbol":
+            return [{}, {self.variables[term.value]: constant(1)}, *others][: order + 1]
+        definition = expanded(term)[0]
+        if definition is not term:
+            return self.parts(definition, order)
+        args = [self.parts(part, order) for part in term.args]
+        if term.kind == "+":
+            return [_added(forms) for forms in zip(*args, strict=True)]
+        if term.kind == "-":
+            return [_multiplied(self._constant(constant(-1)), form) for form in args[0]]
+        if term.kind == "*":
+            return [_added(_multiplied(args[0][k], args[1][n - k]) for k in range(n + 1)) for n in range(order + 1)]
+        if term.kind == "/":
+            return self._quotient(*args)
+        at_zero = Term(term.kind, term.value, tuple(self._value(parts) for parts in args))
+        found = [self._constant(_at_zero(at_zero)), *others]
+        slopes = [self.parts(slope, order - 1) for slope in _partial_derivatives(term)] if order else []
+        for parts, slope in zip(args, slopes, strict=False):
+            for n in range(1, order + 1):
+                shares = ({self.one: constant(Fraction(k, n))} for k in range(1, n + 1))
+                moved = (_multiplied(share, parts[k]) for k, share in enumerate(shares, 1))
+                found[n] = _added([found[n], *(_multiplied(by, slope[n - k]) for k, by in enumerate(moved, 1))])
+        return found
+
+    def _constant(self, term: Term) -> Form:
+        return {} if _is(term, 0) else {self.one: term}
+
+    def _value(self, parts: Sequence[Form]) -> Term:
+        return parts[0].get(self.one, constant(0))
+
+    def _quotient(self, above: Sequence[Form], below: Sequence[Form]) -> list[Form]:
+        divisor, found = self._value(below), list[Form]()
+        for n, form in enumerate(above):
+            known = _added(_multiplied(found[k], below[n - k]) for k in range(n))
+            rest = _added([form, _multiplied(self._constant(constant(-1)), known)])
+            found.append({powers: _ratio(part, divisor) for powers, part in rest.items()})
+        return found
+
+
+def _added(forms: Iterable[Form]) -> Form:
+    found: dict[tuple[int, ...], list[Term]] = {}
+    for form in forms:
+        for powers, part in form.items():
+            found.setdefault(powers, []).append(part)
+    sums = {powers: _sum(*parts) for powers, parts in found.items()}
+    return {powers: part for powers, part in sums.items() if not _is(part, 0)}
+
+
+def _multiplied(left: Form, right: Form) -> Form:
+    return _added(
+        {tuple(map(add, ours, theirs)): _product(one, other)}
+        for ours, one in left.items()
+        for theirs, other in right.items()
+    )
+
+
+def _at_zero(term: Term) -> Term:
+    """Return a power, or a function, of numbers as a number where it is plain."""
+    first = term.args[0]
+    if first.kind == "number" and term.kind == "^" and term.value.denominator == 1 and (first.value or term.value > 0):
+        return constant(first.value**term.value.numerator)
+    value = _PLAIN.get((term.kind, first.value)) if first.kind == "number" and len(term.args) == 1 else None
+    return term if value is None else constant(value)
+
+
+_PLAIN = {("sin", 0): 0, ("cos", 0): 1, ("exp", 0): 1, ("log", 1): 0, ("asin", 0): 0, ("atan", 0): 0}
+
+
 def _is(term: Term, value: int) -> bool:
     return term.kind == "number" and bool(term.value == value)
 
 
 def _sum(*terms: Term) -> Term:
-    kept = [term for term in terms if not _is(term, 0) and not (term.kind == "-" and _is(term.args[0], 0))]
-    return plus(*kept) if len(kept) > 1 else kept[0] if kept else constant(0)
+    number = sum((term.value for term in terms if term.kind == "number"), Fraction(0))
+    kept = [term for term in terms if term.kind != "number" and not (term.kind == "-" and _is(term.args[0], 0))]
+    kept += [constant(number)] if number or not kept else []
+    return plus(*kept) if len(kept) > 1 else kept[0]
 
 
 def _product(left: Term, right: Term) -> Term:
+    if left.kind == right.kind == "number":
+        return constant(left.value * right.value)
     if _is(left, 0) or _is(right, 0):
         return constant(0)
     return right if _is(left, 1) else left if _is(right, 1) else times(left, right)
+
+
+def _ratio(above: Term, below: Term) -> Term:
+    if above.kind == below.kind == "number" and below.value:
+        return constant(above.value / below.value)
+    return over(above, below)
 
 
 def kinds(term: Term) -> frozenset[str]:

@@ -12,6 +12,7 @@ from typing import Any
 
 from algebroproj_sym.replaying.reals.comparisons import comparisons
 from algebroproj_sym.replaying.reals.definitions import (
+    NOT_CONTINUOUS,
     Condition,
     conditions,
     derivative,
@@ -33,9 +34,6 @@ from algebroproj_sym.replaying.reals.terms import (
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.rejection import Rejected, require, require_keys
 from algebroproj_sym.replaying.text import texts
-
-NOT_CONTINUOUS = frozenset({"sign", "atan2", "diff", "integrate"})
-"""Kinds of which an integrand and its antiderivative are not composed."""
 
 
 def differentiated(sides: Sequence[Term], given: Sequence[Condition]) -> tuple[list[Term], list[Condition]]:

@@ -13,6 +13,7 @@ from typing import Any
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.reals.comparisons import REVERSED, comparisons
 from algebroproj_sym.replaying.reals.definitions import (
+    NOT_CONTINUOUS,
     Condition,
     conditions,
     derivative,
@@ -23,7 +24,7 @@ from algebroproj_sym.replaying.reals.definitions import (
 )
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import LAWS, MOST_BITS, Step
-from algebroproj_sym.replaying.reals.terms import Term, UnreadableError, negative, read
+from algebroproj_sym.replaying.reals.terms import CALCULUS, Term, UnreadableError, negative, read
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
@@ -116,8 +117,8 @@ def between(theory: Theory, step: Step) -> tuple[Theory, list[Condition]]:
     """Return what is known between a variable and the start, and what `mean_value` asks there."""
     name, whole, start = _parts(step)
     x, a = _symbol(theory, name), theory.term(start)
-    require(not kinds(whole) & {"sign", "atan2", "diff"}, "expected a function composed of continuous functions")
-    require(not kinds(start) & {"diff"} and name not in start.symbols(), "expected a start without the variable")
+    require(not kinds(whole) & NOT_CONTINUOUS, "expected a function composed of continuous functions")
+    require(not kinds(start) & CALCULUS and name not in start.symbols(), "expected a start without the variable")
     require(step["relation"] in (">", ">="), "expected the relation > or >=")
     up = theory.holds(">=", x - a)
     require(up or theory.holds(">=", a - x), "it is not known on which side of the start the variable is")
@@ -148,7 +149,7 @@ def _enter(theory: Theory, inner: Theory, name: str, start: Term, relation: str,
         at_start = theory.term(replaced(term, name, start))
         theory.require(">=", at_start, "what is given, at the start")
         relation = ">" if theory.holds(">", at_start) else relation
-    require(not kinds(term) & {"diff"}, "expected no derivative in what is given")
+    require(not kinds(term) & CALCULUS, "expected no derivative in what is given")
     inner.add(relation, inner.term(term, granted=True))
 
 

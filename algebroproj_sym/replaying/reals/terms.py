@@ -10,7 +10,8 @@
 
 ``pi`` is the number.  A power has a rational exponent, or is ``exp(b*log(a))``.  A derivative is
 ``diff(f, x)``, or ``diff(f, x, 2, y)`` for one of higher order.  An integral is ``integrate(f, x)``, or
-``integrate(f, (x, a, b))``; it is in no other integral, and in no derivative.
+``integrate(f, (x, a, b))``; it is in no other integral, and in no derivative.  ``taylor(f, x, n)``, or
+``taylor(f, (x, y), n)``, is f up to degree n in x, or in x and y together, about zero; f has no derivative in it.
 """
 
 from __future__ import annotations
@@ -51,7 +52,8 @@ ONE = (
     "sinh cosh tanh coth sech csch asinh acosh atanh acoth asech acsch"
 )
 ARITY = dict.fromkeys(ONE.split(), 1) | {"atan2": 2}
-FUNCTIONS = frozenset({*ARITY, *ALIASES, "diff", "integrate"})
+CALCULUS = frozenset({"diff", "integrate", "taylor"})
+FUNCTIONS = frozenset({*ARITY, *ALIASES, *CALCULUS})
 
 
 _CALL = re.compile(rf"(?<![\w'])(?:{'|'.join(sorted(FUNCTIONS))})\s*\(")
@@ -81,7 +83,7 @@ class Term(NamedTuple):
     """A number, a symbol, an operation, or a function of terms.
 
     The kind is ``number``, ``symbol``, ``+ * / -``, ``^`` with a rational exponent, ``diff`` by a symbol, ``integrate``
-    over a symbol, perhaps from one term to another, or the name of a function.
+    over a symbol, perhaps from one term to another, ``taylor`` with symbols and a degree, or the name of a function.
     """
 
     kind: str
@@ -93,21 +95,31 @@ class Term(NamedTuple):
         if self.kind == "integrate" and len(self.args) == 3:
             inside, *ends = (part.symbols() for part in self.args)
             return (inside - {self.value}).union(*ends)
-        own = frozenset({self.value}) if self.kind in ("symbol", "diff", "integrate") else frozenset()
+        own = frozenset[str]()
+        if self.kind in _NAMING:
+            own = frozenset(self.value[0] if self.kind == "taylor" else [self.value])
         return own.union(*(part.symbols() for part in self.args))
+
+    def parts(self) -> Iterator[Term]:
+        """Yield it and all terms in it."""
+        yield self
+        for part in self.args:
+            yield from part.parts()
+
+    def size(self) -> int:
+        """Return the number of its parts."""
+        return 1 + sum(part.size() for part in self.args)
 
     def integrals(self) -> Iterator[Term]:
         """Yield the integrals in it."""
-        if self.kind == "integrate":
-            yield self
-        for part in self.args:
-            yield from part.integrals()
+        return (part for part in self.parts() if part.kind == "integrate")
 
     def order(self) -> int:
         """Return how many derivatives are within one another."""
         return (self.kind == "diff") + max((part.order() for part in self.args), default=0)
 
 
+_NAMING = CALCULUS | {"symbol"}
 PI = Term("pi")
 
 
@@ -258,10 +270,10 @@ class _Reader:
         name = ALIASES.get(name, name)
         self.expect("(")
         args = [self.inner(self.sum)]
-        if name in ("diff", "integrate"):
+        if name in CALCULUS:
             if any(args[0].integrals()):
                 raise self.wrong(f"no integral inside {name}")
-            return self.derivative(args[0]) if name == "diff" else self.integral(args[0])
+            return {"diff": self.derivative, "integrate": self.integral, "taylor": self.expansion}[name](args[0])
         while len(args) < ARITY[name]:
             self.expect(",")
             args.append(self.inner(self.sum))
@@ -271,10 +283,7 @@ class _Reader:
     def integral(self, whole: Term) -> Term:
         self.expect(",")
         between = self.take("(")
-        kind, name, _ = self.tokens[self.place]
-        if kind != "name" or name == "pi" or name in FUNCTIONS:
-            raise self.wrong("a symbol over which to integrate")
-        self.place += 1
+        name = self.symbol("a symbol over which to integrate")
         ends = []
         for _ in range(2 if between else 0):
             self.expect(",")
@@ -286,14 +295,35 @@ class _Reader:
         self.expect(")")
         return Term("integrate", name, (whole, *ends))
 
+    def symbol(self, expected: str) -> str:
+        kind, name, _ = self.tokens[self.place]
+        if kind != "name" or name == "pi" or name in FUNCTIONS:
+            raise self.wrong(expected)
+        self.place += 1
+        return name
+
+    def expansion(self, whole: Term) -> Term:
+        if CALCULUS & {part.kind for part in whole.parts()}:
+            raise self.wrong("no derivative and no expansion inside taylor")
+        self.expect(",")
+        several = self.take("(")
+        names = [self.symbol("a symbol in which to expand")]
+        while several and self.take(","):
+            names.append(self.symbol("a symbol in which to expand"))
+        if several:
+            self.expect(")")
+        self.expect(",")
+        kind, text, _ = self.tokens[self.place]
+        if kind != "number" or not text.isdecimal() or len(text) > 2 or int(text) > MOST_DERIVATIVES:
+            raise self.wrong(f"a degree from 0 to {MOST_DERIVATIVES}")
+        self.place += 1
+        self.expect(")")
+        return Term("taylor", (tuple(dict.fromkeys(names)), int(text)), (whole,))
+
     def derivative(self, found: Term) -> Term:
         count, whole = found.order(), found
         while self.take(","):
-            kind, name, _ = self.tokens[self.place]
-            if kind != "name" or name == "pi" or name in FUNCTIONS:
-                raise self.wrong("a symbol by which to differentiate")
-            self.place += 1
-            order = 1
+            name, order = self.symbol("a symbol by which to differentiate"), 1
             kind, text, _ = self.tokens[self.place + 1]
             if self.tokens[self.place][1] == "," and kind == "number":
                 order = int(text) if text.isdecimal() and len(text) < 3 else 0
@@ -375,6 +405,10 @@ def _written(term: Term) -> tuple[str, int]:
         whole, *ends = map(written, term.args)
         over = f"({', '.join([term.value, *ends])})" if ends else term.value
         return f"integrate({whole}, {over})", 5
+    if term.kind == "taylor":
+        names, degree = term.value
+        symbols = names[0] if len(names) == 1 else f"({', '.join(names)})"
+        return f"taylor({written(term.args[0])}, {symbols}, {degree})", 5
     by = f", {term.value}" if term.kind == "diff" else ""
     return f"{term.kind}({', '.join(map(written, term.args))}{by})", 5
 

@@ -225,6 +225,15 @@ def test_a_claim_without_quote_must_say_why():
     assert audited(claim, Quotations(beyond=True), SYMBOLS).status == "unquoted"
 
 
+def test_an_illegible_claim_must_say_why_its_quote_is_not_parsed():
+    section = Section("demo", "1", "Squares")
+    claim = section.identity(
+        "1.1", "", printed=None, derived=x, expect="illegible", corrected=x, note="A sign is lost."
+    )
+    assert status(claim, "y = x") == "failed"
+    assert status(claim, "y = x", unparsed="damaged") == "quoted"
+
+
 def test_a_quote_must_begin_on_its_line(tmp_path):
     file = tmp_path / "paper.txt"
     file.write_text("title\n\n$$x = y + 1$$ and\n$$z = x\n- 1$$\n", encoding="utf-8")

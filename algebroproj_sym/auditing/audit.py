@@ -65,8 +65,9 @@ def audited(claim: Claim, quotations: Quotations, symbols: Symbols, printed_toge
         return Finding(claim, "unquoted", reason) if reason else Finding(claim, "failed", "no quote, and no reason")
     if quote.unparsed:
         return Finding(claim, "quoted", quote.unparsed, quote)
-    if isinstance(claim.printed, TextForm):
-        wrong = "expected a reason why the quote is not parsed: letters and real functions are not compared with it"
+    if claim.printed is None or isinstance(claim.printed, TextForm):
+        what = "an illegible form is" if claim.printed is None else "letters and real functions are"
+        wrong = f"expected a reason why the quote is not parsed: {what} not compared with it"
         return Finding(claim, "failed", wrong, quote)
     if isinstance(claim.printed, Decimal):
         wrong = _missing_numbers(quote, printed_together or (claim,))

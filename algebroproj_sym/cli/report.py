@@ -37,7 +37,7 @@ from algebroproj_sym.reporting.tables import summary_text
 @options.engine
 @options.jobs
 @click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
-@click.option("--live", is_flag=True, help="Add the prover to the pages. It needs npm, node and pip, and adds 31 MB.")
+@click.option("--live", is_flag=True, help="Add the prover to the pages. It is fetched with npm and pip.")
 def report(
     selectors: tuple[str, ...],
     out: Path,

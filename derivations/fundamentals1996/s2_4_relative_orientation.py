@@ -9,7 +9,7 @@
 # %%
 import sympy
 
-from algebroproj_derivations.cameras import minors_of_cameras
+from algebroproj_derivations.cameras import inhomogeneous, minors_of_cameras
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_2_determination_of_projection import M_star as M_star_any
@@ -17,7 +17,7 @@ from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection impo
 from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import M_star as core
 from algebroproj_derivations.fundamentals1996.s2_1_spatial_intersection import correlation_matrix
 from algebroproj_derivations.fundamentals1996.s2_2_correlation import Z, remaining
-from algebroproj_derivations.inserting import given
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -216,15 +216,13 @@ section.identity(
 # any axis through its center, and another point of the axis with the same epipole.
 
 # %%
-EQUAL = {mu1: mu2}
-equal_center = y0_of_mu.xreplace(EQUAL)
-other_point = equal_center + t * (axis_point - equal_center)
-at_other_point = given((*axis_point, *epipole), (*other_point, *image_of_axis_point.xreplace(EQUAL)))
+of_equal = [formula.subs(mu1, mu2) for formula in (y0_of_mu, image_of_axis_point)]
+other_point = of_equal[0] + t * (axis_point - of_equal[0])
 section.identity(
     "2.4/anywhere",
     "the point may be assumed everywhere on the axis",
     printed=vector(0, 0),
-    derived=vector(*left_equations).xreplace(at_other_point),
+    derived=inserted(vector(*left_equations), (*axis_point, *epipole), (*other_point, *of_equal[1])),
 )
 
 # %% [markdown]
@@ -510,7 +508,6 @@ mu_right = vector(*mu1_mu2, mu3_right)
 mu_right
 
 # %%
-
 section.identity(
     "2.4/beyond/left-out",
     "the sums are free of the parameter that they leave out",
@@ -671,14 +668,7 @@ def of_bundle(factors: tuple[sympy.Symbol, ...], fourth: tuple[sympy.Symbol, ...
 
 
 M_left, M_right = of_bundle(mu_p, u3_p), of_bundle(mu_pp, u3_pp)
-images = [*(M_left * y), *(M_right * y)]
-HOMOLOGOUS = dict(
-    zip(
-        image_coordinates,
-        (over(component, first) for first, *others in (images[:3], images[3:]) for component in others),
-        strict=True,
-    )
-)
+HOMOLOGOUS = given(image_coordinates, (*inhomogeneous(M_left * y), *inhomogeneous(M_right * y)))
 intersection = [
     coordinate * matrix.row(0).T - matrix.row(i).T
     for matrix, pair in ((M_left, (up1, up2)), (M_right, (upp1, upp2)))

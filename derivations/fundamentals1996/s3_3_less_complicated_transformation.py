@@ -191,36 +191,23 @@ section.identity(
 )
 
 # %%
-PRIMES = "  A slip of the scan cannot be told from one of the print."
-for (row, column), corrected, note in (
-    (
-        (1, 1),
-        taup1 * (taupp1 - 1) - taupp1 * (taup1 - 1),
-        "The factor before the second bracket must be tau1''.",
-    ),
-    (
-        (1, 2),
-        taup1 * (taupp2 - 1) - taupp2 * (taup1 - 1) * z_n,
-        "The factor before the second bracket must be tau2''.",
-    ),
-    (
-        (2, 1),
-        taup2 * z_n * (taupp1 - 1) - taupp1 * (taup2 - 1),
-        "The factor before the second bracket must be tau1''.",
-    ),
-    (
-        (2, 2),
-        taup2 * z_n * (taupp2 - 1) - taupp2 * (taup2 - 1) * z_n,
-        "The second term must be tau2'' (tau2' - 1) z_N: a prime and, in the bracket, an index.",
-    ),
-):
+PRIMES = (
+    "In each of the four entries the factor before the second bracket lacks a prime, while the brackets keep theirs: "
+    "the scan did not lose them one by one.  (3.3.5) and (3.3.6) follow from the right entries."
+)
+for (row, column), corrected in {
+    (1, 1): taup1 * (taupp1 - 1) - taupp1 * (taup1 - 1),
+    (1, 2): taup1 * (taupp2 - 1) - taupp2 * (taup1 - 1) * z_n,
+    (2, 1): taup2 * z_n * (taupp1 - 1) - taupp1 * (taup2 - 1),
+    (2, 2): taup2 * z_n * (taupp2 - 1) - taupp2 * (taup2 - 1) * z_n,
+}.items():
     section.identity(
         f"3.3.4#{row}{column}",
         f"entry ({row}, {column})",
         derived=product[row, column],
         expect="misprint",
         corrected=corrected,
-        note=note + PRIMES,
+        note={(1, 1): PRIMES, (2, 2): "Beside the prime, the bracket has tau1' for tau2'."}.get((row, column), ""),
         same_as="" if (row, column) == (1, 1) else "3.3.4#11",
     )
 

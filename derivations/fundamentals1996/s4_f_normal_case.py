@@ -12,6 +12,9 @@ from fractions import Fraction
 import sympy
 
 from algebroproj_derivations.figures import ImageDrawing
+from algebroproj_derivations.fundamentals1996 import s3_1_normal_case_transformation as s3_1
+from algebroproj_derivations.fundamentals1996 import s3_2_normal_case as s3_2
+from algebroproj_derivations.fundamentals1996 import s3_3_less_complicated_transformation as s3_3
 from algebroproj_derivations.fundamentals1996.notation import center, fourth_image, mu
 from algebroproj_derivations.fundamentals1996.printed_tables import (
     FIRST_T,
@@ -36,41 +39,6 @@ from algebroproj_derivations.fundamentals1996.printed_tables import (
     W,
 )
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star, mu_of_y0
-from algebroproj_derivations.fundamentals1996.s3_1_normal_case_transformation import (
-    T,
-    normal_fourth_image,
-    tau1,
-    tau2,
-    tau_of_fourth_points,
-)
-from algebroproj_derivations.fundamentals1996.s3_2_normal_case import (
-    center_left,
-    center_right,
-    condition,
-    coplanarity,
-    epipole_weights,
-    fourth_of_right,
-    left_fourth,
-    right_fourth,
-    u_left,
-    u_right,
-    y_a,
-)
-from algebroproj_derivations.fundamentals1996.s3_3_less_complicated_transformation import mu_left as second_mu_left
-from algebroproj_derivations.fundamentals1996.s3_3_less_complicated_transformation import mu_right as second_mu_right
-from algebroproj_derivations.fundamentals1996.s3_3_less_complicated_transformation import (
-    parameters_of_z,
-    z01,
-    z02,
-    z11,
-    z12,
-    z20,
-    z21,
-    z22,
-    z_n,
-    z_of_12,
-    z_of_21,
-)
 from algebroproj_derivations.fundamentals1996.s3_4_output_images import A_of_lines
 from algebroproj_derivations.fundamentals1996.s4_a_coordinates import TRUE_HALF_TURN, follows, item_b, rotations
 from algebroproj_derivations.fundamentals1996.s4_a_coordinates import section as coordinates_section
@@ -125,16 +93,16 @@ second_of_fourth = sympy.Symbol("uN32")
 
 
 def left_fourth_point(left_center: Matrix, u3: Matrix) -> Matrix:
-    form = divided(condition(Y_A, left_center, vector(u3[0], second_of_fourth)))
+    form = divided(s3_2.condition(Y_A, left_center, vector(u3[0], second_of_fourth)))
     return divided(vector(u3[0], *solve(*linear_system([form], [second_of_fourth]))))
 
 
 def right_fourth_point(centers: Pair, left_point: Matrix) -> Matrix:
     return at(
-        fourth_of_right,
-        (center_left, centers["left"]),
-        (center_right, centers["right"]),
-        (left_fourth, left_point),
+        s3_2.fourth_of_right,
+        (s3_2.center_left, centers["left"]),
+        (s3_2.center_right, centers["right"]),
+        (s3_2.left_fourth, left_point),
     )
 
 
@@ -143,7 +111,7 @@ def parameters_of(projection_center: Matrix, fourth: Matrix) -> Matrix:
 
 
 def direction_of_base(parameters: Matrix, fourth: Matrix) -> Matrix:
-    return at(epipole_weights, (y_a, Y_A), (mu, parameters), (normal_fourth_image, fourth))
+    return at(s3_2.epipole_weights, (s3_2.y_a, Y_A), (mu, parameters), (s3_1.normal_fourth_image, fourth))
 
 
 def normal_fourth_points(centers: Pair, u3: Matrix) -> Pair:
@@ -153,10 +121,8 @@ def normal_fourth_points(centers: Pair, u3: Matrix) -> Pair:
 
 def item_f(images: Images) -> Values:
     """Return the exact numbers of the item."""
-    centers, fourth = (
-        orientation(images)[1],
-        normal_fourth_points(orientation(images)[1], fourth_points(images)["left"]),
-    )
+    _, centers = orientation(images)
+    fourth = normal_fourth_points(centers, fourth_points(images)["left"])
     parameters = {side: parameters_of(centers[side], fourth[side]) for side in SIDES}
     weights = direction_of_base(parameters["left"], fourth["left"])
     values = named("w0", weights[1:, 0]) | {"zN": -weights[1] / weights[2]}
@@ -235,14 +201,12 @@ section.reference(
 # points 1 to 8 must be $\mathbf Z_N$.
 
 # %%
-TAU = (tau1, tau2)
+TAU = (s3_1.tau1, s3_1.tau2)
 
 
-def first_transformations(u3: Pair, normal_u3: Pair) -> Pair:
-    return {
-        side: at(T, (TAU, at(tau_of_fourth_points, (fourth_image, u3[side]), (normal_fourth_image, normal_u3[side]))))
-        for side in SIDES
-    }
+def first_transformation(u3: Matrix, normal_u3: Matrix) -> Matrix:
+    tau = at(s3_1.tau_of_fourth_points, (fourth_image, u3), (s3_1.normal_fourth_image, normal_u3))
+    return at(s3_1.T, (TAU, tau))
 
 
 def mapped(transformation: Matrix, point: Matrix) -> Matrix:
@@ -267,7 +231,8 @@ def coordinates_of(images: Images) -> Values:
 def first_normal_case(images: Images) -> tuple[Pair, Images]:
     """Return the transformations of both pictures and the transformed coordinates."""
     u3 = fourth_points(images)
-    transformations = first_transformations(u3, normal_fourth_points(orientation(images)[1], u3["left"]))
+    normal_u3 = normal_fourth_points(orientation(images)[1], u3["left"])
+    transformations = {side: first_transformation(u3[side], normal_u3[side]) for side in SIDES}
     return transformations, mapped_images(transformations, images, FIRST_U)
 
 
@@ -395,8 +360,8 @@ section.identity(
 # **Method.**  (3.3.5) and (3.3.6), from the matrix of item c) alone.
 
 # %%
-ELEMENTS = (z01, z02, z11, z12, z20, z21, z22)
-BOTH_FORMS = Matrix([[z_of_12], [z_of_21]])
+ELEMENTS = (s3_3.z01, s3_3.z02, s3_3.z11, s3_3.z12, s3_3.z20, s3_3.z21, s3_3.z22)
+BOTH_FORMS = Matrix([[s3_3.z_of_12], [s3_3.z_of_21]])
 
 
 def elements_of(matrix: Matrix) -> tuple[sympy.Rational, ...]:
@@ -404,12 +369,12 @@ def elements_of(matrix: Matrix) -> tuple[sympy.Rational, ...]:
 
 
 def second_tau(matrix: Matrix, factor: sympy.Rational) -> Pair:
-    parameters = at(parameters_of_z, (ELEMENTS, elements_of(matrix)), ((z_n,), (factor,)))
+    parameters = at(s3_3.parameters_of_z, (ELEMENTS, elements_of(matrix)), ((s3_3.z_n,), (factor,)))
     return {"left": parameters[:2, 0], "right": parameters[2:, 0]}
 
 
 def second_transformations(tau: Pair) -> Pair:
-    return {side: at(T, (TAU, tau[side])) for side in SIDES}
+    return {side: at(s3_1.T, (TAU, tau[side])) for side in SIDES}
 
 
 def second_solution(images: Images) -> tuple[Matrix, Pair]:
@@ -541,12 +506,12 @@ for name, printed in SECOND_U.items():
 # differ in the sixth decimal.  Three cells are empty: of the basic points 1, 4, 5 numerator and denominator are zero.
 
 # %%
-pair_factor = solve(*linear_system([coplanarity], [z_n]))
+pair_factor = solve(*linear_system([s3_2.coplanarity], [s3_3.z_n]))
 SAME_FOR_ALL = "The derived number starts from T'' with tau''1 in single precision."
 
 
 def factor_of_pair(images: Images, name: str) -> Matrix:
-    return at(pair_factor, (u_left, images["left"][name]), (u_right, images["right"][name]))
+    return at(pair_factor, (s3_2.u_left, images["left"][name]), (s3_2.u_right, images["right"][name]))
 
 
 def factors_of_pairs(images: Images) -> Values:
@@ -579,11 +544,13 @@ section.identity(
 
 # %%
 def second_left_bundle(fourth: Matrix, factor: sympy.Rational) -> Matrix:
-    return at(second_mu_left, (y_a, Y_A), (normal_fourth_image, fourth), ((z_n,), (factor,)))
+    return at(s3_3.mu_left, (s3_2.y_a, Y_A), (s3_1.normal_fourth_image, fourth), ((s3_3.z_n,), (factor,)))
 
 
 def second_right_bundle(left_center: Matrix, fourth: Matrix, factor: sympy.Rational) -> Matrix:
-    return at(second_mu_right, (y_a, Y_A), (center, left_center), (right_fourth, fourth), ((z_n,), (factor,)))
+    return at(
+        s3_3.mu_right, (s3_2.y_a, Y_A), (center, left_center), (s3_2.right_fourth, fourth), ((s3_3.z_n,), (factor,))
+    )
 
 
 def with_seven_decimals(point: Matrix) -> Matrix:
@@ -646,7 +613,7 @@ section.identity(
 
 # %%
 def frame(tau: Matrix, factor: sympy.Rational) -> Matrix:
-    return at(A_of_lines, (TAU, tau), ((z_n,), (factor,)))
+    return at(A_of_lines, (TAU, tau), ((s3_3.z_n,), (factor,)))
 
 
 A_full = {side: frame(full_tau[side], full_z) for side in SIDES}
@@ -736,7 +703,7 @@ section.identity(
 # %% [markdown]
 # **The rows of the centers.**  Each epipole is at infinity, in the direction of $X_2$.  A cell with the sign of
 # infinity is compared by its reciprocal.  Of $X_1$ the second homogeneous coordinate is zero as well: it has no
-# value, and the sign says that the point is at infinity, not that $X_1$ grows beyond all limits.
+# value.
 
 # %%
 ROWS_OF_CENTERS = {"O1": "right", "O2": "left"}
@@ -765,6 +732,8 @@ for name, side in ROWS_OF_CENTERS.items():
         f"epipole of the {side} image, coordinate X1 belongs to a point at infinity",
         printed=sympy.Integer(0),
         derived=output[0],
+        note="Favourable reading: the sign says that the point is at infinity.  X1 itself does not grow beyond all "
+        "limits: it is constant on each epipolar line.",
     )
 
 # %% [markdown]

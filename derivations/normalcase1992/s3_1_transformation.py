@@ -122,7 +122,6 @@ section.identity(
 # **Meaning.**  Homologous points have equal ordinates.  The lines are parallel to the first axis: they contain its
 # point at infinity.  For one ordinate both are the same line, and the image planes are one plane if the centers have
 # the same third coordinate.
-
 #
 # Here the original left image has a tip, and its lines meet; those of the normal case are parallel.
 

@@ -5,16 +5,24 @@
 # correlation $\mathbf Z$, from $\mathbf Z$ the epipoles, and from these approximate rotations.  The scan has lost one
 # coordinate, three elements of a matrix and some signs.  Can the example still be computed again?  Yes: eight points
 # say so much that a lost number can be found, and a lost sign shown.
+#
+# What is rational is computed exactly, and the rest with fifty digits: see `arithmetic`.  Angles are in gon.
 
 # %%
-from collections.abc import Callable
 from itertools import product
 
-import mpmath
 import sympy
 
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.inserting import given
+from algebroproj_derivations.normalcase1992.arithmetic import (
+    arctangent,
+    arctangent_of_quotient,
+    cosine_and_sine,
+    exact,
+    rounded,
+    square_root,
+)
 from algebroproj_derivations.normalcase1992.notation import (
     matrix_of_base,
     turn_kappa,
@@ -31,48 +39,12 @@ from algebroproj_sym.expressions import (
     cross,
     determinant,
     divided,
-    floor,
     linear_system,
     solve,
     vector,
 )
 
 section = Section("normalcase1992", "4", "Numerical example: correlation")
-
-# %% [markdown]
-# ## How are the numbers computed?
-#
-# What is rational is computed exactly.  Square roots, arctangents, sines and cosines are computed with 60 digits and
-# then are rational numbers of 50 digits, far beyond the seven that are printed.  Angles are in gon.
-
-# %%
-WORKING_DIGITS, DIGITS = 60, 50
-
-
-def to_fifty_digits(function: Callable[..., mpmath.mpf], *arguments: sympy.Rational) -> sympy.Rational:
-    with mpmath.workdps(WORKING_DIGITS):
-        value = function(*(mpmath.mpf(int(argument.p)) / int(argument.q) for argument in arguments))
-        return sympy.Rational(mpmath.nstr(value, DIGITS))
-
-
-GON = to_fifty_digits(lambda: mpmath.pi / 200)
-
-
-def cosine_and_sine(angle: sympy.Rational) -> tuple[sympy.Rational, sympy.Rational]:
-    return to_fifty_digits(mpmath.cos, angle * GON), to_fifty_digits(mpmath.sin, angle * GON)
-
-
-def arctangent(opposite: sympy.Rational, adjacent: sympy.Rational) -> sympy.Rational:
-    return to_fifty_digits(mpmath.atan2, opposite, adjacent) / GON
-
-
-def square_root(radicand: sympy.Rational) -> sympy.Rational:
-    return to_fifty_digits(mpmath.sqrt, radicand)
-
-
-def exact(table: tuple[tuple[str, ...], ...]) -> Matrix:
-    return Matrix([[sympy.Rational(cell) for cell in row] for row in table])
-
 
 # %% [markdown]
 # ## Which points?
@@ -200,11 +172,6 @@ def lost_number(z12: sympy.Rational) -> sympy.Rational:
     others = tuple(element for element in UNKNOWN if element not in known)
     elements = known | elements_from([equation.subs(known) for equation in seven_equations], others)
     return divided(solve(*linear_system([eighth_equation.subs(elements)], [lost_x])))[0]
-
-
-def rounded(value: sympy.Rational, decimals: int) -> sympy.Rational:
-    unit = sympy.Integer(10) ** -decimals
-    return floor(value / unit + sympy.Rational(1, 2)) * unit
 
 
 x8 = sympy.Rational("-4.346")
@@ -438,7 +405,7 @@ k = R_left.col(2)
 
 def tilt(row: int) -> sympy.Rational:
     m = R_left.col(row)
-    return to_fifty_digits(mpmath.atan, Z[2, 2] * m[1] / (Z[row, 2] * k[2] - Z[2, 2] * m[2])) / GON
+    return arctangent_of_quotient(Z[2, 2] * m[1] / (Z[row, 2] * k[2] - Z[2, 2] * m[2]))
 
 
 omega = tilt(1)

@@ -14,6 +14,14 @@ import sympy
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
+from algebroproj_derivations.normalcase1992.arithmetic import (
+    DECIMALS,
+    GON,
+    Adjustment,
+    least_squares,
+    rounded,
+    square_root,
+)
 from algebroproj_derivations.normalcase1992.notation import e1, e2, e3, small_rotation, turn_phi
 from algebroproj_derivations.normalcase1992.printed_tables import (
     ADJUSTED,
@@ -25,7 +33,6 @@ from algebroproj_derivations.normalcase1992.printed_tables import (
     TABLE,
 )
 from algebroproj_derivations.normalcase1992.s4_1_correlation import (
-    GON,
     B,
     C,
     R_left,
@@ -38,12 +45,10 @@ from algebroproj_derivations.normalcase1992.s4_1_correlation import (
     phi_right,
     right_points,
     rotation,
-    rounded,
-    square_root,
     turns,
 )
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, cross, divided, dot, inverse, rows, vector
+from algebroproj_sym.expressions import Matrix, cross, dot, rows, vector
 
 section = Section("normalcase1992", "4", "Numerical example: adjustment")
 
@@ -192,27 +197,8 @@ for i, printed in enumerate(TABLE):
 # and $d\mathbf a = \mathbf Q \mathbf A^T \mathbf G\, \delta p$.  The results are judged as what follows from the
 # paper's own error equations, with the slips in signs and weights, without rounding.
 
-
 # %%
-class Adjustment:
-    """Least squares for A da = delta p + w with weights g."""
-
-    def __init__(self, A: Matrix, delta_p: Matrix, g: Matrix) -> None:  # noqa: N803
-        G = Matrix.diag(*g)
-        self.Q = divided(inverse(A.T * G * A))
-        self.da = self.Q * A.T * G * delta_p
-        self.w = A * self.da - delta_p
-        self.s0 = square_root((self.w.T * G * self.w)[0] / (A.rows - A.cols))
-
-    def standard_error(self, unknown: int) -> sympy.Rational:
-        return self.s0 * square_root(self.Q[unknown, unknown])
-
-
-DECIMALS = 45
-design_used = (design * Matrix.diag(1, 1, -1, 1, 1)).applyfunc(lambda cell: rounded(cell, DECIMALS))
-unrounded = Adjustment(
-    design_used, *(column.applyfunc(lambda cell: rounded(cell, DECIMALS)) for column in (delta_p, weights_used))
-)
+unrounded = least_squares(design * Matrix.diag(1, 1, -1, 1, 1), delta_p, weights_used)
 
 # %% [markdown]
 # **Print.**  $\mathbf Q$ in units of $10^{-6}$.  The right sign of the coefficients of $d\Omega''$ would change the
@@ -472,8 +458,7 @@ def derivatives_of_correlation(angles: Sequence[sympy.Rational]) -> list[Matrix]
 def adjustment(angles: Sequence[sympy.Rational], weights_of: Callable[[Matrix], Matrix] = weights) -> Adjustment:
     matrix = correlation(angles)
     jacobian = Matrix.hstack(*(parallaxes(derivative) for derivative in derivatives_of_correlation(angles)))
-    system = (-jacobian, parallaxes(matrix), weights_of(matrix))
-    return Adjustment(*(part.applyfunc(lambda cell: rounded(cell, DECIMALS)) for part in system))
+    return least_squares(-jacobian, parallaxes(matrix), weights_of(matrix))
 
 
 STEPS = 6

@@ -6,10 +6,9 @@
 # meet.  This section asks what the condition knows of the two photographs, and what more is needed to know the object.
 
 # %%
-
 import sympy
 
-from algebroproj_derivations.cameras import PLACES, Ray, wedge, with_ray
+from algebroproj_derivations.cameras import PLACES, Ray, minors_of_cameras, wedge, with_ray
 from algebroproj_derivations.figures import ImageDrawing, SpaceDrawing
 from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.okamoto1981.notation import *
@@ -147,17 +146,7 @@ section.identity(
 
 
 # %%
-def bilinear_form(left: Matrix, right: Matrix) -> Matrix:
-    """Return the matrix F of the condition of coplanarity: u_left^T F u_right = 0."""
-
-    def element(i: int, j: int) -> sympy.Expr:
-        other_rows = [matrix.row(k) for matrix, left_out in ((left, i), (right, j)) for k in range(3) if k != left_out]
-        return (-1) ** (i + j) * determinant(Matrix.vstack(*other_rows))
-
-    return Matrix(3, 3, element)
-
-
-F = bilinear_form(P_left, P_right)
+F = minors_of_cameras(P_left, P_right)
 section.identity(
     "19/beyond/bilinear",
     "the condition as a bilinear form",
@@ -175,7 +164,7 @@ EXAMPLE_LEFT, EXAMPLE_RIGHT = (
     vector(*map(sympy.Rational, entries.split()))
     for entries in ("4 0 1 1  0 4 1/2 0  1/2 0 1/4", "4 0 1 -2  0 4 1/2 -1  -1/2 0 1/4")
 )
-F_example = bilinear_form(matrix_of(EXAMPLE_LEFT), matrix_of(EXAMPLE_RIGHT))
+F_example = minors_of_cameras(matrix_of(EXAMPLE_LEFT), matrix_of(EXAMPLE_RIGHT))
 OBJECT = {"O": (0, 0, 0), "P": (1, 0, 0), "Q": (0, 1, 0), "R": (0, 0, 1), "S": (1, 1, 1)}
 seen_left, seen_right = (
     {name: image(matrix_of(a), vector(*p)).doit() for name, p in OBJECT.items()} for a in (EXAMPLE_LEFT, EXAMPLE_RIGHT)
@@ -463,7 +452,7 @@ section.identity(
     "23#converse",
     "whatever is a collineation of the object satisfies the condition",
     printed=determinant(H) * F,
-    derived=bilinear_form(P_left * H, P_right * H),
+    derived=minors_of_cameras(P_left * H, P_right * H),
 )
 
 # %% [markdown]

@@ -18,7 +18,7 @@ OPTIONS = (
     *("--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
     *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
 )
-SELECTORS = ("fundamentals1996:2.2", "fundamentals1996:1.2", "rhodos1990:1.1")
+SELECTORS = ("fundamentals1996:2.2", "fundamentals1996:1.2", "rhodos1990:1.1", "bridges:8")
 REPRESENTATIVE = (
     "index.html",
     "search.html",
@@ -26,6 +26,9 @@ REPRESENTATIVE = (
     "functions/correlation.correlation_matrix.html",
     "fundamentals1996/index.html",
     "fundamentals1996/errata.html",
+    "fundamentals1996/graph.html",
+    "fundamentals1996/graph-2.2.html",
+    "bridges/8_epipole.html",
     "fundamentals1996/2.2.4.html",
     "fundamentals1996/2.2.6.html",
     "fundamentals1996/2.2_eight-points.html",
@@ -34,12 +37,13 @@ REPRESENTATIVE = (
 )
 DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}
 READ_PAGE = """() => {
-  const shown = (element) => !element.closest("details:not([open])");
+  const shown = (element) => !element.closest("details:not([open]), [popover]:not(:popover-open)");
   const boxes = [...document.querySelectorAll("math")].filter(shown).map((m) => m.getBoundingClientRect());
   return {
     math: boxes.length,
     empty: boxes.filter((box) => box.width === 0 || box.height === 0).length,
-    links: [...document.querySelectorAll("[href], [src]")].map((element) => element.href || element.src),
+    links: [...document.querySelectorAll("[href], [src]")]
+      .map((element) => new URL(element.getAttribute("href") ?? element.getAttribute("src"), document.baseURI).href),
     anchors: [...document.querySelectorAll("[id]")].map((element) => element.id),
     overflow: document.documentElement.scrollWidth - document.documentElement.clientWidth,
   };
@@ -146,20 +150,67 @@ def test_every_link_resolves(visit):
     assert [link for link in visit.links if not resolves(link, visit.anchors)] == []
 
 
+@pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_no_barrier(site, browser, request, scheme):
-    from axe_playwright_python.sync_playwright import Axe
-
-    violations = []
-    page = opened(browser, violations, viewport=DESKTOP, color_scheme=scheme)
+def test_axe_finds_no_barrier(site, browser, request, scheme, viewport):
+    """Also in what a reader unfolds, and in the card of a symbol."""
+    problems = []
+    page = opened(browser, problems, viewport=viewport, color_scheme=scheme)
     checked = addresses(site, request)
     for name in checked:
         page.goto((site / name).as_uri())
-        for found in Axe().run(page, options={"preload": False}).response["violations"]:
-            violations.append((name, found["id"], [node["html"][:200] for node in found["nodes"][:3]]))
+        page.evaluate(UNFOLD)
+        problems += [(name, *found) for found in barriers(page)]
     page.close()
-    assert violations == []
+    assert problems == []
     assert len(checked) >= len(REPRESENTATIVE)
+
+
+UNFOLD = """() => {
+  for (const part of document.querySelectorAll("details")) part.open = true;
+  document.querySelector("[popovertarget]")?.click();
+}"""
+
+
+def test_axe_finds_no_barrier_among_the_results_of_a_search(site, browser):
+    page = opened(browser, [], viewport=PHONE)
+    page.goto((site / "search.html").as_uri() + "?q=epipole")
+    assert page.locator("#results a").count() > 3
+    assert barriers(page) == []
+    page.close()
+
+
+def barriers(page):
+    """Return what axe-core finds on a page: the rule, and the first elements that break it."""
+    from axe_playwright_python.sync_playwright import Axe
+
+    found = Axe().run(page, options={"preload": False}).response["violations"]
+    return [(each["id"], [node["html"][:200] for node in each["nodes"][:3]]) for each in found]
+
+
+def test_a_symbol_in_a_formula_opens_its_card(site, browser):
+    problems = []
+    page = opened(browser, problems, viewport=PHONE)
+    page.goto((site / "fundamentals1996" / "2.2.6.html").as_uri())
+    page.locator("figure .known").first.click()
+    card = page.locator("[popover]:popover-open")
+    assert card.count() == 1
+    box = card.bounding_box()
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= PHONE["width"]
+    page.close()
+    assert problems == []
+
+
+def test_the_edges_of_a_formula_stand_out_in_the_graph_while_it_has_the_focus(site, browser):
+    page = opened(browser, [], viewport=DESKTOP)
+    page.goto((site / "fundamentals1996" / "graph-2.2.html").as_uri())
+    page.locator('[data-vertex="2.2.4"]').focus()
+    near = page.locator(".graph path.near")
+    ends = {near.nth(k).get_attribute(end) for k in range(near.count()) for end in ("data-from", "data-to")}
+    assert {"2.2.4", "correlation.system"} <= ends
+    assert page.locator(".graph path").count() > near.count()
+    page.close()
 
 
 def test_a_phone_shows_every_page_without_scrolling_sideways(site, browser, request):

@@ -22,6 +22,7 @@ from algebroproj_sym.declaring import judge, select
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.live.answering import CONDITIONS, MOST_CHARACTERS, answer
 from algebroproj_sym.reporting.live.bundling import own_sources
+from algebroproj_sym.reporting.live.compiling import compiled
 from algebroproj_sym.reporting.live.fetching import FetchError, Package, fetched, genuine, pinned
 from algebroproj_sym.reporting.live.questions import KINDS, question
 
@@ -164,6 +165,24 @@ def test_the_modules_are_the_same_bytes_on_every_machine(monkeypatch):
     assert own_sources() == content
 
 
+def test_the_modules_of_a_wheel_are_compiled_without_its_tests_and_with_its_licence(tmp_path):
+    """They are imported without their source, and the same wheel gives the same bytes."""
+    wheel = BytesIO()
+    with ZipFile(wheel, "w") as archive:
+        archive.writestr("demo/__init__.py", "from demo.inner import answer")
+        archive.writestr("demo/inner.py", "def answer(found={'a', 'b', 'c'}):\n    return sorted(found)")
+        archive.writestr("demo/tests/test_inner.py", "raise SystemExit")
+        archive.writestr("demo-1.dist-info/LICENSE", "MIT")
+    content = compiled(wheel.getvalue())
+    assert content == compiled(wheel.getvalue())
+    (tmp_path / "demo.zip").write_bytes(content)
+    with ZipFile(BytesIO(content)) as archive:
+        assert archive.namelist() == ["demo-1.dist-info/LICENSE", "demo/__init__.pyc", "demo/inner.pyc"]
+    command = [sys.executable, "-c", "import sys; sys.path.insert(0, 'demo.zip'); import demo; print(demo.answer())"]
+    ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert ran.stdout == "['a', 'b', 'c']\n"
+
+
 def test_a_package_with_another_digest_is_refused():
     package = Package("npm", "demo", "1", "demo.tgz", sha256(b"expected").hexdigest())
     assert genuine(package, b"expected") == b"expected"
@@ -186,8 +205,8 @@ class Quiet(SimpleHTTPRequestHandler):
 def served(tmp_path_factory):
     """A site with the prover, and the address where it is."""
     folder = tmp_path_factory.mktemp("live") / "site"
-    command = [sys.executable, "-m", "algebroproj_sym", "report", "fundamentals1996:3.3", "--samples", "2", "--live"]
-    subprocess.run([*command, "--out", str(folder)], check=True, capture_output=True)
+    command = [sys.executable, "-m", "algebroproj_sym", "report", "fundamentals1996:3.3", "bridges:8", "--samples", "2"]
+    subprocess.run([*command, "--live", "--out", str(folder)], check=True, capture_output=True)
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=folder))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     yield f"http://127.0.0.1:{server.server_port}"
@@ -229,6 +248,31 @@ class TestBrowser:
         page.get_by_role("button", name="Prove").click()
         page.locator("output .verdict[data-verdict=refuted]").wait_for()
         assert "z12 =" in page.locator("output").inner_text()
+
+    def test_letters_and_relations_are_decided(self, served, page):
+        page.goto(f"{served}/bridges/8_epipole.html")
+        page.get_by_label("Printed form").fill("E*t")
+        page.get_by_role("button", name="Prove").click()
+        page.locator("output .verdict[data-verdict=refuted]").wait_for()
+        page.goto(f"{served}/prover.html")
+        for name, text in (("Left", "x + 1/x"), ("Right", "2"), ("Equations", ""), ("Other", "x > 0")):
+            page.get_by_label(name).fill(text)
+        page.get_by_label("Relation").select_option(">=")
+        page.get_by_role("button", name="Prove").click()
+        page.locator("output .verdict[data-verdict=proved]").wait_for()
+
+    @pytest.mark.parametrize("name", ["prover.html", "bridges/8_epipole.html", "fundamentals1996/3.3.7~right.html"])
+    @pytest.mark.parametrize("width", [1280, 390])
+    def test_axe_finds_no_barrier_in_the_prover(self, served, page, name, width):
+        from axe_playwright_python.sync_playwright import Axe
+
+        page.set_viewport_size({"width": width, "height": 844})
+        page.goto(f"{served}/{name}")
+        page.get_by_role("button", name="Prove").click()
+        page.locator("output .verdict").wait_for()
+        found = Axe().run(page, options={"preload": False}).response["violations"]
+        assert [(each["id"], [node["html"][:200] for node in each["nodes"]]) for each in found] == []
+        assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") == 0
 
     def test_a_question_can_be_stopped_and_another_one_asked(self, served, page):
         page.goto(f"{served}/prover.html")

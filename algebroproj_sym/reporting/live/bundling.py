@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import json
+import subprocess
 import tarfile
 from collections.abc import Mapping
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from io import BytesIO
 from pathlib import Path
+from shutil import which
 from tempfile import TemporaryDirectory
 from zipfile import ZipFile, ZipInfo
 
-from algebroproj_sym.reporting.live.fetching import Package, fetched, pinned
+from algebroproj_sym.reporting.live.fetching import FetchError, Package, fetched, pinned
 
 FOLDER = "live"
 PYTHON = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
@@ -32,31 +34,42 @@ def live_files() -> dict[str, bytes]:
     FetchError
         If a package cannot be fetched, or is not the one that is expected.
     """
-    with TemporaryDirectory() as folder:
-        contents = {package: fetched(package, Path(folder)) for package in pinned()}
-    return {f"{FOLDER}/{name}": content for name, content in arranged(contents).items()}
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        contents = {package: fetched(package, folder) for package in pinned()}
+        python = _python(next(content for package, content in contents.items() if package.registry == "npm"))
+        wheels = {package: content for package, content in contents.items() if package.registry == "PyPI"}
+        modules = {package.name: _loaded(package, content, python, folder) for package, content in wheels.items()}
+    listed = [{"name": name, "file": file} for name, (file, _) in modules.items()]
+    found = {**python, **dict(modules.values()), OWN: own_sources(), "modules.json": json.dumps(listed).encode()}
+    found |= {script: _own(f"templates/{script}") for script in ("live.js", "worker.js")}
+    return {f"{FOLDER}/{name}": content for name, content in found.items()}
 
 
-def arranged(contents: Mapping[Package, bytes]) -> dict[str, bytes]:
-    """Return the files of the folder: Python, the wheels, this program, the scripts, and a list of what to load."""
-    found: dict[str, bytes] = {}
-    for package, content in contents.items():
-        if package.registry == "npm":
-            with tarfile.open(fileobj=BytesIO(content)) as archive:
-                members = {name: archive.extractfile(f"package/{name}") for name in PYTHON}
-                found |= {name: member.read() for name, member in members.items() if member}
-        else:
-            found[package.file] = content
-    wheels = [
-        {"name": package.name, "file": package.file, "bytes": len(content)}
-        for package, content in contents.items()
-        if package.registry == "PyPI"
-    ]
-    found[OWN] = own_sources()
-    found["wheels.json"] = json.dumps(wheels, indent=1).encode()
-    for script in ("live.js", "worker.js"):
-        found[script] = (files("algebroproj_sym.reporting.live") / "templates" / script).read_bytes()
-    return found
+def _python(package: bytes) -> dict[str, bytes]:
+    with tarfile.open(fileobj=BytesIO(package)) as archive:
+        members = {name: archive.extractfile(f"package/{name}") for name in PYTHON}
+        return {name: member.read() for name, member in members.items() if member}
+
+
+def _loaded(package: Package, wheel: bytes, python: Mapping[str, bytes], folder: Path) -> tuple[str, bytes]:
+    """Return the file that a page loads for a wheel: the wheel, or its modules compiled if all are in Python."""
+    if not package.file.endswith("-none-any.whl"):
+        return package.file, wheel
+    if which("node") is None:
+        raise FetchError(f"node is not installed; it compiles {package.name}")
+    own = {"compiling.py": _own("compiling.py"), "compile.mjs": _own("templates/compile.js")}
+    for name, content in {**python, **own, package.file: wheel}.items():
+        (folder / name).write_bytes(content)
+    command = ["node", "compile.mjs", package.file]
+    ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if ended.returncode:
+        raise FetchError(f"{package.name} {package.version} cannot be compiled.\n{ended.stderr[-1000:].strip()}")
+    return f"{package.name}.zip", (folder / f"{package.file}.zip").read_bytes()
+
+
+def _own(name: str) -> bytes:
+    return files("algebroproj_sym.reporting.live").joinpath(*name.split("/")).read_bytes()
 
 
 def own_sources() -> bytes:

@@ -114,6 +114,11 @@ class Chapter:
     title: str
     entries: tuple[Entry, ...]
 
+    @property
+    def refers(self) -> bool:
+        """Whether all that is claimed is that references lead where they should."""
+        return all(entry.claim.kind == "reference" for entry in self.entries)
+
     @cached_property
     def equations(self) -> tuple[Equation, ...]:
         """The claims by what stands before the number sign, in the order in which the paper prints them."""
@@ -250,7 +255,8 @@ def _line(line: int, equation: Equation) -> int:
 
 def _chapters(paper: str, entries: Sequence[Entry]) -> tuple[Chapter, ...]:
     sections = _grouped(entries, lambda entry: entry.claim.section)
-    return tuple(Chapter(paper, number, _titles(group), tuple(group)) for number, group in sections.items())
+    chapters = (Chapter(paper, number, _titles(group), tuple(group)) for number, group in sections.items())
+    return tuple(sorted(chapters, key=lambda chapter: chapter.refers))
 
 
 def _grouped(entries: Sequence[Entry], key: Callable[[Entry], str]) -> Mapping[str, list[Entry]]:

@@ -9,8 +9,9 @@ from markupsafe import Markup
 
 from algebroproj_sym.declaring import KINDS, Grade, Judgement, bibtex
 from algebroproj_sym.reporting.findings import HEADINGS, Finding, by_grade, gathered
+from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.live.questions import question
-from algebroproj_sym.reporting.site.addresses import errata_page, paper_page
+from algebroproj_sym.reporting.site.addresses import START, errata_page, paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
     comparison,
@@ -25,6 +26,7 @@ from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.symbols import MOST, Symbols, names_of
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing import Part, as_declared, markdown
+from algebroproj_sym.showing.latex import Marks
 
 MOST_LISTED = 12
 """Claims that rest on one, or on which one rests, before the others are folded."""
@@ -74,8 +76,8 @@ def paper_files(catalogue: Catalogue, paper: Paper, with_graph: frozenset[str]) 
     files = {address: page("paper", address, catalogue=catalogue, paper=paper, **shown)}
     address = errata_page(paper.about.key)
 
-    def note(entry: Entry) -> Markup:
-        return linked(entry.claim.note, paper.about.key, address, catalogue)
+    def with_links(text: str) -> Markup:
+        return linked(text, paper.about.key, address, catalogue)
 
     def instead(entry: Entry) -> Entry | None:
         return catalogue.by_number.get((paper.about.key, entry.claim.instead))
@@ -89,20 +91,32 @@ def paper_files(catalogue: Catalogue, paper: Paper, with_graph: frozenset[str]) 
         grades=[*_grades(catalogue, paper)],
         forms=_erratum,
         stated=_stated,
-        note=note,
+        with_links=with_links,
         instead=instead,
     )
     return files
 
 
-def headlines(catalogue: Catalogue, most: int = 3) -> list[tuple[Entry, Markup, str]]:
+def figures(catalogue: Catalogue) -> list[tuple[str, str, int]]:
+    """Return the figures of the site: what is counted, its verdict, and how often it occurs."""
+    counts = summary([entry.judgement for entry in catalogue.entries])
+    return [
+        ("claims", "", len(catalogue.entries)),
+        ("hold as printed", "proved", counts.get("proved", 0)),
+        ("misprints and errors", "misprint", counts.get("misprint", 0) + counts.get("error", 0)),
+        ("false statements", "false", counts.get("false", 0)),
+        ("functions", "definition", len(catalogue.functions)),
+    ]
+
+
+def headlines(catalogue: Catalogue, most: int = 3) -> list[tuple[Entry, Markup, Markup, Markup]]:
     """Return the first findings that change results and fit into a line: claim, both forms, what follows."""
     every = dict(by_grade(gathered([entry.judgement for entry in catalogue.entries])))
     found = []
     for finding in every["results"]:
         entry = catalogue.by_number[finding.claim.paper, finding.claim.number]
         if finding.claim.corrected is not None and (line := _line(entry)) and "summary" not in line:
-            found.append((entry, line, finding.follows))
+            found.append((entry, *_erratum(entry), linked(finding.follows, entry.claim.paper, START, catalogue)))
     return found[:most]
 
 
@@ -138,14 +152,14 @@ def _line(entry: Entry) -> Markup:
 
 
 def _arrow(printed: Markup, corrected: Markup) -> Markup:
-    return Markup("{} <span>correct: {}</span>").format(printed, corrected)
+    return Markup('{} <span class="correct">correct: {}</span>').format(printed, corrected)
 
 
 def _summary(statement: object) -> Markup:
     return Markup('<span class="summary">{}</span>').format(described(statement))
 
 
-def _erratum(entry: Entry) -> tuple[Markup, ...]:
+def _erratum(entry: Entry) -> tuple[Markup, Markup]:
     """Return the printed and the corrected form of a misprint, the difference marked."""
     claim = entry.claim
     if as_text := KINDS[claim.kind].text:
@@ -153,8 +167,11 @@ def _erratum(entry: Entry) -> tuple[Markup, ...]:
         return as_number.format(as_text(claim.printed)), as_number.format(as_text(claim.derived))
     forms = forms_of(claim)
     marks = marks_of(entry.judgement, forms)
-    parts: tuple[Part, ...] = ("printed", "corrected")
-    return tuple(block(forms[part], marks[part], f"{part} form", ordered=False) for part in parts)
+    return _side("printed", forms, marks), _side("corrected", forms, marks)
+
+
+def _side(part: Part, forms: Mapping[Part, Any], marks: Mapping[Part, Marks]) -> Markup:
+    return block(forms[part], marks[part], f"{part} form", ordered=False)
 
 
 def _stated(entry: Entry) -> Markup:

@@ -48,8 +48,8 @@ def comparison(judgement: Judgement) -> tuple[list[tuple[str, Markup]], Table | 
     kind = KINDS[claim.kind]
     captions: dict[Part, str] = {
         "printed": kind.printed,
-        "derived": kind.derived,
         "corrected": "Reconstructed" if claim.printed is None else "Corrected",
+        "derived": kind.derived,
     }
     sides = [
         (caption, _form(claim, part, forms[part], marks[part]))

@@ -82,8 +82,7 @@ def _counterexample(judgement: Judgement) -> list[Table]:
     point = judgement.counterexample
     if not point:
         return []
-    rows = [(symbol(name), _value(value)) for name, value in point_record(point).items()]
-    tables = [Table("Counterexample: a point at which it fails", ("symbol", "value"), rows)]
+    tables = [_point("Counterexample: a point at which it fails", point_record(point))]
     values = _values(judgement)
     if values:
         note = ", which are not proportional" if judgement.claim.kind == "identity up to scale" else ""
@@ -99,13 +98,18 @@ def _values(judgement: Judgement) -> list[tuple[Markup | str, ...]]:
     ]
 
 
+def _point(caption: str, values: Mapping[str, Any]) -> Table:
+    rows = [(symbol(name), _value(value)) for name, value in values.items()]
+    return Table(caption, ("symbol", "value"), rows, is_point=True)
+
+
 def _fraction(value: Fraction, marked: bool = False) -> Markup | str:
-    return Markup('<mark class="differs">{}</mark>').format(value) if marked else str(value)
+    return Markup('<mark class="differs">{}</mark>').format(_value(value)) if marked else _value(value)
 
 
 def _value(value: Any) -> str:
     """Return a number, or the rows of a matrix, as text."""
-    return f"[{', '.join(map(_value, value))}]" if isinstance(value, list) else str(value)
+    return f"[{', '.join(map(_value, value))}]" if isinstance(value, list) else str(value).replace("-", "−")
 
 
 def _points(certificate: Mapping[str, Any]) -> list[Table]:
@@ -114,11 +118,7 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
         "point": "Point with this rank",
         "instance": "Instance",
     }
-    return [
-        Table(caption, ("symbol", "value"), [(symbol(name), _value(value)) for name, value in certificate[key].items()])
-        for key, caption in captions.items()
-        if certificate.get(key)
-    ]
+    return [_point(caption, certificate[key]) for key, caption in captions.items() if certificate.get(key)]
 
 
 def _cofactors(certificate: Mapping[str, Any]) -> list[Table]:
@@ -158,13 +158,20 @@ def _data(caption: str, record: Mapping[str, Any]) -> list[Table]:
 
 def _readable(value: Any) -> Markup | str:
     if isinstance(value, Sequence) and not isinstance(value, str):
+        if all(isinstance(each, int) for each in value):
+            return ", ".join(map(str, value))
         return Markup("<ul>{}</ul>").format(_items(value))
     return _code(value) if isinstance(value, str) else str(value)
 
 
 def _items(values: Iterable[Any]) -> Markup:
-    texts = [" ^ ".join(map(str, value)) if isinstance(value, list | tuple) else str(value) for value in values]
-    return Markup("").join(Markup("<li>{}</li>").format(_code(text)) for text in texts)
+    return Markup("").join(Markup("<li>{}</li>").format(_code(_item(value))) for value in values)
+
+
+def _item(value: Any, between: str = " ^ ") -> str:
+    if isinstance(value, Mapping):
+        return "; ".join(f"{key}: {_item(each, ', ')}" for key, each in value.items())
+    return between.join(map(_item, value)) if isinstance(value, list | tuple) else str(value)
 
 
 def _code(text: str) -> Markup:

@@ -14,6 +14,7 @@ from algebroproj_sym.reporting.site.mathml import math
 
 SHORT = 40
 _GROUP = r"\{[^{}]*\}|\\[A-Za-z]+|[^\s{}]"
+_BELOW_FIRST = re.compile(rf"(_(?:{_GROUP}))('{{2,}})")
 _PRIMES = re.compile(rf"(?P<primes>'+)(?P<below>_(?:{_GROUP}))?\^(?P<above>{_GROUP})")
 
 
@@ -37,14 +38,17 @@ def latex_html(formula: str, *, block: bool) -> Markup:
 
 
 def _primed(formula: str) -> str:
-    r"""Write primes before a superscript into the superscript, which the converter does not do itself.
+    r"""Write primes as a superscript, with what else is in it, where the converter does not do so itself.
 
     Examples
     --------
     >>> _primed("u''^T M'^{-1} x'_1^2")
     'u^{\\prime\\prime T} M^{\\prime -1} x_1^{\\prime 2}'
+    >>> _primed("u_1'' - u_{31}'")
+    "u_1^{\\prime\\prime} - u_{31}'"
     """
-    return _PRIMES.sub(_with_primes_above, formula)
+    formula = _PRIMES.sub(_with_primes_above, formula)
+    return _BELOW_FIRST.sub(lambda found: found[1] + "^{" + r"\prime" * len(found[2]) + "}", formula)
 
 
 def _with_primes_above(match: re.Match[str]) -> str:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 
-from algebroproj_sym.declaring import VERDICTS, quotes_of
+from algebroproj_sym.declaring import quotes_of
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.site.addresses import LEDGER, PROVER, SEARCH, START
 from algebroproj_sym.reporting.site.catalogue import Catalogue
-from algebroproj_sym.reporting.site.claim_pages import claim_html, headlines, paper_files
+from algebroproj_sym.reporting.site.claim_pages import claim_html, figures, headlines, paper_files
 from algebroproj_sym.reporting.site.folder import MARKER
 from algebroproj_sym.reporting.site.function_pages import function_files
 from algebroproj_sym.reporting.site.graph_pages import graph_files, graphs_of
@@ -31,7 +31,7 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     records = {(claim["paper"], claim["number"]): claim for claim in record["claims"]}
     symbols = symbols_in(catalogue)
     files = {
-        START: page("start", START, catalogue=catalogue, verdicts=VERDICTS, headlines=headlines(catalogue)),
+        START: page("start", START, catalogue=catalogue, figures=figures(catalogue), headlines=headlines(catalogue)),
         SEARCH: page("search", SEARCH, catalogue=catalogue),
         MARKER: search_script(catalogue, symbols),
         LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",

@@ -1,4 +1,4 @@
-"""Notes as HTML: numbers of claims become links."""
+"""Notes and consequences as HTML: numbers of claims become links."""
 
 from __future__ import annotations
 
@@ -14,9 +14,13 @@ _NUMBER = re.compile(
 )
 
 
+_ELSEWHERE = re.compile(r" See docs/[\w/.-]*\w\.")
+"""A reference to the documentation, which the site does not have."""
+
+
 def linked(text: str, paper: str, page: str, catalogue: Catalogue) -> Markup:
     """Return a text, escaped, with links to the claims of a paper that it names."""
-    result, end = Markup(), 0
+    text, result, end = _ELSEWHERE.sub("", text), Markup(), 0
     for match in _NUMBER.finditer(text):
         entry = catalogue.by_number.get((paper, match.group()))
         if entry is None or entry.page == page:

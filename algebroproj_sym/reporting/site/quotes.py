@@ -36,8 +36,10 @@ def _piece(text: str) -> Markup:
 
 
 def _sentence(text: str) -> Markup:
-    """Return a text with formulas between dollar signs."""
+    """Return a text with formulas between dollar signs; it may begin within a formula."""
     parts = re.split(r"\$+", text)
+    if len(parts) % 2 == 0 and _FORMULA.search(parts[0]):
+        parts = ["", *parts]
     if len(parts) % 2 == 0:
         return escape(text)
     return Markup("").join(

@@ -15,7 +15,7 @@ from algebroproj_sym.expressions import TextForm, symbols_of
 from algebroproj_sym.reading import UnreadableError, symbols_for, tables_in
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
 from algebroproj_sym.reporting.site.mathml import math
-from algebroproj_sym.showing.names import GREEK, latex_name
+from algebroproj_sym.showing.names import GREEK, latex_name, plain_name
 
 MOST = 40
 _GREEK = "|".join(sorted(GREEK, key=len, reverse=True))
@@ -46,6 +46,11 @@ class Symbol:
     given: list[Entry] = field(default_factory=list)
     first: Entry | None = None
     functions: dict[str, Function] = field(default_factory=dict)
+
+    @property
+    def spoken(self) -> str:
+        """The symbol as a screen reader reads it."""
+        return plain_name(self.name)
 
     @property
     def formula(self) -> Markup:

@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from algebroproj_sym.reporting.site import addresses
 from algebroproj_sym.reporting.site.comparison import conditions, these_are
 from algebroproj_sym.reporting.site.formulas import block, bullet
 from algebroproj_sym.reporting.site.quotes import quoted
 
-FONT = "stix-two-math.woff2"
-FORMULAS = "Formulas"
+FONTS = {
+    "stix-two-math": 'font-family: "Formulas"',
+    "stix-two-text": 'font-family: "Text"',
+    "stix-two-text-italic": 'font-family: "Text"; font-style: italic',
+    "stix-two-text-semibold": 'font-family: "Text"; font-weight: 600',
+}
+"""The fonts by their files: what they are for."""
+
 VERDICT_MEANING = {
     "proved": "The printed statement holds wherever its hypotheses do.",
     "misprint": "The printed form is refuted. The corrected form is proved.",
@@ -25,6 +33,8 @@ VERDICT_MEANING = {
     "definition": "It introduces notation and is well-formed.",
     "open": "Undecided.",
 }
+
+_BREAK = re.compile(r"(?<=[/#,_])|(?<=\.)(?=[a-z])")
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.reporting.site"),
@@ -43,6 +53,33 @@ _TEMPLATES.globals.update(
     bullet=bullet,
     quoted=quoted,
 )
+
+
+def breakable(name: str) -> Markup:
+    """Return a number or a name that may be broken where a part of it ends.
+
+    Examples
+    --------
+    >>> print(breakable("1.3/insertion#A&B"))
+    1.3/<wbr>insertion#<wbr>A&amp;B
+    """
+    return Markup("<wbr>").join(_BREAK.split(name))
+
+
+def with_code(text: str) -> Markup:
+    """Return a text whose parts between backticks are code.
+
+    Examples
+    --------
+    >>> print(with_code("Derivatives of `f & g`."))
+    Derivatives of <code>f &amp; g</code>.
+    """
+    parts = text.split("`")
+    code = (Markup("<code>{}</code>").format(part) if k % 2 else escape(part) for k, part in enumerate(parts))
+    return Markup("").join(code)
+
+
+_TEMPLATES.filters.update(breakable=breakable, with_code=with_code)
 
 
 def page(template: str, address: str, **content: Any) -> str:
@@ -70,15 +107,17 @@ def static(name: str) -> str:
 
 
 def style() -> str:
-    """Return the style of all pages; the font of the formulas is in it, so that no page loads it from elsewhere."""
-    font = b64encode(_shared("fonts", FONT).read_bytes()).decode()
-    return f'@font-face {{ font-family: "{FORMULAS}"; src: url(data:font/woff2;base64,{font}); }}\n' + static(
-        "style.css"
-    )
+    """Return the style of all pages; the fonts are in it, so that no page loads them from elsewhere."""
+    return "".join(_face(file, described) for file, described in FONTS.items()) + static("style.css")
+
+
+def _face(file: str, described: str) -> str:
+    content = b64encode(_shared("fonts", f"{file}.woff2").read_bytes()).decode()
+    return f"@font-face {{ {described}; src: url(data:font/woff2;base64,{content}); }}\n"
 
 
 def licence() -> str:
-    """Return the licence of the font."""
+    """Return the licence of the fonts."""
     return _shared("fonts", "OFL.txt").read_text(encoding="utf-8")
 
 

@@ -24,15 +24,22 @@ async function start() {
 }
 
 async function prepare() {
-  const { python, answering } = await started();
-  const wheels = await (await content("wheels.json")).json();
-  for (const [place, wheel] of wheels.entries()) {
-    say(`${wheel.name} is loading`, place / (wheels.length + 1));
-    python.unpackArchive(await bytes(wheel.file), "wheel");
+  const modules = await (await content("modules.json")).json();
+  const contents = modules.map(({ file }) => bytes(file));
+  const [{ python, answering }] = await Promise.all([started(), ...contents]);
+  for (const [place, { name, file }] of modules.entries()) {
+    say(`${name} is loading`, place / (modules.length + 1));
+    if (file.endsWith(".whl")) python.unpackArchive(await contents[place], "wheel");
+    else imported(python, `/${file}`, await contents[place]);
   }
-  say("the prover is starting", wheels.length / (wheels.length + 1));
+  say("the prover is starting", modules.length / (modules.length + 1));
   answering.answer(JSON.stringify({ do: "prepare" }));
   say(null);
+}
+
+function imported(python, path, archive) {
+  python.FS.writeFile(path, archive);
+  python.runPython(`sys.path.insert(0, "${path}")`);
 }
 
 let starting;

@@ -53,22 +53,19 @@ function search(index, query) {
   return exact.length > 0 ? exact : hits(true);
 }
 
+function span(name, ...content) {
+  const element = document.createElement("span");
+  element.className = name;
+  element.append(...content);
+  return element;
+}
+
 function item([address, where, number, title, verdict]) {
   const line = document.createElement("li");
   const link = document.createElement("a");
   link.href = address;
   link.textContent = where === "function" ? number : `(${number})`;
-  line.append(link, ` ${title}`);
-  if (verdict) {
-    const badge = document.createElement("span");
-    badge.className = `verdict ${verdict}`;
-    badge.textContent = verdict;
-    line.append(" ", badge);
-  }
-  const source = document.createElement("span");
-  source.className = "quiet";
-  source.textContent = ` ${where}`;
-  line.append(source);
+  line.append(link, span(verdict && `verdict ${verdict}`, verdict), span("title", `${title} `, span("quiet", where)));
   return line;
 }
 

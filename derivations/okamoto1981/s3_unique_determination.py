@@ -10,13 +10,13 @@
 # %%
 import sympy
 
+from algebroproj_derivations.cameras import minors_of_cameras
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.inserting import inserted
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import (
     A_left,
     A_right,
-    bilinear_form,
     control_points,
     coplanarity,
     drawn,
@@ -233,7 +233,7 @@ section.up_to_scale(
     "3/beyond/model",
     "the condition of the photographs of a model",
     printed=form_with_epipole,
-    derived=bilinear_form(canonical, model_of(form_with_epipole, epipole, [])[0]),
+    derived=minors_of_cameras(canonical, model_of(form_with_epipole, epipole, [])[0]),
 )
 
 # %% [markdown]

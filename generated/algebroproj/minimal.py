@@ -61,7 +61,7 @@ def cubic(A: ArrayLike, B: ArrayLike, *, out: NDArray[Any] | None = None) -> NDA
         result[3] = b00*(b11*b22 - b12*b21) + b02*(b10*b21 - b11*b20) - b01*(b10*b22 - b12*b20)
 
     The formula is a polynomial: no input is singular. In float64 nothing overflows or underflows where every entry
-    is zero or, in absolute value, between 2**-306 and 2**306.
+    is zero or, in absolute value, between 2**-305 and 2**305.
 
     Operations: 98 (18 additions, 20 subtractions, 60 multiplications).
     The derived expression takes 116 as written.

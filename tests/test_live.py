@@ -214,18 +214,23 @@ def served(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def page(served):
+def browser():
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=("--no-sandbox", "--disable-gpu"))
-        opened = browser.new_page()
-        opened.set_default_timeout(WAIT)
-        foreign = []
-        opened.on("request", lambda request: None if request.url.startswith(served) else foreign.append(request.url))
+        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=("--no-sandbox", "--disable-gpu"))
         yield opened
-        browser.close()
-        assert foreign == []
+        opened.close()
+
+
+@pytest.fixture(scope="module")
+def page(served, browser):
+    opened = browser.new_page()
+    opened.set_default_timeout(WAIT)
+    foreign = []
+    opened.on("request", lambda request: None if request.url.startswith(served) else foreign.append(request.url))
+    yield opened
+    assert foreign == []
 
 
 @pytest.mark.whole
@@ -316,38 +321,34 @@ WORKER = """window.Worker = class {
 @pytest.mark.extra("dev")
 @pytest.mark.xdist_group("browser")
 @pytest.mark.skipif(CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium")
-def test_a_verdict_is_shown_only_beside_the_question_that_it_answers(tmp_path):
+def test_a_verdict_is_shown_only_beside_the_question_that_it_answers(tmp_path, browser):
     """When a form is changed, a verdict of the earlier form vanishes, and one that comes later is not shown."""
-    from playwright.sync_api import sync_playwright
-
     script = resources("algebroproj_sym.reporting.live") / "templates" / "live.js"
     (tmp_path / "live.js").write_bytes(script.read_bytes())
     (tmp_path / "index.html").write_text(FORM)
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=tmp_path))
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=("--no-sandbox", "--disable-gpu"))
-        page = browser.new_page()
-        page.add_init_script(WORKER)
-        page.goto(f"http://127.0.0.1:{server.server_port}/index.html")
-        verdict, prove_it, stop = page.locator(".verdict"), page.get_by_text("Prove"), page.get_by_text("Stop")
-        prove_it.click()
-        page.wait_for_function("worker.asked.length === 1")
-        page.evaluate("worker.tell('proved')")
-        verdict.wait_for()
-        page.locator("[name=rhs]").fill("y")
-        assert verdict.count() == 0
-        prove_it.click()
-        page.wait_for_function("worker.asked.length === 1")
-        page.locator("[name=rhs]").fill("z")
-        prove_it.click()
-        page.wait_for_function("worker.asked.length === 2")
-        page.evaluate("worker.tell('refuted')")
-        assert (verdict.count(), stop.is_visible()) == (0, True)
-        page.evaluate("worker.tell('open')")
-        verdict.wait_for()
-        assert (verdict.inner_text(), stop.is_visible()) == ("open", False)
-        browser.close()
+    page = browser.new_page()
+    page.add_init_script(WORKER)
+    page.goto(f"http://127.0.0.1:{server.server_port}/index.html")
+    verdict, prove_it, stop = page.locator(".verdict"), page.get_by_text("Prove"), page.get_by_text("Stop")
+    prove_it.click()
+    page.wait_for_function("worker.asked.length === 1")
+    page.evaluate("worker.tell('proved')")
+    verdict.wait_for()
+    page.locator("[name=rhs]").fill("y")
+    assert verdict.count() == 0
+    prove_it.click()
+    page.wait_for_function("worker.asked.length === 1")
+    page.locator("[name=rhs]").fill("z")
+    prove_it.click()
+    page.wait_for_function("worker.asked.length === 2")
+    page.evaluate("worker.tell('refuted')")
+    assert (verdict.count(), stop.is_visible()) == (0, True)
+    page.evaluate("worker.tell('open')")
+    verdict.wait_for()
+    assert (verdict.inner_text(), stop.is_visible()) == ("open", False)
+    page.close()
     server.shutdown()
 
 

@@ -63,6 +63,7 @@ def test_a_critical_scene_is_found(tmp_path):
     result = study(written(tmp_path, flatten, count=8), tmp_path / "out")
     assert result.exit_code == 0, result.stderr
     assert ": critical; rank 7 of the eight equations." in result.stdout
+    assert "no result in any of 40 cases" in result.stdout
     assert "the points move by 0 m in all" in result.stdout
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import xarray
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from algebroproj_derivations.studies.stereo.advice import exchanges, moves, strength
 from algebroproj_derivations.studies.stereo.closest import closest_critical
@@ -69,14 +70,11 @@ def report(dataset: xarray.Dataset) -> str:
     given = _given(dataset)
     scene, unit = given.scene, given.unit
     found, nearest = examine(scene), closest_critical(scene)
-    lost = dataset.lost.values
-    finite = lost[np.isfinite(lost)]
     lines = [
         f"Points {', '.join(given.names[:8])}: {found.verdict}; rank {found.rank_of_eight} of the eight equations.",
         *_of_quadric(given),
         f"Closest critical configuration: the points move by {nearest.distance:.3g} {unit} in all.",
-        f"Digits of Z lost, with images rounded to float64: median {np.median(finite):.1f}, 95 % below "
-        f"{np.quantile(finite, 0.95):.1f}; no result in {len(lost) - len(finite)} of {len(lost)} cases.",
+        f"Digits of Z lost, with images rounded to float64: {_of_digits(dataset.lost.values)}.",
         f"Smallest singular value: {float(strength(scene)):.2g}.",
     ]
     size = float(np.ptp(scene.points, axis=0).max())
@@ -89,6 +87,14 @@ def report(dataset: xarray.Dataset) -> str:
         taken, left = given.names[8 + exchange.candidate], given.names[exchange.point]
         lines.append(f"Exchange {left} for {taken}: {exchange.after:.2g}.")
     return "\n".join(lines) + "\n"
+
+
+def _of_digits(lost: NDArray[np.float64]) -> str:
+    finite = lost[np.isfinite(lost)]
+    if not len(finite):
+        return f"no result in any of {len(lost)} cases"
+    median, high = np.quantile(finite, [0.5, 0.95])
+    return f"median {median:.1f}, 95 % below {high:.1f}; no result in {len(lost) - len(finite)} of {len(lost)} cases"
 
 
 def _of_quadric(given: SceneFile) -> list[str]:

@@ -31,7 +31,7 @@ class Prover {
   fail(message) {
     this.worker?.terminate();
     this.worker = undefined;
-    this.tell(null);
+    this.tell(null, null);
     for (const resolve of this.asked.values()) resolve({ error: message });
     this.asked.clear();
   }

@@ -30,7 +30,7 @@ FOLDER = Path(__file__).resolve().parent.parent / "generated" / PACKAGE / "_c"
 TEXT = "".join((FOLDER / name).read_text(encoding="utf-8") for name in KERNELS)
 SOURCE = source_of(TEXT)
 COMPILED = {kernel.qualified_name: kernel for kernel in kernels() if c_name(kernel) in SOURCE.kernels}
-SOLVERS = [("solve", 5), ("null_vector", 8)]
+SOLVERS = [("solve", 4), ("solve", 5), ("null_vector", 8)]
 
 
 @pytest.fixture(scope="module")

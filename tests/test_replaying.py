@@ -106,7 +106,7 @@ def real():
         "fundamentals1996:1.2.2#base",
         "fundamentals1996:2.4/2.3.0",
     )
-    return ledger([judge(claim) for claim in select(selectors)], timed=False)
+    return ledger([judge(claim) for claim in select(selectors) if not claim.letters], timed=False)
 
 
 def replay_claim(record):

@@ -281,8 +281,8 @@ def expansion(term: Term) -> Term:
     Examples
     --------
     >>> from algebroproj_sym.replaying.reals.terms import read, written
-    >>> written(expansion(read("taylor(y*sin(2*x)/(1 - x), x, 3)")))
-    'y*2*x + y*2*x**2 + (y*(-4/3) + y*2)*x**3'
+    >>> written(expansion(read("taylor(y*exp(2*x), x, 3)")))
+    'y + y*2*x + y*2*x**2 + y*4/3*x**3'
     """
     names, order = term.value
     whole = _Expansion(names).parts(term.args[0], order)
@@ -334,7 +334,7 @@ class _Expansion:
         if term.kind == "+":
             return [_added(forms) for forms in zip(*args, strict=True)]
         if term.kind == "-":
-            return [_multiplied(self._constant(constant(-1)), form) for form in args[0]]
+            return [_negated(form) for form in args[0]]
         if term.kind == "*":
             return [_added(_multiplied(args[0][k], args[1][n - k]) for k in range(n + 1)) for n in range(order + 1)]
         if term.kind == "/":
@@ -359,7 +359,7 @@ class _Expansion:
         divisor, found = self._value(below), list[Form]()
         for n, form in enumerate(above):
             known = _added(_multiplied(found[k], below[n - k]) for k in range(n))
-            rest = _added([form, _multiplied(self._constant(constant(-1)), known)])
+            rest = _added([form, _negated(known)])
             found.append({powers: _ratio(part, divisor) for powers, part in rest.items()})
         return found
 
@@ -379,6 +379,13 @@ def _multiplied(left: Form, right: Form) -> Form:
         for ours, one in left.items()
         for theirs, other in right.items()
     )
+
+
+def _negated(form: Form) -> Form:
+    return {
+        powers: constant(-part.value) if part.kind == "number" else part.args[0] if part.kind == "-" else negative(part)
+        for powers, part in form.items()
+    }
 
 
 def _at_zero(term: Term) -> Term:
@@ -415,7 +422,7 @@ def _product(left: Term, right: Term) -> Term:
 def _ratio(above: Term, below: Term) -> Term:
     if above.kind == below.kind == "number" and below.value:
         return constant(above.value / below.value)
-    return over(above, below)
+    return above if _is(below, 1) else over(above, below)
 
 
 def kinds(term: Term) -> frozenset[str]:

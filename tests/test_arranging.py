@@ -121,11 +121,11 @@ def test_the_forms_of_a_section_read_back_as_declared():
 
 
 def test_a_long_form_has_the_names_of_the_derivation():
-    (claim,) = select(["fundamentals1996:1.4.5"])
+    (claim,) = select(["fundamentals1996:1.4/type"])
     named = in_names(claim, "printed")
-    assert named.text == "A_v * (M * (inverse(A_X) * homogeneous(X)))"
-    assert [meaning.name for meaning in named.meanings] == ["A_v", "M", "A_X", "X", "P_star", "center"]
-    assert named_latex(named.written, named.source.names).startswith(r"\mathbf{A}_{v} \mathbf{M} {\mathbf{A}_{X}}^{-1}")
+    assert named.text == "frame(seen_points[:3, :]) * core[:3, :] * inverse(A_X)"
+    assert [meaning.name for meaning in named.meanings] == ["seen_points", "core", "A_X"]
+    assert named_latex(named.written, named.source.names).endswith(r" {\mathbf{A}_{X}}^{-1}")
 
 
 def test_names_are_explained_with_what_they_meant(section):

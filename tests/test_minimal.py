@@ -177,6 +177,17 @@ def test_bounds_and_integers_agree_and_enclose_each_other():
     assert np.nanmax(many.error) < 1e-12
 
 
+def test_large_integers_are_taken_as_they_are():
+    left, right = np.random.default_rng(12).integers(-(2**62), 2**62, (2, 20, 7, 2))
+    many = minimal.seven_pairs(left, right)
+    for k in range(len(left)):
+        one = minimal.seven_pairs(left[k], right[k])
+        assert many.count[k] == one.count
+        for i in range(int(one.count)):
+            apart = np.abs(many.F[k, : one.count] - one.F[i]) - many.error[k, : one.count] - one.error[i]
+            assert apart.max(axis=(1, 2)).min() <= 0
+
+
 def test_ordinary_problems_need_no_integers(monkeypatch):
     left, right = scenes(np.random.default_rng(6), 500)
     asked = []

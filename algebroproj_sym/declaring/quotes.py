@@ -56,6 +56,7 @@ UNQUOTED: dict[Unquoted, str] = {
     "lost": "the scan has lost the place",
 }
 Cells = Mapping[str, Mapping[str, str]]
+"""The cells of a table, by row and column."""
 _BEYOND = "/beyond/"
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 FILE = "quotes.toml"

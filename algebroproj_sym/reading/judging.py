@@ -1,8 +1,8 @@
 """Verdicts: what each equation of a document is, and what it rests on.
 
-An equation *follows* if it is proved from the definitions above it.  It *contradicts* only if it is asserted of letters
-that are all given: see `_is_asserted`.  An equation that holds for some values and fails for others is *independent*:
-it may be a new statement, a condition or another case.
+An equation *follows* if it is proved from the definitions and equations above it.  It *contradicts* only if it is
+asserted of letters that are all given: see `_Reader._doubt`.  An equation that holds for some values and fails for
+others is *independent*: it may be a new statement, a condition or another case.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ class Link:
     reason : str
         Why it is not decided, or what else there is to say.
     rests_on : tuple of str
-        The equations that define its letters.
+        Definitions, equations above it, derivatives, and words.
     hypotheses : tuple of str
         What is not zero where it holds.
     counterexample : mapping of str to str, or None
@@ -462,20 +462,16 @@ class _Reader:
                 used = _used(known, left, right)
                 if (ids := tuple(map(id, used))) not in seen:
                     seen.append(ids)
-                    yield _Way(left, right, known, self._doubt_of_premises(statement, formula, index, known, cited))
+                    yield _Way(left, right, known, self._doubt_of_premises(statement, formula, index, known))
 
-    def _doubt_of_premises(
-        self, statement: Statement, formula: Parsed, index: int, vocabulary: Vocabulary, cited: frozenset[str]
-    ) -> str:
+    def _doubt_of_premises(self, statement: Statement, formula: Parsed, index: int, vocabulary: Vocabulary) -> str:
         """Return why an equation that fails under its premises need not contradict them.
 
-        It must follow from them by its own words, and they must be near it or named by it.
+        It must follow from them by its own words, and they must be in the same section.
         """
-        place, part = self._place_of(statement), statement.display.part
         used = _used(vocabulary, formula.sides[index], formula.sides[index + 1])
-        near = {id(each.gives) for each in applicable(self.premises, part, place, cited) if each.gives.part == part}
-        given = {id(each.gives) for each in self.premises}
-        if any(id(each) in given - near for each in used):
+        elsewhere = {id(each.gives) for each in self.premises if each.gives.part != statement.display.part}
+        if any(id(each) in elsewhere for each in used):
             return "a letter may have another meaning where it was given"
         if HENCE.search(_last_sentence(statement.display.before)) is None:
             return "it is not said to follow"

@@ -106,7 +106,7 @@ def crosses_in(symbols: Iterable[str], words: Iterable[str]) -> Iterator[Definit
     if any(_TILDE_MATRIX.search(each) for each in words):
         for symbol in symbols:
             if match := _TILDE.fullmatch(symbol):
-                vector: Formula = Tree("symbol", [Token("SYMBOL", rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")])
+                vector = _letter(rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")
                 cross: Formula = Tree("marked", [vector, Token("MARK", "hat")])
                 yield Definition(symbol, (), cross, 'the words "tilde matrix"', 0, True)
 
@@ -115,23 +115,22 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
     if "/" in symbol:
         match = _DERIVATIVE.fullmatch(symbol)
         return None if match is None else _of_quotient(symbol, match, vocabulary)
-    bare = {_bare(each): each for each in vocabulary.definitions}
-    function = bare.get(_without_dot(symbol))
+    function = _by_bare(vocabulary.definitions).get(_without_dot(symbol))
     return None if function is None else _rate(symbol, function, vocabulary, occurring)
 
 
 def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Definition | None:
     sign, above, below = match.groups()
-    named = {_bare(each): each for each in vocabulary.definitions}
-    definition = vocabulary.definitions.get(named.get(re.sub(r"\(.*\)$", "", above), ""))
+    function = _by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), "")
+    definition = vocabulary.definitions.get(function)
     if definition is None or not definition.usable:
         return None
-    value: Formula = Tree("symbol", [Token("SYMBOL", definition.symbol)])
+    value = _letter(definition.symbol)
     if definition.parameters:
-        arguments: list[Any] = [Tree("symbol", [Token("SYMBOL", each)]) for each in definition.parameters]
+        arguments: list[Any] = [*map(_letter, definition.parameters)]
         value = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", arguments)])
     letters = vocabulary.letters_of(definition.tree) | {*definition.parameters}
-    variable = {_bare(each): each for each in letters}.get(below)
+    variable = _by_bare(sorted(letters)).get(below)
     used = vocabulary.used_in(definition.tree)
     if variable is None or any(variable in vocabulary.letters_of(each.tree) for each in used):
         return None
@@ -143,8 +142,7 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
     definition = vocabulary.definitions[function]
     if definition.parameters or not definition.usable:
         return None
-    rates = {_bare(each): each for each in occurring}
-    value = Tree("symbol", [Token("SYMBOL", function)])
+    rates = _by_bare(sorted(occurring))
     terms: list[Formula] = []
     constant: list[str] = []
     for letter in sorted(vocabulary.letters_of(definition.tree)):
@@ -154,7 +152,7 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
         if rate is None:
             constant.append(letter)
         else:
-            terms.append(Tree("run", [_slope(value, letter), Tree("symbol", [Token("SYMBOL", rate)])]))
+            terms.append(Tree("run", [_slope(_letter(function), letter), _letter(rate)]))
     if not terms:
         return None
     signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]
@@ -171,7 +169,15 @@ def _made(
 
 
 def _slope(value: Formula, variable: str) -> Formula:
-    return Tree("slope", [value, Tree("symbol", [Token("SYMBOL", variable)])])
+    return Tree("slope", [value, _letter(variable)])
+
+
+def _letter(symbol: str) -> Formula:
+    return Tree("symbol", [Token("SYMBOL", symbol)])
+
+
+def _by_bare(symbols: Iterable[str]) -> dict[str, str]:
+    return {_bare(each): each for each in symbols}
 
 
 def _bare(symbol: str) -> str:

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # 4 Numerical example: the tables, as printed
 #
-# Nothing is computed here, and nothing typed again: the digits are those of the quotes.
+# Nothing is computed here, and nothing typed again but the left epipole: the digits are those of the quotes.
 
 # %%
 from pathlib import Path
@@ -41,8 +41,8 @@ R_RIGHT = matrix("4/b#right.R11")
 PRINTED_Z = matrix("4/c#z00")
 PRINTED_EPIPOLES = {"left": ("1.64746", "-12.56421"), "right": quotes.decimals("4/c#right.u01")}
 PRINTED_MU = {
-    "left": ("0.6898293", "0.6898293", "0.6591033"),
-    "right": ("0.7086797", "0.6897404", "0.6803561"),
+    "left": tuple(quotes.decimals(f"4/d#left.mu{n}")[0] for n in (1, 2, 3)),
+    "right": quotes.decimals("4/d#right.mu1")[1:],
 }
 PRINTED_CENTERS = {"left": quotes.decimals("4/d#left.y01"), "right": quotes.decimals("4/d#right.y01")}
 
@@ -78,7 +78,7 @@ MODEL_AGAIN = MODEL | {name: quotes.decimals(f"4/h#{name}.ybar1")[:3] for name i
 
 # %%
 PARAMETERS = quotes.decimals("4/i#left.muN1")
-SECOND_Z_N = "0.12145642"
+SECOND_Z_N = quotes.decimals("4/i#zN")[0]
 SECOND_TAU = {"left": ("1", *quotes.decimals("4/i#left.tau1")), "right": quotes.decimals("4/i#right.tau1")}
 SECOND_T = {"left": matrix("4/i#left.t00"), "right": matrix("4/i#right.t00")}
 SECOND_MU = {"left": PARAMETERS[:3], "right": PARAMETERS[6:9]}

@@ -1,7 +1,8 @@
 # %% [markdown]
 # # 4 Numerical example: the tables, as printed
 #
-# Nothing is computed here, and nothing typed again: the digits are those of the quotes.
+# Nothing is computed here.  What is printed is not typed again but for the second matrix: the digits are those of the
+# quotes.
 #
 # The eight points, in millimeters, and the two matrices of correlation.
 

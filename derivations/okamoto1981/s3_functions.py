@@ -56,8 +56,9 @@ section.kernel(
 # %% [markdown]
 # ## Photographs
 #
-# A collineation takes the five control points to the five model points.  In coordinates in which either five are the
-# unit points and $(1, 1, 1, 1)$ it is the unit matrix: their scales are solutions of two linear systems.
+# A collineation takes the five control points to the five model points.  Choose coordinates in both spaces so that the
+# five points are the unit points and $(1, 1, 1, 1)$.  Then its matrix is the unit matrix.  The scales of these
+# coordinates are solutions of two linear systems.
 
 # %%
 F_given = Matrix(3, 3, sympy.symbols("f:3:3"))

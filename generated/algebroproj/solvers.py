@@ -21,13 +21,13 @@ __all__ = ["Orientations", "SevenPairs", "orientations", "seven_pairs"]
 Numbers = NDArray[np.float64]
 
 FEW = 16
-"""Up to how many problems are solved by integers at once: many operations on short arrays take longer."""
+"""Up to how many problems are solved by integers alone.  For so few, operations on arrays take longer."""
 
 BLOCK = 2048
 """How many problems are solved at once."""
 
 MODERATE = 2.0**200
-"""Coordinates are moderate, and no product of some of them underflows, if no quotient of two is larger."""
+"""No product of a few coordinates overflows or underflows if each is zero or between 1/MODERATE and MODERATE."""
 
 ROUNDOFF = 2.0**-53
 
@@ -101,7 +101,7 @@ def seven_pairs(x_left: ArrayLike, x_right: ArrayLike) -> SevenPairs:
     Parameters
     ----------
     x_left, x_right : array_like, shape (..., 7, 2)
-        Homologous points (x, y) of the two images; any unit.  Fractions among objects are taken as they are.
+        Homologous points (x, y) of the two images; any unit.  Integers and fractions are taken as they are.
 
     Returns
     -------
@@ -213,9 +213,9 @@ def orientations(x_left: ArrayLike, x_right: ArrayLike, X: ArrayLike) -> Orienta
         for function in (minimal.model_depth, minimal.collineation, minimal.photographs)
     )
 
-    def coordinates(value: ArrayLike) -> list[list[Any]]:
+    def coordinates(numbers: NDArray[Any]) -> list[list[Any]]:
         """Return the coordinates of five points, with what is lost if they are no floating-point numbers."""
-        given = np.asarray(value)[..., None, :5, :]
+        given = numbers[..., None, :5, :]
         floats = given.astype(np.float64)
         lost = np.where(floats == given, 0.0, np.spacing(np.abs(floats)))
         return [[Bounded(floats[..., i, k], lost[..., i, k]) for k in range(given.shape[-1])] for i in range(5)]
@@ -223,7 +223,8 @@ def orientations(x_left: ArrayLike, x_right: ArrayLike, X: ArrayLike) -> Orienta
     with np.errstate(all="ignore"):
         form = [Bounded(conditions.F[..., i, j], conditions.error[..., i, j]) for i in range(3) for j in range(3)]
         epipole = _epipole(form)
-        pairs = zip(coordinates(x_left), coordinates(x_right), strict=True)
+        images = (_points(value, name, 7) for value, name in ((x_left, "x_left"), (x_right, "x_right")))
+        pairs = zip(*map(coordinates, images), strict=True)
         one = Bounded(np.float64(1.0), 0.0)
         model = [[*left, one, *depth(*form, *epipole, *left, *right)] for left, right in pairs]
         control = [[*point, one] for point in coordinates(points)]
@@ -264,7 +265,8 @@ def _points(value: ArrayLike, name: str, count: int, size: int = 2) -> NDArray[A
     finite = np.isfinite(points.astype(np.float64))
     if not finite.all():
         raise ValueError(f"{name}: expected finite numbers, got {points[~finite][0]}")
-    return points
+    # Arrays compare large integers with floating-point numbers after rounding them; objects do not.
+    return points.astype(object) if points.dtype.kind in "iu" else points
 
 
 def _exponents(points: Numbers) -> NDArray[np.int64]:
@@ -567,7 +569,7 @@ def _with_double_root(c: list[int]) -> list[tuple[int, Fraction, Fraction]]:
 
 
 def _simple_roots(c: list[int]) -> Iterator[tuple[Fraction, Fraction, Fraction, Fraction]]:
-    """Return s, t and their errors for the real roots of a cubic form whose roots are simple."""
+    """Yield s, t and their errors for the real roots of a cubic form whose roots are simple."""
     one, zero = Fraction(1), Fraction(0)
     for s, t in ((1, 0), (0, 1), (1, 1), (1, -1)):
         if sum(x * s ** (3 - k) * t**k for k, x in enumerate(c)) == 0:
@@ -581,7 +583,7 @@ def _simple_roots(c: list[int]) -> Iterator[tuple[Fraction, Fraction, Fraction, 
 
 
 def _roots_within(c: list[int]) -> Iterator[tuple[Fraction, Fraction]]:
-    """Return the simple roots of a polynomial between 0 and 1, and their errors.
+    """Yield the simple roots of a polynomial between 0 and 1, and their errors.
 
     The rule of Descartes tells the number of roots, 0 or 1, in intervals that are small enough.  Then signs tell in
     which half the root is.

@@ -140,7 +140,7 @@ Definition arguments (given : list binary64) : positive -> binary64 :=
 
 Definition numbers (given : list R) : values := fun j => nth (Nat.pred (Pos.to_nat j)) given 0.
 
-(** The machine gives a number, no infinity, and it is as near the exact value [y] as a bound says. *)
+(** The machine gives a number, no infinity, and where a bound applies, it is as near the value [y] as that says. *)
 Definition accurate (given : list binary64) (p : program) (b : bound) (y : R) : Prop :=
   let v := machine (arguments given) p (fst b) in
   let x := numbers (map B2R given) in

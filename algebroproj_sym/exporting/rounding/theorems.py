@@ -143,7 +143,7 @@ def _in_range(found: Accuracy, k: int) -> str:
     chosen = instance(found.analysis, min(2**k, 9), known.is_regular)
     integers = f"{listed([*map(str, chosen)])}%Z"
     return f"""{_computed("accepted", f"check_range {k} lines certificate bounds divisors")}
-(** Where no intermediate result underflows, and numbers cannot be too large. *)
+(** Where no intermediate result underflows, and numbers have no largest exponent. *)
 Theorem {found.name} :
   forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
 Proof. exact (check_range_bounds {k} lines certificate bounds divisors accepted). Qed.

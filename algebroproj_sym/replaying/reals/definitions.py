@@ -23,10 +23,10 @@ from algebroproj_sym.replaying.reals.terms import (
 from algebroproj_sym.replaying.rejection import require
 
 MOST_PARTS = 20_000
-"""Parts of the coefficients of an expansion."""
+"""How many parts the coefficients of an expansion may have."""
 
 NOT_CONTINUOUS = frozenset({"sign", "atan2"}) | CALCULUS
-"""Kinds of which a function is not composed that must be continuous wherever it is defined."""
+"""Kinds of terms that are refused where a function must be continuous wherever it is defined."""
 
 Condition = tuple[str, Term]
 """A relation, and what it relates to zero."""
@@ -282,7 +282,7 @@ def expansion(term: Term) -> Term:
     --------
     >>> from algebroproj_sym.replaying.reals.terms import read, written
     >>> written(expansion(read("taylor(y*exp(2*x), x, 3)")))
-    'y + y*2*x + y*2*x**2 + y*4/3*x**3'
+    'y + y*2*x + y*2*x**2 + y*(4/3)*x**3'
     """
     names, order = term.value
     whole = _Expansion(names).parts(term.args[0], order)
@@ -427,7 +427,7 @@ def _ratio(above: Term, below: Term) -> Term:
 
 def kinds(term: Term) -> frozenset[str]:
     """Return the kinds of all parts of a term, as it is written."""
-    return frozenset({term.kind}).union(*map(kinds, term.args))
+    return frozenset(part.kind for part in term.parts())
 
 
 def is_affine(term: Term, name: str) -> bool:

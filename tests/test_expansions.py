@@ -90,6 +90,22 @@ def test_the_hypotheses_are_those_at_zero(function, polynomial, hypotheses):
             require_real({**found, "hypotheses": fewer})
 
 
+@pytest.mark.parametrize(
+    ("function", "hypotheses"),
+    [
+        ("x^2*sqrt(a)", ["a >= 0", "a > 0"]),
+        ("x^2*asin(a)", ["1 - a**2 >= 0", "1 - a**2 > 0"]),
+        ("x^2/(1 + sign(a))", ["1 + sign(a) != 0", "a != 0"]),
+    ],
+)
+def test_a_derivative_by_a_letter_that_drops_out_exists_where_the_function_is_smooth(function, hypotheses):
+    found = found_for(f"diff(taylor({function}, x, 1), a)", "0")
+    assert (found["verdict"], {*found["hypotheses"]} <= {*hypotheses}) == ("proved", True)
+    assert hypotheses[-1] in found["hypotheses"]
+    at_zero = decided({**WITHOUT, "lhs": f"diff(taylor({function}, x, 1), a)", "rhs": "0", "constraints": ["a = 0"]})
+    assert at_zero["verdict"] == ("proved" if "asin" in function else "open")
+
+
 @pytest.mark.parametrize("degree", [2, 4])
 def test_another_degree_is_another_statement(degree):
     found = found_for("taylor(exp(x), x, 3)", "1 + x + x^2/2 + x^3/6")

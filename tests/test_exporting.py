@@ -39,6 +39,7 @@ from algebroproj_sym.exporting.terms import (
     used,
 )
 from algebroproj_sym.expressions import Matrix, over, vector
+from algebroproj_sym.expressions.letters import Directional
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import declaration_digest
 from algebroproj_sym.reporting.ledger import claim_record, ledger
@@ -767,6 +768,20 @@ def test_what_a_constraint_defines_is_put_in():
     defined = sympy.Eq(second, first + first.T)
     (theorem,) = exported(lettered(printed=second.T, derived=second, constraints=[defined])).theorems
     assert theorem.statement.startswith("forall A_11 A_12 A_21 A_22 : R,")
+
+
+def test_derivatives_are_computed_before_entries_are_compared():
+    first, second = letters("A", "B")
+    record = lettered(printed=Directional(first * first, first, second), derived=first * second + second * first)
+    assert record["verdict"] == "proved"
+    assert exported(record).theorems
+
+
+def test_a_number_with_the_name_of_an_entry_has_no_theorem():
+    (first,) = letters("A")
+    number = sympy.Symbol("A_11")
+    record = lettered(printed=number * first + first, derived=first + number * first)
+    assert exported(record).reason == "no theorem is written for a number with the name of an entry of a letter"
 
 
 def test_other_claims_in_letters_have_a_reason():

@@ -39,6 +39,24 @@ def test_what_follows_from_what_stands_above_follows(latex):
     assert last(latex).verdict == "follows"
 
 
+TRUE_OF_ANOTHER_THING = {
+    "another wave": r"\[ x = x_0 + v t. \] Hence it moves to the right. A second wave travels as \[ x = x_0 - v t. \]",
+    "another body": r"A disc of mass $m$ has \[ I = \frac12 m r^2. \] A ring has \[ 2 I = 2 m r^2. \]",
+    "another phase": r"Two waves in phase have the amplitude \[ c = a + b. \] "
+    r"Two waves out of phase have the intensity \[ c^2 = a^2 - 2ab + b^2. \]",
+    "another medium": r"The index is \[ n = c/v. \] For the second medium we have \[ n = c/(2v). \]",
+}
+
+
+@pytest.mark.parametrize("latex", TRUE_OF_ANOTHER_THING.values(), ids=TRUE_OF_ANOTHER_THING)
+def test_what_is_true_of_another_thing_contradicts_nothing(latex):
+    assert last(latex).verdict not in ("contradicts", "follows")
+
+
+def test_nothing_follows_from_what_contradicts():
+    assert last(r"\[ S := a+b+c \] \[ S = a+b-c \] \[ S-a = b-c \]").verdict == "independent"
+
+
 def test_the_verdict_names_what_it_rests_on():
     (link,) = last(ORBIT + r"Hence \[ h = 2 \mu a (1-e^2) \]").links
     assert link.rests_on == ("(1), line 2", "line 2")

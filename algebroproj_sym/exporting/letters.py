@@ -9,7 +9,9 @@ from typing import Any
 
 from algebroproj_sym.exporting.refusal import Silent
 from algebroproj_sym.replaying.evaluation import Algebra
+from algebroproj_sym.replaying.letters.derivatives import without_derivatives
 from algebroproj_sym.replaying.letters.matrices import Coordinates, Entries, Matrix
+from algebroproj_sym.replaying.letters.reading import parts_of
 from algebroproj_sym.replaying.letters.series import has_functions
 from algebroproj_sym.replaying.letters.statement import conditions, stated, without_definitions, without_lengths
 
@@ -56,12 +58,16 @@ def in_entries(record: Mapping[str, Any]) -> dict[str, Any]:
         raise Silent("no theorem is written yet for a claim in letters of this kind or verdict")
     question = {"letters": setting["letters"], "lhs": record["printed"], "rhs": record["derived"]}
     conditional = {name: setting.get(name, []) for name in ("constraints", "nonzero")}
-    statement = without_definitions(without_lengths(stated(question | conditional)))
+    statement = without_derivatives(without_definitions(without_lengths(stated(question | conditional))))
     if statement.sizes or has_functions(statement):
         raise Silent("no theorem is written yet for letters of any size, or with functions of angles")
     coordinates = {name: Coordinates(name, letter) for name, letter in statement.letters.items()}
     if statement.constraints or any(each.properties - {"symmetric", "skew"} for each in coordinates.values()):
         raise Silent("no theorem is written yet for letters under constraints")
+    symbols = {part.value for node in statement.nodes for part in parts_of(node) if part.kind == "symbol"}
+    names = [*symbols, *(name for each in coordinates.values() for name in each.names)]
+    if len({*names}) < len(names):
+        raise Silent("no theorem is written for a number with the name of an entry of a letter")
     algebra = Algebra(_Text, lambda value: _Text(str(Fraction(value))))
     entries = Entries(algebra, {name: each.matrix(algebra) for name, each in coordinates.items()}, {})
     hypotheses = sorted(entries.scalar(condition).text for condition in conditions(statement))

@@ -37,13 +37,15 @@ Verdict = Literal["definition", "follows", "contradicts", "independent", "not de
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 
 CASES = re.compile(
-    r"\b(?:if|when|whenever|case|cases|assum\w+|suppose|approximat\w*|small|large|neglect\w*|limit\w*|either|roots?|"
+    r"\b(?:if|when|whenever|case|cases|assum\w+|suppose|approximat\w*|small|large|neglect\w*|limit\w*|either|roots?|wrong|"
     r"solutions?|otherwise|instead|special\w*|let|mod|modulo|convention|sign|opposite|alternative\w*|except|unless|"
     r"setting|choos\w+|solv\w+|equilibrium|condition\w*|requir\w+|impos\w+|vanish\w*|equation of)\b"
     r"|(?:for|with|at)\s+\$[^$]*=",
     re.IGNORECASE,
 )
 """Words by which an equation may be about a case, so that it contradicts nothing."""
+OTHERS = re.compile(r"\b(?:another|other|second|third|next|replac\w+|swap\w*|revers\w+|invers\w+)\b", re.IGNORECASE)
+"""Words by which an equation may be about another thing than those above it."""
 HENCE = re.compile(
     r"\b(?:hence|thus|therefore|so that|follows|consequently|we (?:get|obtain|find|have)|gives|yields|becomes|equals|"
     r"substituting|inserting|plugging|combining|rearranging|results? in|leads? to|simplif\w+|that is|in other words|"
@@ -213,7 +215,25 @@ def read_document(
         links = list(readings[each.reading].links)
         links[each.place] = each.link
         readings[each.reading] = replace(readings[each.reading], links=tuple(links))
-    return readings
+    return _without_refuted_premises(readings)
+
+
+def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
+    """Return readings in which nothing follows from an equation that contradicts."""
+    found = list[Reading]()
+    refuted = set[str]()
+    for each in readings:
+        links = tuple(
+            replace(link, verdict="independent", reason=f"it follows only from {wrong[0]}, which contradicts")
+            if link.verdict == "follows" and (wrong := [where for where in link.rests_on if where in refuted])
+            else link
+            for link in each.links
+        )
+        found.append(replace(each, links=links))
+        if found[-1].verdict == "contradicts":
+            number = each.statement.number or each.statement.label
+            refuted.add(f"({number}), line {each.line}" if number else f"line {each.line}")
+    return found
 
 
 class _Reader:
@@ -232,7 +252,6 @@ class _Reader:
         self.vocabulary = Vocabulary(given.whole, sizes, self._matrices(), properties, euler=self._has_euler())
         self.seen: dict[str, int] = {}
         self.premises: list[Premise] = []
-        self.displays: dict[int, int] = {}
         self.occurring = frozenset(
             symbol
             for each in self.trees.values()
@@ -375,11 +394,7 @@ class _Reader:
             given = Definition(symbol, (), value, self._where(statement), display.part, explicit=False)
             special = CASES.search(f"{display.before[-NEAR:]} {display.after[:NEAR]}") is not None
             names = frozenset((statement.number, statement.label)) - {""}
-            self.premises.append(Premise(given, self._place_of(statement), names, special))
-
-    def _place_of(self, statement: Statement) -> int:
-        """Return how many displays come before the one of a statement."""
-        return self.displays.setdefault(id(statement.display), len(self.displays))
+            self.premises.append(Premise(given, names, special))
 
     # -- definitions
 
@@ -448,9 +463,7 @@ class _Reader:
     ) -> Iterator[_Way]:
         """Yield the ways to take a relation that rest on equations above it, and on derivatives."""
         left, right = formula.sides[index], formula.sides[index + 1]
-        display = statement.display
-        cited = cited_in(display.before)
-        found = [*applicable(self.premises, display.part, self._place_of(statement), cited)]
+        found = [*applicable(self.premises, cited_in(statement.display.before))]
         seen = [tuple(map(id, _used(vocabulary, left, right)))]
         plain = frozenset(symbols_in(left)) if _defined(left)[0] else frozenset[str]()
         for premises in ([each for each in found if each.gives.symbol not in plain], found):
@@ -517,12 +530,19 @@ class _Reader:
         unusable = sorted(s for s in symbols if s in vocabulary.definitions and not vocabulary.definitions[s].usable)
         if unusable:
             return f"what {vocabulary.name(unusable[0])} {NOT_COMPUTED}"
+        if used and (found := OTHERS.search(words)):
+            return f"the word {found.group()!r} beside it may speak of another thing"
         lone = [tree for tree in (left, right) if _defined(tree)[0]]
         for tree in lone:
             definition = vocabulary.definitions.get(_defined(tree)[0])
             if definition is not None and not self._is_meant(definition, statement, before):
                 name = vocabulary.name(definition.symbol)
                 return f"{name} is defined in {definition.where}; here it may mean something else"
+        first = [vocabulary.definitions[each] for each in sorted(symbols) if each in vocabulary.definitions]
+        said = re.search(r"[^\W\d_]{2}", _last_sentence(before))
+        if said and not lone and first and not any(self._is_meant(each, statement, before) for each in first):
+            name = vocabulary.name(first[0].symbol)
+            return f"{name} is defined in {first[0].where}; here it may mean something else"
         ours, theirs = vocabulary.letters_of(left), vocabulary.letters_of(right)
         if bool(ours) != bool(theirs):
             return "it may be a condition"
@@ -538,7 +558,9 @@ class _Reader:
 
     def _is_meant(self, definition: Definition, statement: Statement, before: str) -> bool:
         """Whether a letter still has the meaning that it was given."""
-        return definition.part == statement.display.part and (definition.explicit or HENCE.search(before) is not None)
+        return definition.part == statement.display.part and (
+            definition.explicit or HENCE.search(_last_sentence(before)) is not None
+        )
 
 
 def _used(vocabulary: Vocabulary, *trees: Formula) -> list[Definition]:

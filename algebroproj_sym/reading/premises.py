@@ -17,8 +17,6 @@ from lark import Token, Tree
 from algebroproj_sym.reading.grammar import Formula, symbols_in
 from algebroproj_sym.reading.vocabulary import Definition, Vocabulary
 
-NEAR_DISPLAYS = 4
-"""How many displays above an equation speak of the same matter."""
 _CITED = re.compile(r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\((\d+(?:\.\d+)*[a-z]?)\)")
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
@@ -27,10 +25,9 @@ _DERIVATIVE = re.compile(r"(d|\\partial)(.+)/\1(.+)")
 
 @dataclass(frozen=True)
 class Premise:
-    """An equation that gives a letter, where it stands, and whether words beside it speak of a case."""
+    """An equation that gives a letter, its labels and numbers, and whether words beside it speak of a case."""
 
     gives: Definition
-    display: int
     names: frozenset[str]
     special: bool
 
@@ -47,12 +44,9 @@ def cited_in(words: str) -> frozenset[str]:
     return frozenset(name.strip() for names in found for name in names.split(","))
 
 
-def applicable(premises: Iterable[Premise], part: int, display: int, cited: frozenset[str]) -> Iterator[Premise]:
-    """Yield the premises that an equation may rest on: those it names, those near it, and those that hold always."""
-    for each in premises:
-        near = each.gives.part == part and display - each.display <= NEAR_DISPLAYS
-        if near or each.names & cited or not each.special:
-            yield each
+def applicable(premises: Iterable[Premise], cited: frozenset[str]) -> Iterator[Premise]:
+    """Yield the premises that an equation may rest on: those it names, and those beside which no case is spoken of."""
+    return (each for each in premises if each.names & cited or not each.special)
 
 
 def extended(vocabulary: Vocabulary, given: Iterable[Definition]) -> Vocabulary:

@@ -181,6 +181,11 @@ def smoothness(term: Term, name: str) -> Iterator[Condition]:
         return
     if term.kind == "diff":
         yield from smoothness(term.args[0], name)
+    if term.kind == "taylor":
+        for relation, part in conditions(term):
+            if name in part.symbols():
+                yield from smoothness(part, name)
+                yield (">" if relation == ">=" else relation), part
     definition = derivative(*_by(term)) if term.kind == "diff" else expanded(term)[0]
     if definition is not term:
         yield from smoothness(definition, name)

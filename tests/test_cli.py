@@ -101,7 +101,13 @@ def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
 @pytest.mark.whole
 @pytest.mark.xdist_group("checked")
 def test_a_false_or_misprinted_identity_carries_an_exact_point_at_which_it_fails(checked):
-    refuted = [c for c in checked["claims"] if c["verdict"] in ("misprint", "false") and c["kind"] == "identity"]
+    refuted = [
+        claim
+        for claim in checked["claims"]
+        if claim["verdict"] in ("misprint", "false")
+        and claim["kind"] == "identity"
+        and "letters" not in claim["setting"]
+    ]
     assert refuted
     for claim in refuted:
         point = {sympy.Symbol(name): Fraction(value) for name, value in claim["counterexample"].items()}

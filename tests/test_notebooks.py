@@ -18,13 +18,11 @@ from click.testing import CliRunner
 
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import DeclarationError, derivation_at, derivations, derivations_of, installed_papers
-from algebroproj_sym.proving import reduced
 from algebroproj_sym.reporting.notebooks import NotebookError, claim_of, run_notebook
 from algebroproj_sym.reporting.site.addresses import slug
 from algebroproj_sym.reporting.site.markdown import latex_html, markdown_html
 from algebroproj_sym.scaffolding import create
-from algebroproj_sym.showing.arranging import arranged
-from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.notebook import latex_of_form
 
 pytestmark = pytest.mark.xdist_group("notebooks")
 
@@ -160,7 +158,7 @@ def test_every_form_and_figure_at_the_end_of_a_cell_can_be_shown():
     for derivation in derivations_of(installed_papers()):
         for value in ends_of_cells(derivation):
             if isinstance(value, sympy.Expr | sympy.MatrixBase):
-                assert latex(arranged(reduced(value))), derivation.path
+                assert latex_of_form(value), derivation.path
             elif hasattr(value, "_repr_svg_"):
                 assert "<svg" in value._repr_svg_(), derivation.path
                 figures += 1

@@ -30,7 +30,7 @@ from algebroproj_sym.reporting.site.comparison import comparison, conditions
 from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.showing import markdown
-from algebroproj_sym.showing.notebook import _latex
+from algebroproj_sym.showing.notebook import latex_of_form
 from algebroproj_sym.showing.text_latex import latex_of_text
 
 x, y = sympy.symbols("x y")
@@ -519,7 +519,7 @@ def test_a_notebook_shows_functions_assumptions_and_the_domain(judgements):
     ],
 )
 def test_a_form_at_the_end_of_a_cell_is_shown(form, shown):
-    assert _latex(form) == shown
+    assert latex_of_form(form) == shown
 
 
 @pytest.mark.parametrize("name", CLAIMS)

@@ -51,10 +51,10 @@ def show_claims_of_cells() -> None:
     shell.events.register("post_run_cell", show_claims)
     shell.display_formatter.ipython_display_formatter.for_type(Claim, show_value)
     for form in (sympy.Expr, sympy.MatrixBase):
-        shell.display_formatter.formatters["text/latex"].for_type(form, _latex)
+        shell.display_formatter.formatters["text/latex"].for_type(form, latex_of_form)
 
 
-def _latex(form: sympy.Expr | sympy.MatrixBase) -> str:
+def latex_of_form(form: sympy.Expr | sympy.MatrixBase) -> str:
     """Return a derived form, which a cell ends with, as the claims show it."""
     try:
         return f"$$ {latex(arranged(reduced(form)))} $$"

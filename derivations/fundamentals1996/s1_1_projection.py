@@ -7,7 +7,7 @@
 
 # %%
 import sympy
-from sympy import Identity, MatrixSymbol
+from sympy import Identity, MatMul, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
@@ -160,13 +160,13 @@ x_bold, *base_bold = (MatrixSymbol(name, 3, 1) for name in ("x", "b0", "b1", "b2
 section.identity(
     "1.1/contravariant",
     "the coordinates are contravariant",
-    printed=(B_bold * A) * (A.I * x_bold),
+    printed=MatMul(B_bold * A, A.I * x_bold),
     derived=B_bold * x_bold,
 )
 section.identity(
     "1.1/contravariant-tensor",
     "the matrix of the reciprocal vectors is contravariant",
-    printed=(A.I * B_bold.I) * (B_bold * A),
+    printed=MatMul(A.I * B_bold.I, B_bold * A),
     derived=Identity(3),
 )
 

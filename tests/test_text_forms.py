@@ -50,7 +50,7 @@ CLAIMS = {
     "entries": {"printed": Cross(A * a, A * b).T * A, "derived": sympy.Determinant(A) * Cross(a, b).T},
     "inverse": {"printed": A.I * (A * a + b), "derived": a + A.I * b},
     "nonzero": {
-        "printed": a * Dot(a, b) / Dot(a, b),
+        "printed": a * Dot(a, b) / Dot(b, a),
         "derived": a,
         "nonzero": [Dot(a, b)],
     },
@@ -405,6 +405,11 @@ ERRORS = {
         "claim demo:1.1, derived: expected",
     ),
     "float": (lambda s: s.identity("1.1", "t", printed=0.5 * sin(x), derived=sin(x)), DeclarationError, "got 0.5"),
+    "product that SymPy computed away": (
+        lambda s: s.identity("1.1", "t", printed=A.I * A * a, derived=a),
+        DeclarationError,
+        "printed: expected more than a twice; MatMul keeps what SymPy computes away",
+    ),
     "kernel with functions": (
         lambda s: s.kernel("m.f", "F.", arguments={"x": x}, describe={"x": "X."}, derived=sin(x), claims=["1.1"]),
         NotRationalError,

@@ -30,8 +30,11 @@ SOLUTIONS = 10
 BLOCK = 512
 """How many problems are solved at once."""
 
-ATTEMPTS = 4
-"""How often problems that are not decided are tried, with another unknown eliminated last."""
+ATTEMPTS = 8
+"""How often problems that are not decided are tried, each time with other unknowns."""
+
+STEPS = 3
+"""How many steps of Newton's method are made at most: one in the first attempt, then more."""
 
 RESIDUAL = 2.0**-89
 """By how much double-double numbers miss an equation at most, as a share of the lengths of its two vectors."""
@@ -120,22 +123,22 @@ def five_pairs(x_left: ArrayLike, x_right: ArrayLike) -> FivePairs:
     found = FivePairs(np.full(total, -1), *(np.full((total, SOLUTIONS, 3, 3), np.nan) for _ in range(2)))
     sizes = [np.abs(points) for points in floats]
     moderate = np.all([((size == 0) | (size > 1 / MODERATE)) & (size < MODERATE) for size in sizes], axis=(0, 2, 3))
-    for last in range(ATTEMPTS):
+    for attempt in range(ATTEMPTS):
         waiting = np.flatnonzero(moderate & (found.count < 0))
         for start in range(0, len(waiting), BLOCK):
             places = waiting[start : start + BLOCK]
-            _solve(*(points[places] for points in floats), last, places, found)
+            _solve(*(points[places] for points in floats), attempt, places, found)
     return FivePairs(*(part.reshape((*batch, *part.shape[1:]))[()] for part in found))
 
 
-def _solve(left: Numbers, right: Numbers, last: int, places: NDArray[Any], found: FivePairs) -> None:
+def _solve(left: Numbers, right: Numbers, attempt: int, places: NDArray[Any], found: FivePairs) -> None:
     """Write the solutions of those problems that the test decides."""
     with np.errstate(all="ignore"):
         left, right = (np.concatenate([points, np.ones_like(points[..., :1])], axis=2) for points in (left, right))
-        starts = _eliminated(left, right, last)
+        starts = _eliminated(left, right, attempt)
         usable = np.isfinite(starts).all(axis=(1, 2, 3))
         starts = np.where(usable[:, None, None, None], starts, np.eye(3))
-        tested = _tested(*_base_and_rotation(starts), left, right, 1 + last)
+        tested = _tested(*_base_and_rotation(starts), left, right, min(1 + attempt, STEPS))
         count, real = _counted(tested)
         values, errors = _real_parts(tested)
     order = np.argsort(~real, axis=1, kind="stable")[..., None, None]
@@ -149,17 +152,19 @@ def _solve(left: Numbers, right: Numbers, last: int, places: NDArray[Any], found
 # Approximate solutions.
 
 
-def _eliminated(left: Numbers, right: Numbers, last: int) -> Complex:
+def _eliminated(left: Numbers, right: Numbers, attempt: int) -> Complex:
     """Return ten approximate solutions, shape (n, 10, 3, 3), by elimination.
 
     The matrices that satisfy the five equations are sums of four, with the unknowns x, y, z, w.  Ten cubic equations
     give the ten products of x, y and z by those with w.  So multiplication by x is a matrix of ten rows, and its
-    eigenvectors are the products with w of the solutions.
+    eigenvectors are the products with w of the solutions.  Each attempt has another reflection of the unknowns.
     """
     rows = (left[..., None] * right[:, :, None, :]).reshape(-1, 5, 9)
     rows /= np.linalg.norm(rows, axis=2, keepdims=True)
     span = np.linalg.qr(rows.transpose(0, 2, 1), mode="complete")[0][:, :, 5:].transpose(0, 2, 1)
-    span = np.roll(span, last, axis=1).reshape(-1, 4, 3, 3)
+    mirror = np.cos(attempt * np.arange(1, 5))
+    reflection = np.eye(4) - 2 * np.outer(mirror, mirror) / (mirror @ mirror)
+    span = (reflection @ span).reshape(-1, 4, 3, 3)
     squares = np.einsum("naij,nbkj->nabik", span, span)
     traces = 2 * np.einsum("nabik,nckj->nabcij", squares, span) - np.einsum("nabii,ncjk->nabcjk", squares, span)
     determinants = np.einsum("nai,nbci->nabc", span[:, :, 0], np.cross(span[:, :, None, 1], span[:, None, :, 2]))

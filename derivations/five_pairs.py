@@ -172,7 +172,7 @@ def _eliminated(left: Numbers, right: Numbers, attempt: int) -> Complex:
     places = [ORDER.index(tuple(sorted(each))) for each in np.ndindex(4, 4, 4)]
     equations = terms.transpose(0, 2, 1) @ np.eye(20)[places]
     products = -_inverse(equations[:, :, :10]) @ equations[:, :, 10:]
-    regular = np.isfinite(products).all(axis=(1, 2))
+    regular = (np.abs(products) < 1 / RESIDUAL).all(axis=(1, 2))
     products = np.where(regular[:, None, None], products, np.eye(10))
     times = [ORDER.index(tuple(sorted((0, *each[:2])))) for each in ORDER[10:]]
     known = np.broadcast_to(np.eye(10), products.shape)

@@ -31,7 +31,7 @@ __all__ = [
 def essential_matrix(b: ArrayLike, q: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
     """Matrix of correlation of two calibrated images, times the square of the length of the quaternion.
 
-    bridges, section 9; proved by (9/rotation), (9/expansion), (5/trace), (5/determinant).
+    bridges, section 9; proved by (9/rotation), (9/expansion), (9/cubics).
 
     Parameters
     ----------

@@ -49,9 +49,7 @@ def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Cl
     return tuple(claim for claim in declared if (claim.paper, claim.number) in wanted)
 
 
-def programs(
-    judgements: Iterable[Judgement], chosen: Sequence[Kernel], engine: str = "flint", jobs: int = 1
-) -> Iterator[Lowered]:
+def programs(judgements: Iterable[Judgement], chosen: Sequence[Kernel], jobs: int = 1) -> Iterator[Lowered]:
     """Lower kernels.  The claims that prove them must be decided as declared.
 
     Parameters
@@ -60,8 +58,6 @@ def programs(
         Must contain the claims that the kernels name.
     chosen : sequence of Kernel
         What to lower.
-    engine : {"flint", "sympy"}
-        The library for polynomials.
     jobs : int
         The number of processes.
 
@@ -76,14 +72,13 @@ def programs(
             judgement = verdicts[kernel.paper, number]
             if not judgement.as_declared or judgement.verdict not in EMITTED:
                 raise UnprovedError(kernel, number, judgement.verdict)
-    return mapped(partial(lower, engine=engine), chosen, jobs)
+    return mapped(lower, chosen, jobs)
 
 
 def verifications(
     lowered: Sequence[Lowered],
     folder: Path | None,
     size: int,
-    engine: str = "flint",
     jobs: int = 1,
     package: str = PACKAGE,
     seconds: float = 0.0,
@@ -98,8 +93,6 @@ def verifications(
         A folder that contains the package; None for the installed one.
     size : int
         Samples in each stratum.
-    engine : {"flint", "sympy"}
-        The library for polynomials.
     jobs : int
         The number of processes.
     package : str
@@ -107,15 +100,13 @@ def verifications(
     seconds : float
         How long an adversary attacks each function; 0 for no adversary.
     """
-    verifying = partial(_verify, folder=folder, size=size, engine=engine, package=package, seconds=seconds)
+    verifying = partial(_verify, folder=folder, size=size, package=package, seconds=seconds)
     return mapped(verifying, lowered, jobs)
 
 
-def mutated_claims(
-    claims: Sequence[Claim], limit: int = 0, engine: str = "flint", jobs: int = 1
-) -> Iterator[MutatedClaim]:
+def mutated_claims(claims: Sequence[Claim], limit: int = 0, jobs: int = 1) -> Iterator[MutatedClaim]:
     """Change proved claims in single places.  At most `limit` changes of each are judged, or all if it is 0."""
-    return mapped(partial(mutate_claim, limit=limit, engine=engine), claims, jobs)
+    return mapped(partial(mutate_claim, limit=limit), claims, jobs)
 
 
 def mutated_kernels(
@@ -123,11 +114,10 @@ def mutated_kernels(
     folder: Path | None,
     limit: int = 0,
     size: int = 50,
-    engine: str = "flint",
     jobs: int = 1,
 ) -> Iterator[MutatedKernel]:
     """Change the source of generated functions in single places.  At most `limit` changes of each are tried."""
-    return mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)
+    return mapped(partial(_mutate, folder=folder, limit=limit, size=size), lowered, jobs)
 
 
 def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
@@ -135,11 +125,9 @@ def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Note
     return in_processes(run_notebook, derivations, jobs)
 
 
-def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine: str) -> MutatedKernel:
-    return mutate_kernel(lowered, load_package(folder), limit, size, engine)
+def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int) -> MutatedKernel:
+    return mutate_kernel(lowered, load_package(folder), limit, size)
 
 
-def _verify(
-    lowered: Lowered, folder: Path | None, size: int, engine: str, package: str, seconds: float
-) -> Verification:
-    return verify(lowered, load_package(folder, package), size, engine, seconds)
+def _verify(lowered: Lowered, folder: Path | None, size: int, package: str, seconds: float) -> Verification:
+    return verify(lowered, load_package(folder, package), size, seconds)

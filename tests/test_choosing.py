@@ -54,7 +54,7 @@ def test_a_cheap_alternative_that_errs_more_is_not_taken(monkeypatch):
     """Twice the digits make up for any form of a short program, so they are taken away here."""
     monkeypatch.setattr("algebroproj_sym.generating.lowering.compensated", lambda program: program)
     monkeypatch.setattr("algebroproj_sym.generating.choosing.compensated", lambda program, throughout: program)
-    monkeypatch.setattr("algebroproj_sym.generating.choosing.factored", lambda kernel, engine: None)
+    monkeypatch.setattr("algebroproj_sym.generating.choosing.factored", lambda kernel: None)
     good = (x - y) * (x - y) * (x - y) * (x + y)
     expanded = x**4 - 2 * x**3 * y + 2 * x * y**3 - y**4
     assert lower(kernel(good, form=expanded, alternatives=[{"form": good}])).kernel.form == good

@@ -25,29 +25,28 @@ from algebroproj_sym.verifying import verification_record
 @options.folder("out", "ledger, package, figures and report")
 @options.package_name
 @options.samples
-@options.engine
 @options.jobs
 @options.full
-def build(sources: tuple[str, ...], out: Path, package: str, samples: int, engine: str, jobs: int, full: bool) -> None:
+def build(sources: tuple[str, ...], out: Path, package: str, samples: int, jobs: int, full: bool) -> None:
     """Prove everything, generate and verify the functions, write ledger and report.
 
     This writes DIR/ledger.json, DIR/findings.md, DIR/NAME/ (the package), DIR/accuracy.json and DIR/report.md.
     """
     claims, chosen = select(sources), kernels((), sources)
     elsewhere = [claim for claim in pipeline.claims_of(chosen, sources) if claim not in claims]
-    judgements = judged(claims, engine, jobs)
+    judgements = judged(claims, jobs)
     quotes = quotes_of(derivations_of(sources))
     write_json(ledger(judgements, quotes, timed=False, jobs=jobs), out / "ledger.json")
     console().print(summary_text(judgements))
     write_text(findings(judgements), out / "findings.md")
     say_what_is_wrong(judgements)
     require_kernels(chosen)
-    support = [*judgements, *judge_all(elsewhere, engine, jobs)]
-    lowered = lowered_after(support, chosen, engine, jobs)
+    support = [*judgements, *judge_all(elsewhere, jobs=jobs)]
+    lowered = lowered_after(support, chosen, jobs)
     files = render(lowered, drivers(sources))
     require_room(files, out / package, sources)
     write(files, out / package)
-    verifications = verified(lowered, out, samples, engine, jobs, package)
+    verifications = verified(lowered, out, samples, jobs, package)
     record = verification_record(verifications)
     for folder in (out, out / package):
         write_json(record, folder / "accuracy.json")

@@ -58,9 +58,8 @@ def export_group() -> None:
     help="Use the claims of this ledger instead of judging them again.",
 )
 @click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check them with coqchk.")
-@options.engine
 @options.jobs
-def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: bool, engine: str, jobs: int) -> None:
+def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: bool, jobs: int) -> None:
     """Write the claims as theorems for Coq, one file for each section.
 
     The evidence of each claim is replayed first.  The exit status is 1 if it does not replay, or if a claim needs other
@@ -78,7 +77,7 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
         _require_compiler()
     if path is None:
         declared, objects = made_by_derivations(selectors)
-        found, replayed = ledger(judged(declared, engine, jobs)), None
+        found, replayed = ledger(judged(declared, jobs)), None
     else:
         found = _ledger(path)
         replayed = _replayed(found, jobs, path)
@@ -102,9 +101,8 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
 @options.functions
 @options.folder("coq_bounds", "the files")
 @click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check them with coqchk.")
-@options.engine
 @options.jobs
-def bounds(functions: tuple[str, ...], out: Path, compiling: bool, engine: str, jobs: int) -> None:
+def bounds(functions: tuple[str, ...], out: Path, compiling: bool, jobs: int) -> None:
     """Write error bounds of the generated functions as theorems for Coq, one file for each function.
 
     A FUNCTION is a module such as projection, or a name such as projection.project.  Without one, all are taken.
@@ -119,7 +117,7 @@ def bounds(functions: tuple[str, ...], out: Path, compiling: bool, engine: str, 
     if compiling:
         _require_compiler()
     package = load_package()
-    lowered = lowered_kernels(kernels(functions), (), engine, jobs)
+    lowered = lowered_kernels(kernels(functions), (), jobs)
     found = [accuracy_of(low, package) for low in lowered if is_rational(low) and is_compiled(low)]
     files = render_bounds(found)
     write_texts(files, out)

@@ -30,7 +30,6 @@ from algebroproj_sym.verifying import cpp_source_is_proved
     "--check", "only_check", is_flag=True, help="Write nothing. Exit with 1 if the package is not up to date."
 )
 @options.full
-@options.engine
 @options.jobs
 def generate(
     sources: tuple[str, ...],
@@ -39,7 +38,6 @@ def generate(
     backend: str,
     only_check: bool,
     full: bool,
-    engine: str,
     jobs: int,
 ) -> None:
     """Generate the functions, and write them to DIR/NAME.
@@ -48,10 +46,10 @@ def generate(
     NumPy package there is the command verify.  The docstrings of the NumPy package show the errors
     in DIR/NAME/accuracy.json, if there is such a file.
     """
-    lowered = lowered_kernels(kernels((), sources), sources, engine, jobs)
+    lowered = lowered_kernels(kernels((), sources), sources, jobs)
     files = BACKENDS[backend].render(lowered, drivers(sources), package)
     if backend == "cpp":
-        require_proved([low.kernel.qualified_name for low in lowered if not cpp_source_is_proved(low, files, engine)])
+        require_proved([low.kernel.qualified_name for low in lowered if not cpp_source_is_proved(low, files)])
     folder = out / package
     changed = drift(files, folder)
     if only_check and changed:

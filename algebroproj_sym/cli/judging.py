@@ -20,7 +20,7 @@ ADVICE = (
 )
 
 
-def judged(claims: Sequence[Claim], engine: str, jobs: int) -> list[Judgement]:
+def judged(claims: Sequence[Claim], jobs: int, engine: str = "flint") -> list[Judgement]:
     """Judge claims, in order."""
     return list(progressing(judge_all(claims, engine, jobs), len(claims), "checking"))
 

@@ -42,7 +42,6 @@ FATES: tuple[Fate, ...] = get_args(Fate)
 @click.option("--only", type=click.Choice(("claims", "functions")), help="Change only claims, or only functions.")
 @options.package_folder
 @options.samples
-@options.engine
 @options.jobs
 @options.full
 @options.output_format
@@ -52,7 +51,6 @@ def mutate(
     only: str | None,
     folder: Path | None,
     samples: int,
-    engine: str,
     jobs: int,
     full: bool,
     output: str,
@@ -72,13 +70,13 @@ def mutate(
     functions: list[MutatedKernel] = []
     if only != "functions":
         proved = [claim for claim in chosen if claim.expected == "proved"]
-        found = pipeline.mutated_claims(proved, limit, engine, jobs)
+        found = pipeline.mutated_claims(proved, limit, jobs)
         claims = with_reasons(list(progressing(found, len(proved), "changing claims")), explanations())
     if only != "claims":
         names = {(claim.paper, claim.number) for claim in chosen}
         resting = [kernel for kernel in kernels() if names & {(kernel.paper, number) for number in kernel.claims}]
-        lowered = lowered_kernels(resting, (), engine, jobs) if resting else []
-        changed = pipeline.mutated_kernels(lowered, folder, limit, samples, engine, jobs)
+        lowered = lowered_kernels(resting, (), jobs) if resting else []
+        changed = pipeline.mutated_kernels(lowered, folder, limit, samples, jobs)
         functions = list(progressing(changed, len(lowered), "changing functions"))
     if output == "json":
         echo_json(_record(claims, functions))

@@ -34,7 +34,6 @@ from algebroproj_sym.reporting.tables import summary_text
 @options.selectors
 @options.folder("site", "the site")
 @options.samples
-@options.engine
 @options.jobs
 @click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
 @click.option("--live", is_flag=True, help="Add the prover to the pages. It is fetched with npm and pip.")
@@ -42,7 +41,6 @@ def report(
     selectors: tuple[str, ...],
     out: Path,
     samples: int,
-    engine: str,
     jobs: int,
     notebooks: bool,
     live: bool,
@@ -67,18 +65,18 @@ def report(
         raise click.UsageError(f"--out: {error}") from error
     carried = _live_files() if live else {}
     with noting(selectors) as rests:
-        judgements = judged(claims, engine, jobs)
+        judgements = judged(claims, jobs)
         console().print(summary_text(judgements))
         say_what_is_wrong(judgements)
         numbers = {(claim.paper, claim.number) for claim in claims}
         chosen = [
             k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}
         ]
-        lowered = lowered_after(judgements, chosen, engine, jobs)
+        lowered = lowered_after(judgements, chosen, jobs)
         package = render(lowered, drivers(sources))
         with TemporaryDirectory() as folder:
             write(package, Path(folder) / PACKAGE)
-            verifications = verified(lowered, Path(folder), samples, engine, jobs)
+            verifications = verified(lowered, Path(folder), samples, jobs)
         modules = [derivation for derivation, _ in found]
         shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
         known = rests()

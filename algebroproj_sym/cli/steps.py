@@ -26,15 +26,15 @@ def require_kernels(chosen: Sequence[Kernel]) -> None:
         raise click.ClickException("no functions are declared.\nDeclare one with section.kernel(...) in a module.")
 
 
-def lowered_kernels(chosen: Sequence[Kernel], sources: Sequence[str], engine: str, jobs: int) -> list[Lowered]:
+def lowered_kernels(chosen: Sequence[Kernel], sources: Sequence[str], jobs: int) -> list[Lowered]:
     """Judge the claims that some kernels rest on, and lower the kernels."""
     require_kernels(chosen)
-    return lowered_after(judged(pipeline.claims_of(chosen, sources), engine, jobs), chosen, engine, jobs)
+    return lowered_after(judged(pipeline.claims_of(chosen, sources), jobs), chosen, jobs)
 
 
-def lowered_after(judgements: Sequence[Judgement], chosen: Sequence[Kernel], engine: str, jobs: int) -> list[Lowered]:
+def lowered_after(judgements: Sequence[Judgement], chosen: Sequence[Kernel], jobs: int) -> list[Lowered]:
     """Lower the kernels."""
-    return list(progressing(pipeline.programs(judgements, chosen, engine, jobs), len(chosen), "lowering"))
+    return list(progressing(pipeline.programs(judgements, chosen, jobs), len(chosen), "lowering"))
 
 
 def require_room(files: Mapping[str, str], folder: Path, sources: Sequence[str]) -> None:
@@ -51,13 +51,12 @@ def verified(
     lowered: Sequence[Lowered],
     folder: Path | None,
     samples: int,
-    engine: str,
     jobs: int,
     package: str = PACKAGE,
     seconds: float = 0.0,
 ) -> list[Verification]:
     """Verify the generated functions in a folder, or those of the installed package."""
-    found = pipeline.verifications(lowered, folder, samples, engine, jobs, package, seconds)
+    found = pipeline.verifications(lowered, folder, samples, jobs, package, seconds)
     return list(progressing(found, len(lowered), "verifying"))
 
 

@@ -29,7 +29,6 @@ from algebroproj_sym.verifying import BOUND, verification_record
     metavar="SECONDS",
     help="Also climb to large errors, for so long in each function.",
 )
-@options.engine
 @options.jobs
 @click.option(
     "--out",
@@ -46,7 +45,6 @@ def verify(
     package: str,
     samples: int,
     attack: float,
-    engine: str,
     jobs: int,
     out: Path | None,
     full: bool,
@@ -62,8 +60,8 @@ def verify(
     With --attack an adversary changes bits of the inputs, and keeps what makes the error larger.  The largest error
     found is reported beside that of the samples.
     """
-    lowered = lowered_kernels(kernels(functions, sources), sources, engine, jobs)
-    verifications = verified(lowered, folder, samples, engine, jobs, package, attack)
+    lowered = lowered_kernels(kernels(functions, sources), sources, jobs)
+    verifications = verified(lowered, folder, samples, jobs, package, attack)
     record = verification_record(verifications)
     if out is not None:
         write_json(record, out / "accuracy.json")

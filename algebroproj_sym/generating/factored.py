@@ -25,7 +25,7 @@ LARGEST = 500
 """Numerators with more terms than that are not factored."""
 
 
-def factored(kernel: Kernel, engine: str = "flint") -> Kernel | None:
+def factored(kernel: Kernel) -> Kernel | None:
     """Return a kernel with its results in factored form, None if that has long factors or there are stages.
 
     Examples
@@ -39,7 +39,7 @@ def factored(kernel: Kernel, engine: str = "flint") -> Kernel | None:
     """
     if kernel.stages:
         return None
-    field = RationalFunctionField(kernel.symbols, engine)
+    field = RationalFunctionField(kernel.symbols, "flint")
     names = _abbreviations(kernel, field)
     forms = list[Scalar]()
     for value in evaluate(kernel.derived, field.variables, field.lift):

@@ -68,15 +68,13 @@ class Lowered:
         return tuple(determinant(m) for m in systems if not m.free_symbols & {*self.kernel.intermediate})
 
 
-def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = False) -> Lowered:
+def lowered_form(kernel: Kernel, reciprocals: bool = False) -> Lowered:
     """Lower the form of a kernel and prove the program.
 
     Parameters
     ----------
     kernel : Kernel
         As declared by a derivation.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic for the proof.
     reciprocals : bool
         Whether quotients with one divisor are products with its reciprocal.
 
@@ -90,7 +88,7 @@ def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = Fals
         If the program, run on rational functions, does not give the derived expression, or an entry is a constant
         fraction, which integers cannot give.
     """
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), engine)
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)
     derived = [value for expression in wanted for value in evaluate(expression, field.variables, field.lift)]
     hypotheses = field.divisors()
@@ -100,13 +98,13 @@ def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = Fals
         raise LoweringError(
             f"kernel {kernel.qualified_name}, form: expected no constant fraction, which floating point would round"
         )
-    divisors = divisors_of(kernel, unguarded, engine)
+    divisors = divisors_of(kernel, unguarded)
     guarded = tuple(factor for factor in hypotheses if factor not in divisors)
     program = program_of(kernel, guarded, reciprocals)
     for place, (expected, value) in enumerate(zip(derived, computed_values(program, field), strict=True)):
         if not (expected - value).is_zero:
             raise LoweringError(f"kernel {kernel.qualified_name}, form: entry {place} differs from the derivation")
-    hypotheses = divisors_of(kernel, program, engine)
+    hypotheses = divisors_of(kernel, program)
     return Lowered(kernel, compensated(program), program, hypotheses, guarded)
 
 
@@ -126,9 +124,9 @@ def computed_values(program: Program, field: RationalFunctionField) -> tuple[Any
     return (*given, *outputs)
 
 
-def divisors_of(kernel: Kernel, program: Program, engine: str) -> tuple[Scalar, ...]:
+def divisors_of(kernel: Kernel, program: Program) -> tuple[Scalar, ...]:
     """Return the irreducible factors by which a program divides."""
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), engine)
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     computed_values(program, field)
     return field.divisors()
 

@@ -64,9 +64,7 @@ class MutatedKernel:
     fates: tuple[SourceFate, ...]
 
 
-def mutate_kernel(
-    lowered: Lowered, package: ModuleType, limit: int = 0, size: int = 50, engine: str = "flint"
-) -> MutatedKernel:
+def mutate_kernel(lowered: Lowered, package: ModuleType, limit: int = 0, size: int = 50) -> MutatedKernel:
     """Change the source of a generated function in single places, and see what notices.
 
     Parameters
@@ -79,8 +77,6 @@ def mutate_kernel(
         How many mutants to try at most, chosen by the name of the function; 0 for all.
     size : int
         Samples in each stratum of the numeric comparison.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic for the proof of the source.
 
     Raises
     ------
@@ -91,7 +87,7 @@ def mutate_kernel(
     function = function_of(kernel, package)
     found = source_mutants(function)
     chosen = sampled(found, limit, seed_of(kernel.qualified_name))
-    points, general = at_points(kernel, POINTS), in_general(kernel, engine)
+    points, general = at_points(kernel, POINTS), in_general(kernel)
     samples = _strata_in_turn(stratified(lowered, size))
     known = truths(lowered, samples)
     unchanged = recompiled(function)

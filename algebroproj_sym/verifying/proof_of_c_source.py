@@ -41,7 +41,7 @@ _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
 
-def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint", *, plain: bool = False) -> bool:
+def c_source_is_proved(lowered: Lowered, package: ModuleType, *, plain: bool = False) -> bool:
     """Whether the C source of a kernel, executed on rational functions, is identical to the derivation.
 
     Parameters
@@ -50,8 +50,6 @@ def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "fli
         The kernel and its program.
     package : module
         In whose folder the source is.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
     plain : bool
         Whether it is the source without compensation, which solves linear systems once.
 
@@ -70,30 +68,30 @@ def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "fli
     try:
         source = source_of("".join(path.read_text(encoding="utf-8") for path in paths))
         systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
-        solved = all(solver_is_proved(source, primitive, height, engine, once=plain) for primitive, height in systems)
-        return solved and product_errors_are_proved(source, engine) and proof(kernel, source, engine)
+        solved = all(solver_is_proved(source, primitive, height, once=plain) for primitive, height in systems)
+        return solved and product_errors_are_proved(source) and proof(kernel, source)
     except NotUnderstoodError:
         return False
 
 
-def product_errors_are_proved(source: Source, engine: str = "flint") -> bool:
+def product_errors_are_proved(source: Source) -> bool:
     """Whether the functions for the error of a product are zero in real arithmetic, wherever they are defined."""
-    a, b, splitter = ring(engine, ["a", "b", "splitter"]).generators
+    a, b, splitter = ring("flint", ["a", "b", "splitter"]).generators
     meaning = Meaning(constants={"splitter": splitter})
     defined = [name for name in PRODUCT_ERRORS if name in source.inlines]
     return all(inline_value(source, name, [a, b, a * b], meaning) == 0 for name in defined)
 
 
-def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
+def kernel_is_proved(kernel: Kernel, source: Source) -> bool:
     """Whether a kernel gives the derivation, if what it calls solves linear systems and takes errors of products."""
 
     def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
         return kernel_outputs(source, c_name(kernel), [field.variables[symbol] for symbol in kernel.symbols], meaning)
 
-    return is_proved(kernel, engine, outputs, once=False)
+    return is_proved(kernel, outputs, once=False)
 
 
-def plain_kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
+def plain_kernel_is_proved(kernel: Kernel, source: Source) -> bool:
     """Whether a function without compensation gives the derivation, if what it calls solves linear systems."""
     sizes = [prod(result.shape) for result in kernel.results]
 
@@ -101,16 +99,14 @@ def plain_kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint"
         inputs = [[field.variables[symbol] for symbol in argument.symbols] for argument in kernel.arguments]
         return plain_outputs(source, c_name(kernel), inputs, sizes, meaning)
 
-    return is_proved(kernel, engine, outputs, once=True)
+    return is_proved(kernel, outputs, once=True)
 
 
-def is_proved(
-    kernel: Kernel, engine: str, outputs: Callable[[RationalFunctionField, Meaning], list[Any]], *, once: bool
-) -> bool:
+def is_proved(kernel: Kernel, outputs: Callable[[RationalFunctionField, Meaning], list[Any]], *, once: bool) -> bool:
     """Whether what is given to linear systems, solved once or refined, and the outputs are those of the derivation."""
     called = [stage for stage in kernel.stages if stage.primitive in LINEAR]
     free = [symbol for stage in called for symbol in stage.results]
-    field = RationalFunctionField((*kernel.symbols, *free), engine)
+    field = RationalFunctionField((*kernel.symbols, *free), "flint")
     stages = iter(called)
     given: list[Any] = []
 
@@ -143,7 +139,7 @@ def _element(value: Any, field: RationalFunctionField) -> RationalFunction:
     return value if isinstance(value, RationalFunction) else field.lift(Fraction(value))
 
 
-def solver_is_proved(source: Source, primitive: str, height: int, engine: str = "flint", *, once: bool = False) -> bool:
+def solver_is_proved(source: Source, primitive: str, height: int, *, once: bool = False) -> bool:
     """Whether a function solves the linear systems of one size.
 
     It is executed on systems that are made backwards, from what elimination leaves of them: the triangle, the factors
@@ -159,8 +155,6 @@ def solver_is_proved(source: Source, primitive: str, height: int, engine: str = 
         Which function.
     height : int
         The number of equations.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
     once : bool
         Whether it is the one without refinement.
     """
@@ -168,7 +162,7 @@ def solver_is_proved(source: Source, primitive: str, height: int, engine: str = 
     places = [(k, i) for k in range(height) for i in range(k + 1, lines)]
     chosen = [[], *([place] for place in places), places]
     proved = _solves if primitive == "solve" else _spans
-    systems = (_system(primitive, height, places, exchanges, engine, once) for exchanges in chosen)
+    systems = (_system(primitive, height, places, exchanges, once) for exchanges in chosen)
     name = solver_name(primitive, height, once)
     try:
         return all(
@@ -194,14 +188,13 @@ def _system(
     height: int,
     places: Sequence[tuple[int, int]],
     exchanges: Sequence[tuple[int, int]],
-    engine: str,
     once: bool,
 ) -> _System:
     """Undo an elimination: of the rows of a system that is solved, of the columns where a vector is to be spanned."""
     names = [f"x{k}" for k in range(height)]
     names += [f"f{k}_{i}" for k in range(height) for i in range(k + 1, height)]
     names += [f"u{k}_{j}" for k in range(height) for j in range(k, height)]
-    free = dict(zip(names, ring(engine, names).generators, strict=True))
+    free = dict(zip(names, ring("flint", names).generators, strict=True))
     unknowns = [free[f"x{k}"] for k in range(height)]
     upper = [[free.get(f"u{k}_{j}", 0) for j in range(height)] for k in range(height)]
     sign = 1 if primitive == "solve" else -1

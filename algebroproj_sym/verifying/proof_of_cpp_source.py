@@ -61,7 +61,7 @@ def header_of(text: str) -> Header:
     return Header({name: head for head, name, _ in found}, {name: body for _, name, body in found})
 
 
-def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str], engine: str = "flint") -> bool:
+def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str]) -> bool:
     """Whether the C++ source of a kernel, executed on rational functions, is identical to the derivation.
 
     Parameters
@@ -70,8 +70,6 @@ def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str], engine: str
         The kernel and its program.
     files : mapping of str to str
         The headers by their names.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
 
     Returns
     -------
@@ -85,13 +83,13 @@ def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str], engine: str
         header, systems = header_of(files[f"{kernel.module}.hpp"]), _solvers(header_of(files["systems.hpp"]))
         errors = Source({}, {}, {"split_product_error": _product_error(files["arithmetic.hpp"])})
         called = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
-        solved = all(solver_is_proved(systems, primitive, height, engine) for primitive, height in called)
-        return solved and product_errors_are_proved(errors, engine) and function_is_proved(kernel, header, engine)
+        solved = all(solver_is_proved(systems, primitive, height) for primitive, height in called)
+        return solved and product_errors_are_proved(errors) and function_is_proved(kernel, header)
     except (NotUnderstoodError, KeyError):
         return False
 
 
-def function_is_proved(kernel: Kernel, header: Header, engine: str = "flint") -> bool:
+def function_is_proved(kernel: Kernel, header: Header) -> bool:
     """Whether a function gives the derivation, if what it calls solves linear systems and takes errors of products."""
     names, head = declaration(kernel)
     if header.heads[kernel.name].split() != head.split():
@@ -108,7 +106,7 @@ def function_is_proved(kernel: Kernel, header: Header, engine: str = "flint") ->
             given[names[argument.name]] = _shaped(entries, argument.shape)
         return body_values(f"{body[: returned.start()]}}}", given, returned[1].split(", "), meaning)
 
-    return is_proved(kernel, engine, outputs, once=False)
+    return is_proved(kernel, outputs, once=False)
 
 
 def _shaped(entries: Any, shape: tuple[int, ...]) -> Any:

@@ -28,7 +28,7 @@ SMALL_POINTS = 40
 """How many of the first rational points have small integers for coordinates, at which much agrees by chance."""
 
 
-def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint", *, plain: bool = False) -> bool:
+def source_is_proved(kernel: Kernel, package: ModuleType, *, plain: bool = False) -> bool:
     """Whether the generated function, executed on rational functions, is identical to the derivation.
 
     Parameters
@@ -37,8 +37,6 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint",
         As declared by a derivation.
     package : module
         Where the generated function is.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
     plain : bool
         Whether it is executed without compensation.
 
@@ -47,7 +45,7 @@ def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint",
     bool
     """
     function = function_of(kernel, package)
-    return in_general(kernel, engine).is_met_by(package.plain(function) if plain else function)
+    return in_general(kernel).is_met_by(package.plain(function) if plain else function)
 
 
 @dataclass(frozen=True)

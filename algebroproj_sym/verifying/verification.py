@@ -64,9 +64,7 @@ class Verification:
         return self.proved and not self.silent and self.accuracy.within_bound
 
 
-def verify(
-    lowered: Lowered, package: ModuleType, size: int, engine: str = "flint", seconds: float = 0.0
-) -> Verification:
+def verify(lowered: Lowered, package: ModuleType, size: int, seconds: float = 0.0) -> Verification:
     """Verify the generated function of a kernel.
 
     Parameters
@@ -77,16 +75,14 @@ def verify(
         Where the generated function is.
     size : int
         Samples in each stratum.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic for the proof of the source.
     seconds : float
         How long an adversary looks for large errors; 0 for no adversary.
     """
     function = function_of(lowered.kernel, package)
     samples = stratified(lowered, size)
     exact = truths(lowered, samples)
-    proofs = (source_is_proved(lowered.kernel, package, engine, plain=plain) for plain in (False, True))
-    c_proofs = (c_source_is_proved(lowered, package, engine, plain=plain) for plain in (False, True))
+    proofs = (source_is_proved(lowered.kernel, package, plain=plain) for plain in (False, True))
+    c_proofs = (c_source_is_proved(lowered, package, plain=plain) for plain in (False, True))
     return Verification(
         accuracy=measured(lowered, function, samples, exact),
         plain=measured(lowered, package.plain(function), samples, exact),

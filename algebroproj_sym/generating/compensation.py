@@ -11,10 +11,9 @@ last.
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import count
 
 from algebroproj_sym.declaring import LINEAR
-from algebroproj_sym.generating.program import Call, Operand, Program, Step, with_names
+from algebroproj_sym.generating.program import Call, Operand, Program, Step, fresh_names, with_names
 
 
 def compensated(program: Program, throughout: bool = False) -> Program:
@@ -164,8 +163,7 @@ def _written(program: Program, doubled: set[Operand]) -> Program:
     """Write the program; a value of twice the digits has a name of its own where it is also taken rounded."""
     rounding = [step for step in program.steps if not _refines(step) and doubled.isdisjoint(step.names)]
     also_rounded = {operand for step in rounding for operand in step.operands} | {*program.outputs}
-    taken = {*program.inputs} | {name for step in program.steps for name in step.names}
-    fresh = (name for place in count() if (name := f"t{place}") not in taken)
+    fresh = fresh_names(program.names)
     wide: dict[Operand, Operand] = {}
     steps: list[Step | Call] = []
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
-from itertools import count
 from typing import Any
 
 import sympy
@@ -20,7 +19,17 @@ from algebroproj_sym.declaring import Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate, vector
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Signed
-from algebroproj_sym.generating.program import Call, Operand, Program, Recorder, Step, operand_of, run, with_names
+from algebroproj_sym.generating.program import (
+    Call,
+    Operand,
+    Program,
+    Recorder,
+    Step,
+    fresh_names,
+    operand_of,
+    run,
+    with_names,
+)
 from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
 from algebroproj_sym.proving import RationalFunctionField
 
@@ -173,8 +182,7 @@ def _with_guards_of_sums_of_squares(program: Program) -> Program:
     sums = [divisor for divisor in dict.fromkeys(divisors) if is_sum_of_squares(divisor)]
     if not sums:
         return program
-    taken = {*program.inputs} | {name for step in program.steps for name in step.names}
-    fresh = (name for place in count() if (name := f"t{place}") not in taken)
+    fresh = fresh_names(program.names)
     added: list[Step] = []
 
     def appended(operator: str, *operands: Operand) -> Operand:

@@ -9,7 +9,7 @@ only; each operation is written down once.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 from operator import add, mul, neg, sub, truediv
@@ -96,6 +96,11 @@ class Program:
     inputs: tuple[str, ...]
     steps: tuple[Step | Call, ...]
     outputs: tuple[Operand, ...]
+
+    @property
+    def names(self) -> set[str]:
+        """The names of the inputs and of what is computed."""
+        return {*self.inputs} | {name for step in self.steps for name in step.names}
 
     def operations(self) -> Counter[str]:
         """Return how often each operator, and each primitive function that computes something, occurs."""
@@ -228,8 +233,7 @@ class Recorder:
         self.names = tuple(inputs)
         self.steps: list[Step | Call] = []
         self._known: dict[tuple[str, tuple[Operand, ...]], _Recorded] = {}
-        taken = {*inputs, *taken}
-        self._fresh = (name for place in count() if (name := f"t{place}") not in taken)
+        self._fresh = fresh_names({*inputs, *taken})
 
     @property
     def inputs(self) -> list[Any]:
@@ -253,6 +257,11 @@ class Recorder:
     def program(self, outputs: Iterable[Any]) -> Program:
         """Return what was recorded and is needed for some outputs."""
         return without_unused(Program(self.names, tuple(self.steps), tuple(map(operand_of, outputs))))
+
+
+def fresh_names(taken: Collection[str]) -> Iterator[str]:
+    """Yield names of steps, without those that are taken."""
+    return (name for place in count() if (name := f"t{place}") not in taken)
 
 
 def operand_of(value: Any) -> Operand:

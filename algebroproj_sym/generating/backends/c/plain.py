@@ -129,6 +129,4 @@ def _arrays(kernel: Kernel) -> dict[str, int]:
 
 def solved_once(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     """Return the statements that solve a linear system."""
-    size = len(call.rows)
-    solved = f"NAME({call.primitive}_once_{size})(system{place}, solution{place});"
-    return solving(call, place, names, solved, size + 1)
+    return solving(call, place, names, f"NAME({call.primitive}_once_{len(call.rows)})({{arrays}});", refined=False)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from itertools import groupby
 from textwrap import wrap
 
@@ -19,12 +20,14 @@ from algebroproj_sym.generating.backends.c.printer import computations, is_compi
 from algebroproj_sym.generating.description import formula, singularities
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.program import Call, Operand
+from algebroproj_sym.generating.program import Call
 from algebroproj_sym.generating.writing import NOTICE
 
 __all__ = ["declaration", "in_double", "render"]
 
 _CONSTANT = re.compile(r"\bconstant\((-?\d+)\)")
+
+_SOLVED = partial(solving, pattern="{call}({arrays});", initial=" = {}")
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.generating.backends.cpp"),
@@ -89,7 +92,7 @@ def _function(low: Lowered) -> dict[str, object]:
     names, head = declaration(kernel)
     vectors = [names[argument.name] for argument in kernel.arguments if argument.shape]
     read = [f"{names[argument.name]}{place}" for argument in kernel.arguments for place in _places(argument.shape)]
-    lines, results = computations(expanded(low.program), read, _solved, vectors)
+    lines, results = computations(expanded(low.program), read, _SOLVED, vectors)
     body = [*lines, f"return {{{', '.join(results)}}};"]
     return {
         "documentation": _documentation(low),
@@ -127,12 +130,6 @@ def _type(shape: tuple[int, ...]) -> str:
 
 def _parameter(name: str, shape: tuple[int, ...]) -> str:
     return f"const {_type(shape)} &{name}" if shape else f"const real {name}"
-
-
-def _solved(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
-    size = len(call.rows)
-    solved = f"{call.primitive}_{size}(system{place}, solution{place});"
-    return solving(call, place, names, solved, 2 * size + 2, " = {}")
 
 
 def _documentation(low: Lowered) -> list[str]:

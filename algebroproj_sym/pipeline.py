@@ -1,4 +1,4 @@
-"""From verdicts to programs, mutants, notebooks and figures.
+"""From verdicts to programs and figures.
 
 Each step takes what the one before it gave; `jobs` worker processes change the time a step takes, never its result.
 """
@@ -9,13 +9,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, numbered_with
+from algebroproj_sym.declaring import Claim, Judgement, Kernel, numbered_with
 from algebroproj_sym.declaring.claim import CORRECTED
-from algebroproj_sym.generating import PACKAGE, Lowered, lower
-from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
-from algebroproj_sym.processes import in_processes, mapped
-from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
-from algebroproj_sym.verifying import Verification, load_package, verify
+from algebroproj_sym.generating.choosing import lower
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.writing import PACKAGE
+from algebroproj_sym.processes import mapped
+from algebroproj_sym.verifying.shipped import load_package
+from algebroproj_sym.verifying.verification import Verification, verify
 
 EMITTED = ("proved", *CORRECTED, "illegible")
 
@@ -102,31 +103,6 @@ def verifications(
     """
     verifying = partial(_verify, folder=folder, size=size, package=package, seconds=seconds)
     return mapped(verifying, lowered, jobs)
-
-
-def mutated_claims(claims: Sequence[Claim], limit: int = 0, jobs: int = 1) -> Iterator[MutatedClaim]:
-    """Change proved claims in single places.  At most `limit` changes of each are judged, or all if it is 0."""
-    return mapped(partial(mutate_claim, limit=limit), claims, jobs)
-
-
-def mutated_kernels(
-    lowered: Sequence[Lowered],
-    folder: Path | None,
-    limit: int = 0,
-    size: int = 50,
-    jobs: int = 1,
-) -> Iterator[MutatedKernel]:
-    """Change the source of generated functions in single places.  At most `limit` changes of each are tried."""
-    return mapped(partial(_mutate, folder=folder, limit=limit, size=size), lowered, jobs)
-
-
-def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
-    """Run derivations as notebooks, each in a process of its own."""
-    return in_processes(run_notebook, derivations, jobs)
-
-
-def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int) -> MutatedKernel:
-    return mutate_kernel(lowered, load_package(folder), limit, size)
 
 
 def _verify(lowered: Lowered, folder: Path | None, size: int, package: str, seconds: float) -> Verification:

@@ -12,10 +12,11 @@ import algebroproj
 from algebroproj_sym.declaring import DeclarationError
 from algebroproj_sym.declaring.kernel import declared_kernel
 from algebroproj_sym.expressions import Matrix, evaluate, over, vector
-from algebroproj_sym.generating import LoweringError, lower, run
+from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.factored import factored
-from algebroproj_sym.generating.lowering import lowered_form
+from algebroproj_sym.generating.lowering import LoweringError, lowered_form
+from algebroproj_sym.generating.program import run
 from algebroproj_sym.generating.samples import on_sum, stratified
 
 x, y, z = sympy.symbols("x y z")

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import Matrix, over, vector
-from algebroproj_sym.generating import LoweringError, run
+from algebroproj_sym.generating.lowering import LoweringError
 from algebroproj_sym.generating.lowering import lowered_form as lower
+from algebroproj_sym.generating.program import run
 
 SYMBOLS = sympy.symbols("a b c d")
 a, b, c, d = SYMBOLS

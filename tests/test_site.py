@@ -26,6 +26,7 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import Derivation, Quote, derivations, judge, kernels, publication, quotations, select
 from algebroproj_sym.declaring.bibliography import bibtex
 from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
+from algebroproj_sym.expressions.arranging import arranged
 from algebroproj_sym.reporting.dependences import noting
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
 from algebroproj_sym.reporting.site.catalogue import catalogue
@@ -38,7 +39,6 @@ from algebroproj_sym.reporting.site.pages import render_site
 from algebroproj_sym.reporting.site.quotes import quoted
 from algebroproj_sym.reporting.site.search import search_index
 from algebroproj_sym.reporting.site.symbols import symbols_in
-from algebroproj_sym.showing import arranged
 from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.names import latex_name, plain_name
 

@@ -20,26 +20,23 @@ import algebroproj
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import arctan2, cos_sin, let, null_vector, solution
 from algebroproj_sym.expressions import Matrix, entries, over, vector
-from algebroproj_sym.generating import PACKAGE, LoweringError, Program, Step, lower, render, run, write
+from algebroproj_sym.generating.backends.numpy import render
 from algebroproj_sym.generating.backends.numpy.printer import LINE, statements
-from algebroproj_sym.generating.program import Call
+from algebroproj_sym.generating.choosing import lower
+from algebroproj_sym.generating.lowering import LoweringError
+from algebroproj_sym.generating.program import Call, Program, Step, run
 from algebroproj_sym.generating.runtime import systems
-from algebroproj_sym.generating.writing import NOTICE
+from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.generating.writing import NOTICE, PACKAGE, write
 from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.study.arithmetics import double_double, float64_balls, mpmath_digits
 from algebroproj_sym.study.precision import apply, lift, nearest
-from algebroproj_sym.verifying import (
-    call,
-    function_of,
-    load_package,
-    measured,
-    oracle,
-    silent_factors,
-    source_is_proved,
-    stratified,
-    verify,
-)
-from algebroproj_sym.verifying.proof_of_source import in_general
+from algebroproj_sym.verifying.accuracy import measured
+from algebroproj_sym.verifying.oracle import oracle
+from algebroproj_sym.verifying.proof_of_source import in_general, source_is_proved
+from algebroproj_sym.verifying.shipped import call, function_of, load_package
+from algebroproj_sym.verifying.singular_input import silent_factors
+from algebroproj_sym.verifying.verification import verify
 
 p0, p1, q0, q1, angle = sympy.symbols("p0 p1 q0 q1 angle")
 a00, a01, a10, a11, b0, b1 = sympy.symbols("a00 a01 a10 a11 b0 b1")

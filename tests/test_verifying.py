@@ -13,22 +13,13 @@ from hypothesis import strategies as st
 
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
-from algebroproj_sym.verifying import (
-    BOUND,
-    NoAgreementError,
-    NotShippedError,
-    Sample,
-    function_of,
-    load_package,
-    measured,
-    silent_factors,
-    source_is_proved,
-    stratified,
-    truths,
-    verify,
-    without_twin,
-)
-from algebroproj_sym.verifying.proof_of_source import in_general
+from algebroproj_sym.generating.samples import Sample, stratified
+from algebroproj_sym.verifying.accuracy import BOUND, measured, truths
+from algebroproj_sym.verifying.oracle import NoAgreementError
+from algebroproj_sym.verifying.proof_of_source import in_general, source_is_proved
+from algebroproj_sym.verifying.shipped import NotShippedError, function_of, load_package, without_twin
+from algebroproj_sym.verifying.singular_input import silent_factors
+from algebroproj_sym.verifying.verification import verify
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 NAMES = list(KERNELS)

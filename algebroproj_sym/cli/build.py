@@ -9,15 +9,16 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
-from algebroproj_sym.cli.steps import lowered_after, require_kernels, require_room, verified
-from algebroproj_sym.cli.terminal import console, show
+from algebroproj_sym.cli.steps import lowered_after, require_kernels, require_room
+from algebroproj_sym.cli.terminal import console, progressing, show
 from algebroproj_sym.declaring import derivations_of, drivers, judge_all, kernels, quotes_of, select
-from algebroproj_sym.generating import render, write
+from algebroproj_sym.generating.backends.numpy import render
+from algebroproj_sym.generating.writing import write
 from algebroproj_sym.reporting.findings import findings
 from algebroproj_sym.reporting.ledger import ledger, write_json, write_text
 from algebroproj_sym.reporting.report import report
 from algebroproj_sym.reporting.tables import summary_text, verification_table
-from algebroproj_sym.verifying import verification_record
+from algebroproj_sym.verifying.verification import verification_record
 
 
 @click.command()
@@ -46,7 +47,9 @@ def build(sources: tuple[str, ...], out: Path, package: str, samples: int, jobs:
     files = render(lowered, drivers(sources))
     require_room(files, out / package, sources)
     write(files, out / package)
-    verifications = verified(lowered, out, samples, jobs, package)
+    verifications = list(
+        progressing(pipeline.verifications(lowered, out, samples, jobs, package), len(lowered), "verifying")
+    )
     record = verification_record(verifications)
     for folder in (out, out / package):
         write_json(record, folder / "accuracy.json")

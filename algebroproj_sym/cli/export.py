@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.judging import judged
+from algebroproj_sym.cli.replay import ledger_at
 from algebroproj_sym.cli.steps import lowered_kernels
 from algebroproj_sym.cli.terminal import console, echo, progressing, show
 from algebroproj_sym.declaring import installed_papers, kernels
@@ -34,11 +34,11 @@ from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.exporting.rounding import ALLOWED, CHECKER, accuracy_of
 from algebroproj_sym.exporting.rounding import render as render_bounds
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.generating import is_compiled
+from algebroproj_sym.generating.backends.c import is_compiled
 from algebroproj_sym.replaying import Rejected, Replayed, replay
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.tables import table_of
-from algebroproj_sym.verifying import load_package
+from algebroproj_sym.verifying.shipped import load_package
 from algebroproj_sym.verifying.straight_line import is_rational
 
 
@@ -79,7 +79,9 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
         declared, objects = made_by_derivations(selectors)
         found, replayed = ledger(judged(declared, jobs)), None
     else:
-        found = _ledger(path)
+        found = ledger_at(path)
+        if "claims" not in found:
+            raise click.UsageError(f"{path}: expected a ledger, an object with a list of claims")
         replayed = _replayed(found, jobs, path)
         papers = {result.paper for result in replayed} & {*installed_papers()}
         objects = made_by_derivations(sorted(papers))[1] if papers else {}
@@ -170,17 +172,6 @@ def _require_compiler() -> None:
         raise click.ClickException(
             f"{error}.\nInstall it (Debian: apt-get install coq), or leave out --compile."
         ) from error
-
-
-def _ledger(path: Path) -> dict[str, Any]:
-    """Read a ledger; another kind of file is wrong usage."""
-    try:
-        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise click.UsageError(f"{path}: expected a ledger in JSON ({error})") from error
-    if not isinstance(found, dict) or not isinstance(found.get("claims"), list):
-        raise click.UsageError(f"{path}: expected a ledger, an object with a list of claims")
-    return found
 
 
 def _say(claims: Sequence[Exported], out: Path) -> None:

@@ -10,9 +10,10 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_room
 from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import drivers, kernels
-from algebroproj_sym.generating import BACKENDS, drift, write
+from algebroproj_sym.generating.backends import BACKENDS
+from algebroproj_sym.generating.writing import drift, write
 from algebroproj_sym.reporting.tables import operations_table
-from algebroproj_sym.verifying import cpp_source_is_proved
+from algebroproj_sym.verifying.proof_of_cpp_source import cpp_source_is_proved
 
 
 @click.command()

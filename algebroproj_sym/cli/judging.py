@@ -12,7 +12,7 @@ from algebroproj_sym.reporting.explaining import failure_text
 from algebroproj_sym.reporting.tables import failed_function
 
 if TYPE_CHECKING:
-    from algebroproj_sym.verifying import Verification
+    from algebroproj_sym.verifying.verification import Verification
 
 ADVICE = (
     "Try another form of the kernel. Declare section.kernel(..., form=...) with an equal expression in which less\n"

@@ -7,6 +7,7 @@ from tempfile import TemporaryDirectory
 
 import click
 
+from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.steps import (
@@ -14,15 +15,16 @@ from algebroproj_sym.cli.steps import (
     SITE_MODULES,
     lowered_after,
     require_modules,
-    run_notebooks,
-    verified,
 )
-from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.cli.terminal import console, progressing
 from algebroproj_sym.declaring import drivers, kernels, located, split
-from algebroproj_sym.generating import PACKAGE, render, write
+from algebroproj_sym.generating.backends.numpy import render
+from algebroproj_sym.generating.writing import PACKAGE, write
+from algebroproj_sym.processes import in_processes
 from algebroproj_sym.reporting.dependences import noting
 from algebroproj_sym.reporting.live.bundling import live_files
 from algebroproj_sym.reporting.live.fetching import FetchError
+from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
 from algebroproj_sym.reporting.site.catalogue import catalogue
 from algebroproj_sym.reporting.site.folder import OccupiedError, replace, require_free
 from algebroproj_sym.reporting.site.function_pages import functions_of
@@ -76,9 +78,14 @@ def report(
         package = render(lowered, drivers(sources))
         with TemporaryDirectory() as folder:
             write(package, Path(folder) / PACKAGE)
-            verifications = verified(lowered, Path(folder), samples, jobs)
+            verifications = list(
+                progressing(pipeline.verifications(lowered, Path(folder), samples, jobs), len(lowered), "verifying")
+            )
         modules = [derivation for derivation, _ in found]
-        shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
+        shown: list[Notebook] = []
+        if notebooks:
+            run = list({module.path: module for module in modules}.values())
+            shown = list(progressing(in_processes(run_notebook, run, jobs), len(run), "running notebooks"))
         known = rests()
     functions = functions_of(lowered, verifications, package)
     site = render_site(catalogue(judgements, modules, functions, shown, live, known)) | carried

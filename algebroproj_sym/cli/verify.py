@@ -6,14 +6,16 @@ from pathlib import Path
 
 import click
 
+from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.judging import require_as_declared
-from algebroproj_sym.cli.steps import lowered_kernels, verified
-from algebroproj_sym.cli.terminal import console, echo_json, show
+from algebroproj_sym.cli.steps import lowered_kernels
+from algebroproj_sym.cli.terminal import console, echo_json, progressing, show
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting.ledger import write_json
 from algebroproj_sym.reporting.tables import verification_table
-from algebroproj_sym.verifying import BOUND, verification_record
+from algebroproj_sym.verifying.accuracy import BOUND
+from algebroproj_sym.verifying.verification import verification_record
 
 
 @click.command()
@@ -61,7 +63,9 @@ def verify(
     found is reported beside that of the samples.
     """
     lowered = lowered_kernels(kernels(functions, sources), sources, jobs)
-    verifications = verified(lowered, folder, samples, jobs, package, attack)
+    verifications = list(
+        progressing(pipeline.verifications(lowered, folder, samples, jobs, package, attack), len(lowered), "verifying")
+    )
     record = verification_record(verifications)
     if out is not None:
         write_json(record, out / "accuracy.json")

@@ -9,7 +9,7 @@ from types import ModuleType
 
 import numpy as np
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import Sample, stratified
 from algebroproj_sym.mutating.forms import sampled
 from algebroproj_sym.mutating.sources import SourceMutant, recompiled, source_mutants

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from algebroproj_sym.generating.runtime.pairs import DIGITS, ROUNDINGS
 from algebroproj_sym.mutating.forms import same_but_index
-from algebroproj_sym.verifying import without_twin
+from algebroproj_sym.verifying.shipped import without_twin
 
 _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
     ast.Add: ast.Sub,

@@ -12,21 +12,14 @@ from rich.text import Text
 
 from algebroproj_sym.declaring import KINDS, Claim, Judgement, Quote, in_derived_terms, statement_text
 from algebroproj_sym.expressions import TextForm, evaluate, size
+from algebroproj_sym.expressions.arranging import LONG, arranged
 from algebroproj_sym.proving import reduced
 from algebroproj_sym.reporting.tables import verdict_text
-from algebroproj_sym.showing import (
-    LONG,
-    Named,
-    Part,
-    arranged,
-    as_declared,
-    derived_form,
-    differing_entries,
-    evidence_lines,
-    folded,
-    in_names,
-    shown,
-)
+from algebroproj_sym.showing.arranging import Part, as_declared, shown
+from algebroproj_sym.showing.difference import differing_entries
+from algebroproj_sym.showing.display import evidence_lines, folded
+from algebroproj_sym.showing.forms import derived_form
+from algebroproj_sym.showing.naming import Named, in_names
 
 LABEL = 12
 """Width of the column of labels."""

@@ -10,7 +10,7 @@ import sympy
 from algebroproj_sym.declaring import GRADES, KINDS, NUMBER_OF, Claim, Grade, Judgement, grade_of, statement_text
 from algebroproj_sym.reporting.explaining import finding_line, sides_at_counterexample
 from algebroproj_sym.reporting.templating import TEMPLATES
-from algebroproj_sym.showing import folded
+from algebroproj_sym.showing.display import folded
 
 HEADINGS: dict[Grade, str] = {
     "results": "Findings that change results",

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from algebroproj_sym.showing import folded
+from algebroproj_sym.showing.display import folded
 
 if TYPE_CHECKING:
     from algebroproj_sym.reading import Link, Reading

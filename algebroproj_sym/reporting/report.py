@@ -14,8 +14,8 @@ from algebroproj_sym.reporting.tables import failed_function
 from algebroproj_sym.reporting.templating import TEMPLATES
 
 if TYPE_CHECKING:
-    from algebroproj_sym.generating import Lowered
-    from algebroproj_sym.verifying import Verification
+    from algebroproj_sym.generating.lowering import Lowered
+    from algebroproj_sym.verifying.verification import Verification
 
 
 def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified: Sequence[Verification]) -> str:
@@ -36,7 +36,7 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
         Markdown: what is not as declared, verdicts by paper, a line for each claim that does not hold as
         printed, the functions with their figures.
     """
-    from algebroproj_sym.verifying import BOUND
+    from algebroproj_sym.verifying.accuracy import BOUND
 
     return TEMPLATES.get_template("report.md.j2").render(
         wrong=[failure_text(judgement) for judgement in judgements if not judgement.as_declared],
@@ -56,7 +56,7 @@ def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement
 
 
 def _function(low: Lowered, verification: Verification) -> dict[str, object]:
-    from algebroproj_sym.generating import operation_counts
+    from algebroproj_sym.generating.operation_counts import operation_counts
 
     overall = verification.accuracy.overall
     return {

@@ -24,7 +24,7 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import Sample
 from algebroproj_sym.verifying.oracle import Truth, oracle
 from algebroproj_sym.verifying.shipped import Function, call

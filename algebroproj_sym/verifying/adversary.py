@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import Sample, stratified
 from algebroproj_sym.proving import seed_of
 from algebroproj_sym.verifying.accuracy import Accuracy, measured, strata_record

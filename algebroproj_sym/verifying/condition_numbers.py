@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decimal import ROUND_CEILING, Context
 from typing import Any, TypeAlias
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.verifying.a_priori import ONE, Analysis, analysis
 from algebroproj_sym.verifying.straight_line import StraightLine, is_rational, straight_line
 

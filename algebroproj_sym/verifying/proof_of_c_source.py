@@ -19,7 +19,8 @@ from flint.utils.flint_exceptions import DomainError
 from sympy.polys.polyerrors import ExactQuotientFailed
 
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating import Lowered, c_name, is_compiled, is_compiled_plain
+from algebroproj_sym.generating.backends.c import c_name, is_compiled, is_compiled_plain
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.proving.engines import ring
 from algebroproj_sym.verifying.c_execution import (

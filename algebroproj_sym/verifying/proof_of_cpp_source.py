@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating import is_compiled
+from algebroproj_sym.generating.backends.c import is_compiled
 from algebroproj_sym.generating.backends.cpp import declaration, in_double
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.proving import RationalFunctionField

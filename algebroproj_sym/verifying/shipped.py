@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj_sym.declaring import Argument, Kernel
-from algebroproj_sym.generating import PACKAGE
+from algebroproj_sym.generating.writing import PACKAGE
 from algebroproj_sym.proving import seed_of
 
 Function = Callable[..., Any]

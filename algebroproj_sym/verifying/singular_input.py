@@ -7,7 +7,7 @@ from types import ModuleType
 import numpy as np
 
 from algebroproj_sym.expressions import Scalar
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import on_factor
 from algebroproj_sym.verifying.shipped import call, function_of
 

@@ -8,8 +8,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import TypeAlias
 
-from algebroproj_sym.generating import Lowered, c_name, is_compiled
+from algebroproj_sym.generating.backends.c import c_name, is_compiled
 from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.program import Operand, Program, Recorder, Step, named, run
 from algebroproj_sym.verifying.c_execution import Meaning, Source, kernel_outputs, source_of
 

@@ -8,7 +8,7 @@ from types import ModuleType
 from typing import Any
 
 from algebroproj_sym.expressions import Scalar
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, strata_record, truths
 from algebroproj_sym.verifying.adversary import Attack, attack, attack_record

@@ -25,7 +25,7 @@ from algebroproj_sym.generating.compensation import compensated, with_sums_round
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import Lowered, lowered_form, program_of
-from algebroproj_sym.generating.program import Program, named, run
+from algebroproj_sym.generating.program import Program, run
 from algebroproj_sym.generating.samples import Sample, on_sum, stratified
 
 Numbers: TypeAlias = "NDArray[np.float64]"
@@ -149,7 +149,7 @@ def _truths(
 def _results(program: Program, sample: Sample) -> tuple[Any, ...] | None:
     """Return the exact results, None where there are none."""
     try:
-        return run(program, {name: fmpq(Fraction(value)) for name, value in sample.values.items()}, named)
+        return run(program, {name: fmpq(Fraction(value)) for name, value in sample.values.items()})
     except ZeroDivisionError:
         return None
 

@@ -161,20 +161,17 @@ def with_names(program: Program, bindings: Iterable[tuple[str, Operand]]) -> Pro
     return Program(program.inputs, tuple(map(changed, program.steps)), renamed(program.outputs))
 
 
-def _no_calls(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
-    raise TypeError(f"run: expected an interpretation of {call.primitive}, got none")
-
-
-def named(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
+def _named(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
     """Interpret ``let``, which gives names: all that a rational function calls."""
-    assert call.primitive == "let"
+    if call.primitive != "let":
+        raise TypeError(f"run: expected an interpretation of {call.primitive}, got none")
     return rows[0]
 
 
 def run(
     program: Program,
     inputs: Mapping[str, Any],
-    interpretation: Interpretation = _no_calls,
+    interpretation: Interpretation = _named,
 ) -> tuple[Any, ...]:
     """Run a program on any numbers that know + - * / and can be mixed with integers.
 
@@ -185,7 +182,7 @@ def run(
     inputs : mapping of str to number
         A value for every input.
     interpretation : callable
-        From a call and the values of its rows to its results; not needed by a program without calls.
+        From a call and the values of its rows to its results; not needed by a rational function.
 
     Returns
     -------

@@ -221,16 +221,6 @@ def strata_record(measured_accuracy: Accuracy) -> Mapping[str, object]:
 
 
 def _stratum_record(stratum: Stratum) -> Mapping[str, object]:
-    return {
-        "name": stratum.name,
-        "samples": stratum.samples,
-        "median_ulp": _rounded(stratum.median_ulp),
-        "thousandth_ulp": _rounded(stratum.thousandth_ulp),
-        "max_ulp": _rounded(stratum.max_ulp),
-        "max_ratio": _rounded(stratum.max_ratio),
-        "undetermined": stratum.undetermined,
-    }
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.3g}")
+    names = ("name", "samples", "median_ulp", "thousandth_ulp", "max_ulp", "max_ratio", "undetermined")
+    figures = {name: getattr(stratum, name) for name in names}
+    return {name: float(f"{value:.3g}") if isinstance(value, float) else value for name, value in figures.items()}

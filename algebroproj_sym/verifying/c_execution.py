@@ -154,7 +154,7 @@ def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Me
     statements = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '', 1)}").body.block_items
     if len(statements) != 1 or not isinstance(statements[0], c_ast.Compound):
         raise NotUnderstoodError(f"{name}: expected one loop over points")
-    variables: dict[str, Any] = {"in": [[value] for value in inputs], "out": {}, "i": _POINT}
+    variables: dict[str, Any] = {"in": dict(enumerate(inputs)), "out": {}, "i": _POINT}
     _run(statements[0], _Scope(variables, source, meaning))
     return _in_order(name, variables["out"])
 
@@ -354,10 +354,6 @@ def _assign(statement: Any, scope: _Scope) -> None:
         scope.variables[target.name] = value
         return
     match target:
-        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name="out"), subscript=place), subscript=column):
-            if _value(column, scope) is not _POINT:
-                raise NotUnderstoodError("C source: expected outputs of the point of the loop")
-            scope.variables["out"][_index(place)] = value
         case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=first), subscript=second) if (
             _has_points(name, scope)
         ):
@@ -380,7 +376,7 @@ def _solve(name: str, system: str, solution: str, scope: _Scope) -> None:
 
 
 def _has_points(name: str, scope: _Scope) -> bool:
-    return name == "rows" or isinstance(scope.variables.get(name), _Points)
+    return name in ("in", "out", "rows") or isinstance(scope.variables.get(name), _Points)
 
 
 def _entry(name: str, first: Any, second: Any, scope: _Scope) -> tuple[dict[int, Any], int]:
@@ -422,10 +418,6 @@ def _value(node: Any, scope: _Scope) -> Any:
             return value(node.iftrue if value(node.cond) else node.iffalse)
         case c_ast.BinaryOp():
             return _operation(node.op, value(node.left), value(node.right), scope.meaning)
-        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name="in"), subscript=place), subscript=column):
-            if value(column) is not _POINT:
-                raise NotUnderstoodError("C source: expected inputs of the point of the loop")
-            return scope.variables["in"][_index(place)][0]
         case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=first), subscript=second) if (
             _has_points(name, scope)
         ):

@@ -7,21 +7,20 @@ sums and products are then zero.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from math import prod
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeAlias
 
+import sympy
 from flint.utils.flint_exceptions import DomainError
 from sympy.polys.polyerrors import ExactQuotientFailed
 
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.generating.backends.c import c_name, is_compiled, is_compiled_plain
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 from algebroproj_sym.proving.engines import ring
 from algebroproj_sym.verifying.c_execution import (
     PRODUCT_ERRORS,
@@ -34,10 +33,12 @@ from algebroproj_sym.verifying.c_execution import (
     solver_outputs,
     source_of,
 )
-from algebroproj_sym.verifying.proof_of_source import expected_values
+from algebroproj_sym.verifying.proof_of_source import Calls, OtherCallError, in_general, is_zero
 
 KERNELS = ("kernels.h", "solvers.h", "systems.h")
 PLAIN_KERNELS = ("plain_kernels.h",)
+Outputs: TypeAlias = "Callable[[Mapping[sympy.Symbol, Any], Meaning], list[Any]]"
+
 _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
@@ -86,8 +87,8 @@ def product_errors_are_proved(source: Source) -> bool:
 def kernel_is_proved(kernel: Kernel, source: Source) -> bool:
     """Whether a kernel gives the derivation, if what it calls solves linear systems and takes errors of products."""
 
-    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
-        return kernel_outputs(source, c_name(kernel), [field.variables[symbol] for symbol in kernel.symbols], meaning)
+    def outputs(values: Mapping[sympy.Symbol, Any], meaning: Meaning) -> list[Any]:
+        return kernel_outputs(source, c_name(kernel), [values[symbol] for symbol in kernel.symbols], meaning)
 
     return is_proved(kernel, outputs, once=False)
 
@@ -96,48 +97,40 @@ def plain_kernel_is_proved(kernel: Kernel, source: Source) -> bool:
     """Whether a function without compensation gives the derivation, if what it calls solves linear systems."""
     sizes = [prod(result.shape) for result in kernel.results]
 
-    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
-        inputs = [[field.variables[symbol] for symbol in argument.symbols] for argument in kernel.arguments]
+    def outputs(values: Mapping[sympy.Symbol, Any], meaning: Meaning) -> list[Any]:
+        inputs = [[values[symbol] for symbol in argument.symbols] for argument in kernel.arguments]
         return plain_outputs(source, c_name(kernel), inputs, sizes, meaning)
 
     return is_proved(kernel, outputs, once=True)
 
 
-def is_proved(kernel: Kernel, outputs: Callable[[RationalFunctionField, Meaning], list[Any]], *, once: bool) -> bool:
+def is_proved(kernel: Kernel, outputs: Outputs, *, once: bool) -> bool:
     """Whether what is given to linear systems, solved once or refined, and the outputs are those of the derivation."""
-    called = [stage for stage in kernel.stages if stage.primitive in LINEAR]
-    free = [symbol for stage in called for symbol in stage.results]
-    field = RationalFunctionField((*kernel.symbols, *free), "flint")
-    stages = iter(called)
-    given: list[Any] = []
+    wanted = in_general(kernel)
+    calls = Calls(wanted)
 
     def call(name: str, rows: list[list[Any]]) -> Sequence[Any]:
-        stage = next(stages, None)
-        if stage is None or name != solver_name(stage.primitive, stage.derived.rows, once):
-            raise NotUnderstoodError(f"{kernel.qualified_name}: unexpected call of {name}")
-        width = stage.derived.cols
-        if [len(row) for row in rows] != [width if once else 2 * width] * stage.derived.rows:
-            raise NotUnderstoodError(
-                f"{kernel.qualified_name}: expected rows of {width} entries, and their rests if any"
-            )
-        given.extend(row[j] if once else row[j] + row[width + j] for row in rows for j in range(width))
-        return [field.variables[symbol] for symbol in stage.results]
+        primitive = next((each for each in LINEAR if name == solver_name(each, len(rows), once)), name)
+        return calls.results(primitive, rows if once else list(map(_with_rests, rows)))
 
-    meaning = Meaning(call=call, is_zero=lambda value: _element(value, field).is_zero)
-    returned = outputs(field, meaning)
-    computed = [_element(value, field) for value in (*given, *returned)]
-    expected = expected_values(kernel, field.variables, field.lift)
-    same_length = len(computed) == len(expected)
-    return same_length and all((value - got).is_zero for value, got in zip(expected, computed, strict=True))
+    meaning = Meaning(call=call, is_zero=lambda value: is_zero(wanted.element(value)))
+    try:
+        return wanted.is_given_by(calls, outputs(wanted.values, meaning))
+    except OtherCallError:
+        return False
+
+
+def _with_rests(row: Sequence[Any]) -> list[Any]:
+    """Return entries to which what rounding took from them is added."""
+    width, odd = divmod(len(row), 2)
+    if odd:
+        raise OtherCallError
+    return [entry + rest for entry, rest in zip(row[:width], row[width:], strict=True)]
 
 
 def solver_name(primitive: str, height: int, once: bool) -> str:
     """Return the name of the function that solves the linear systems of one size, once or with refinement."""
     return f"{primitive}_once_{height}" if once else f"{primitive}_{height}"
-
-
-def _element(value: Any, field: RationalFunctionField) -> RationalFunction:
-    return value if isinstance(value, RationalFunction) else field.lift(Fraction(value))
 
 
 def solver_is_proved(source: Source, primitive: str, height: int, *, once: bool = False) -> bool:

@@ -10,11 +10,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import sympy
+
 from algebroproj_sym.declaring import LINEAR, Kernel
 from algebroproj_sym.generating.backends.c import is_compiled
 from algebroproj_sym.generating.backends.cpp import declaration, in_double
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.proving import RationalFunctionField
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, Source, body_values
 from algebroproj_sym.verifying.proof_of_c_source import is_proved, product_errors_are_proved, solver_is_proved
 
@@ -99,10 +100,10 @@ def function_is_proved(kernel: Kernel, header: Header) -> bool:
     if returned is None:
         raise NotUnderstoodError(f"{kernel.name}: expected a list of results at the end")
 
-    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
+    def outputs(values: Mapping[sympy.Symbol, Any], meaning: Meaning) -> list[Any]:
         given: dict[str, Any] = {}
         for argument in kernel.arguments:
-            entries = iter([field.variables[symbol] for symbol in argument.symbols])
+            entries = iter([values[symbol] for symbol in argument.symbols])
             given[names[argument.name]] = _shaped(entries, argument.shape)
         return body_values(f"{body[: returned.start()]}}}", given, returned[1].split(", "), meaning)
 

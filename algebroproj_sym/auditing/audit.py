@@ -49,16 +49,7 @@ class Finding:
 def audited(claim: Claim, quotations: Quotations, symbols: Symbols, printed_together: Sequence[Claim] = ()) -> Finding:
     """Audit a claim against its quote.
 
-    Parameters
-    ----------
-    claim : Claim
-        The claim.
-    quotations : Quotations
-        The quotes of its paper.
-    symbols : Symbols
-        What the symbols of the paper stand for in this claim.
-    printed_together : sequence of Claim
-        The claims that share the quote, in the order of the quote.
+    Claims that share the quote are given in the order of the quote.
     """
     quote = quotations.quotes.get(claim.number)
     if quote is None:

@@ -36,18 +36,6 @@ class Line:
 def coverage(located: Sequence[tuple[Derivation, Claim]], papers: Path) -> dict[str, list[Line]]:
     """Return the lines of each paper, with the claims that quote them.
 
-    Parameters
-    ----------
-    located : sequence of (Derivation, Claim)
-        The claims, each with the derivation that declares it.
-    papers : Path
-        The folder with the papers' files.
-
-    Returns
-    -------
-    dict of str to list of Line
-        By the key of the paper.
-
     Raises
     ------
     DeclarationError

@@ -37,14 +37,7 @@ def require_as_declared(
 ) -> None:
     """Leave with exit status 1 unless every verdict is the declared one and every function has passed.
 
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        The verdicts.
-    verifications : sequence of Verification
-        The figures of the functions.
-    details : Path, optional
-        Where to read more.
+    What `details` names has more to read.
     """
     failed = [v for v in verifications if not v.passed]
     if failed:

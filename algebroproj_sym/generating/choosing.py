@@ -62,15 +62,6 @@ def lower(kernel: Kernel) -> Lowered:
     least is taken.  Programs with primitive functions, which are not exact on fractions, cannot be compared: there the
     first form is taken.
 
-    Parameters
-    ----------
-    kernel : Kernel
-        As declared by a derivation.
-
-    Returns
-    -------
-    Lowered
-
     Raises
     ------
     LoweringError

@@ -19,17 +19,8 @@ from algebroproj_sym.generating.program import Call, Operand, Program, Step, fre
 def compensated(program: Program, throughout: bool = False) -> Program:
     """Return a program of the same value in which the operands of sums that may cancel have twice the digits.
 
-    Parameters
-    ----------
-    program : Program
-        What is to be computed.
-    throughout : bool
-        Whether products and quotients are computed with twice the digits too, and only the results are rounded.
-
-    Returns
-    -------
-    Program
-        Without calls of ``let``.
+    If it is so throughout, products and quotients are computed with twice the digits too, and only the results are
+    rounded. There are no calls of ``let`` in it.
 
     Examples
     --------
@@ -52,15 +43,6 @@ def with_sums_rounded_twice(program: Program) -> Program:
     That spares six operations where nothing else is done with such a sum.  It is done where both operands are products,
     or one is a sum of inputs: a first part that cancels so far that the second one matters is exact there, but near
     several zeros at once.
-
-    Parameters
-    ----------
-    program : Program
-        A compensated one.
-
-    Returns
-    -------
-    Program
 
     Examples
     --------

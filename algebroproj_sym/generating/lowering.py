@@ -80,16 +80,7 @@ class Lowered:
 def lowered_form(kernel: Kernel, reciprocals: bool = False) -> Lowered:
     """Lower the form of a kernel and prove the program.
 
-    Parameters
-    ----------
-    kernel : Kernel
-        As declared by a derivation.
-    reciprocals : bool
-        Whether quotients with one divisor are products with its reciprocal.
-
-    Returns
-    -------
-    Lowered
+    Quotients with one divisor can be products with its reciprocal.
 
     Raises
     ------

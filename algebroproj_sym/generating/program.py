@@ -130,13 +130,8 @@ def without_unused(program: Program) -> Program:
 def with_names(program: Program, bindings: Iterable[tuple[str, Operand]]) -> Program:
     """Give steps other names.
 
-    Parameters
-    ----------
-    program : Program
-        Any program.
-    bindings : iterable of (str, operand)
-        What a name stands for: a step gets the first name that it is bound to; a further one, or one of something that
-        is no step, stands for what it is bound to.
+    A step gets the first name that it is bound to; a further one, or one of something that is no step, stands for what
+    it is bound to.
 
     Examples
     --------
@@ -175,19 +170,7 @@ def run(
 ) -> tuple[Any, ...]:
     """Run a program on any numbers that know + - * / and can be mixed with integers.
 
-    Parameters
-    ----------
-    program : Program
-        What to run.
-    inputs : mapping of str to number
-        A value for every input.
-    interpretation : callable
-        From a call and the values of its rows to its results; not needed by a rational function.
-
-    Returns
-    -------
-    tuple
-        The values of the outputs.
+    An interpretation goes from a call and the values of its rows to its results; a rational function needs none.
     """
     values: dict[Operand, Any] = dict(inputs.items())
 

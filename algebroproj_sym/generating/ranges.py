@@ -37,10 +37,7 @@ _ZERO = _Exponents(inf, inf, -inf)
 def reach(program: Program) -> int | None:
     """Return the largest k for which nothing overflows or underflows, None for a program with calls.
 
-    Parameters
-    ----------
-    program : Program
-        Any.  The errors of its products are taken in one operation, or from halves.
+    The errors of products are taken in one operation, or from halves.
 
     Examples
     --------

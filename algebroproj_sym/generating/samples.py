@@ -39,18 +39,7 @@ class Sample:
 def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]:
     """Draw samples for a kernel.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel, with the factors that must not vanish.
-    size : int
-        How many samples in each stratum.
-    seed : int
-        Varies the draw.
-
-    Returns
-    -------
-    tuple of Sample
+    There are at most `size` samples in each stratum.
     """
     generator = random.Random(seed_of(lowered.kernel.qualified_name, seed))
     symbols = lowered.kernel.symbols

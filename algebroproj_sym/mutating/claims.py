@@ -67,12 +67,7 @@ class MutatedClaim:
 def mutate_claim(claim: Claim, limit: int = 0) -> MutatedClaim:
     """Change the printed form of a proved claim in single places, and judge what comes out.
 
-    Parameters
-    ----------
-    claim : Claim
-        A claim; if it is not proved, there are no mutants.
-    limit : int
-        How many mutants to try at most, chosen by the number of the claim; 0 for all.
+    At most `limit` changes are tried, chosen by the number of the claim; all if it is 0.
 
     Examples
     --------

@@ -67,16 +67,8 @@ class MutatedKernel:
 def mutate_kernel(lowered: Lowered, package: ModuleType, limit: int = 0, size: int = 50) -> MutatedKernel:
     """Change the source of a generated function in single places, and see what notices.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    package : module
-        Where the generated function is.
-    limit : int
-        How many mutants to try at most, chosen by the name of the function; 0 for all.
-    size : int
-        Samples in each stratum of the numeric comparison.
+    At most `limit` changes are tried, chosen by the name of the function; all if it is 0. There are `size` samples in
+    each stratum.
 
     Raises
     ------

@@ -78,16 +78,7 @@ def failure_text(judgement: Judgement) -> str:
 def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> list[str]:
     """Return a form of a claim, a row of a matrix in each line; a long one by the names of what it is made of.
 
-    Parameters
-    ----------
-    claim : Claim
-        As declared.
-    part : str
-        Which of its forms.
-    most : int
-        How many characters a form may take before it is long.
-    full : bool
-        Whether to show it whatever its length.
+    One of more than `most` characters is long, unless all is to be shown in `full`.
     """
     form = arranged(derived_form(claim)) if part == "derived" else as_declared(claim, part)
     rows = plain_rows(form)

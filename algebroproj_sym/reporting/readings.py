@@ -63,17 +63,7 @@ def reason_of(reading: Reading) -> str:
 
 
 def reading_lines(name: str, readings: Sequence[Reading], *, full: bool) -> Iterator[str]:
-    """Yield what a reader wants to see first: contradictions whole, and the others folded by verdict and reason.
-
-    Parameters
-    ----------
-    name : str
-        The document.
-    readings : sequence of Reading
-        Its equations.
-    full : bool
-        Whether to show every equation.
-    """
+    """Yield what a reader wants to see first: contradictions whole, and the others folded by verdict and reason."""
     if full:
         for each in readings:
             yield from _whole(each)

@@ -21,20 +21,8 @@ if TYPE_CHECKING:
 def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified: Sequence[Verification]) -> str:
     """Return the report: a page to be read, with links to the files that have the rest.
 
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        All claims.
-    lowered : sequence of Lowered
-        All kernels.
-    verified : sequence of Verification
-        The figures of the generated functions, in the order of the kernels.
-
-    Returns
-    -------
-    str
-        Markdown: what is not as declared, verdicts by paper, a line for each claim that does not hold as
-        printed, the functions with their figures.
+    It has what is not as declared, verdicts by paper, a line for each claim that does not hold as printed, and the
+    functions with their figures.
     """
     from algebroproj_sym.verifying.accuracy import BOUND
 

@@ -71,18 +71,7 @@ def fill(
 ) -> Table:
     """Add a row for each function, or for each module if the functions fill more than a screen.
 
-    Parameters
-    ----------
-    table : Table
-        Whose first column names functions.
-    items : sequence
-        What is known of each function, module by module.
-    name : callable
-        The name of the function, with its module.
-    cells : callable
-        The other columns, from the functions of a row.
-    full : bool
-        Whether each function has a row in any case.
+    The first column of the table has their names; `cells` gives the others, from the functions of a row.
 
     Examples
     --------

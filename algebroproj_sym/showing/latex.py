@@ -55,14 +55,7 @@ SIGN = Marks(sign=True)
 def latex(expression: Any, marks: Marks = NOTHING, *, ordered: bool = True) -> str:
     r"""Return a scalar or matrix as LaTeX.
 
-    Parameters
-    ----------
-    expression : sympy.Expr, sympy matrix or TextForm
-        What to write.
-    marks : Marks
-        What to mark in it.
-    ordered : bool
-        Whether to put terms and factors in SymPy's order, or to leave them as they are stored.
+    Terms and factors are in the order of SymPy, or as they are stored if not `ordered`.
 
     Examples
     --------

@@ -59,20 +59,7 @@ class Attack:
 def attack(lowered: Lowered, package: ModuleType, seconds: float, seed: int = 0) -> Attack:
     """Look for the largest errors of a generated function.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and the factors that must not vanish.
-    package : module
-        Where the generated function is.
-    seconds : float
-        When to stop.  What is tried, and in which order, depends on the seed alone.
-    seed : int
-        Varies the search.
-
-    Returns
-    -------
-    Attack
+    What is tried, and in which order, depends on the seed alone; the seconds say when to stop.
     """
     deadline = perf_counter() + seconds
     generator = np.random.default_rng(seed_of(lowered.kernel.qualified_name, "attack", seed))

@@ -130,17 +130,6 @@ def source_of(text: str) -> Source:
 def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Meaning) -> list[Any]:
     """Execute a kernel for one point; return its outputs.
 
-    Parameters
-    ----------
-    source : Source
-        The functions.
-    name : str
-        The kernel.
-    inputs : sequence of number
-        The entries of its arguments.
-    meaning : Meaning
-        What the source does not say itself.
-
     Raises
     ------
     NotUnderstoodError
@@ -163,19 +152,6 @@ def plain_outputs(
     source: Source, name: str, inputs: Sequence[Sequence[Any]], sizes: Sequence[int], meaning: Meaning
 ) -> list[Any]:
     """Execute a function without compensation for one point; return the entries of its results.
-
-    Parameters
-    ----------
-    source : Source
-        The functions.
-    name : str
-        Which function.
-    inputs : sequence of sequence of number
-        The entries of each argument.
-    sizes : sequence of int
-        How many entries each result has.
-    meaning : Meaning
-        What the source does not say itself.
 
     Raises
     ------

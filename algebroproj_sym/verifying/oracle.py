@@ -48,16 +48,8 @@ class Truth:
 def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
     """Return a function that evaluates the derived expression of a kernel.
 
-    Parameters
-    ----------
-    kernel : Kernel
-        As declared by a derivation.
-
-    Returns
-    -------
-    callable
-        From the values of the inputs by name to the truth.  It raises `NoAgreementError` if 50 digits do not agree
-        at 2000 digits of working precision, and ZeroDivisionError at a singular input.
+    It goes from the values of the inputs by name to the truth. It raises `NoAgreementError` if 50 digits do not agree
+    at 2000 digits of working precision, and ZeroDivisionError at a singular input.
     """
     compiled = _compiled(kernel)
 

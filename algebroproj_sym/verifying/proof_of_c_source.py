@@ -46,19 +46,8 @@ _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 def c_source_is_proved(lowered: Lowered, package: ModuleType, *, plain: bool = False) -> bool:
     """Whether the C source of a kernel, executed on rational functions, is identical to the derivation.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    package : module
-        In whose folder the source is.
-    plain : bool
-        Whether it is the source without compensation, which solves linear systems once.
-
-    Returns
-    -------
-    bool
-        True also for a kernel that is left to the NumPy source.
+    The plain source has no compensation, and solves linear systems once. A kernel that is left to the NumPy source
+    counts as proved.
     """
     if not (is_compiled_plain if plain else is_compiled)(lowered):
         return True
@@ -140,17 +129,6 @@ def solver_is_proved(source: Source, primitive: str, height: int, *, once: bool 
     and the solution are free, so that all systems with pivots are among them, and every division is one of polynomials
     without a remainder.  This is done for no exchange of rows, for each single one, and for all of them; with the
     refinement taken for finite, and without it.
-
-    Parameters
-    ----------
-    source : Source
-        The functions.
-    primitive : {"solve", "null_vector"}
-        Which function.
-    height : int
-        The number of equations.
-    once : bool
-        Whether it is the one without refinement.
     """
     lines = height if primitive == "solve" else height + 1
     places = [(k, i) for k in range(height) for i in range(k + 1, lines)]

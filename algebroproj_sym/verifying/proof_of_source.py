@@ -29,21 +29,7 @@ SMALL_POINTS = 40
 
 
 def source_is_proved(kernel: Kernel, package: ModuleType, *, plain: bool = False) -> bool:
-    """Whether the generated function, executed on rational functions, is identical to the derivation.
-
-    Parameters
-    ----------
-    kernel : Kernel
-        As declared by a derivation.
-    package : module
-        Where the generated function is.
-    plain : bool
-        Whether it is executed without compensation.
-
-    Returns
-    -------
-    bool
-    """
+    """Whether the generated function, executed on rational functions, is identical to the derivation."""
     function = function_of(kernel, package)
     return in_general(kernel).is_met_by(package.plain(function) if plain else function)
 
@@ -71,15 +57,6 @@ class Expectation:
 
     def is_met_by(self, function: Function) -> bool:
         """Whether a generated function, executed in the field, computes what is expected.
-
-        Parameters
-        ----------
-        function : callable
-            The generated function.
-
-        Returns
-        -------
-        bool
 
         Raises
         ------

@@ -67,16 +67,8 @@ class Verification:
 def verify(lowered: Lowered, package: ModuleType, size: int, seconds: float = 0.0) -> Verification:
     """Verify the generated function of a kernel.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    package : module
-        Where the generated function is.
-    size : int
-        Samples in each stratum.
-    seconds : float
-        How long an adversary looks for large errors; 0 for no adversary.
+    There are `size` samples in each stratum. An adversary looks for large errors for some seconds; with 0 there is
+    none.
     """
     function = function_of(lowered.kernel, package)
     samples = stratified(lowered, size)

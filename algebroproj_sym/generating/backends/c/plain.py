@@ -47,18 +47,8 @@ POINTS = "const npy_intp points"
 def plain_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     """Return the files of the compiled functions without compensation.
 
-    Parameters
-    ----------
-    lowered : sequence of Lowered
-        The kernels with their programs; those that cannot be compiled are left out.
-    notice : str
-        What every generated file says about itself.
-
-    Returns
-    -------
-    dict of str to str
-        The text of each file by its name: ``plain_kernels.h`` with the formulas, and ``plain_loops.h`` with the loop
-        of the ufuncs.
+    ``plain_kernels.h`` has the formulas, and ``plain_loops.h`` the loop of the ufuncs. Kernels that cannot be compiled
+    are left out.
     """
     compiled = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
     return {

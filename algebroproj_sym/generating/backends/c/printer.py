@@ -102,20 +102,9 @@ _TEMPLATES = Environment(
 def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     """Return the files of the compiled twin.
 
-    Parameters
-    ----------
-    lowered : sequence of Lowered
-        The kernels with their programs; those that cannot be compiled are left out.
-    notice : str
-        What every generated file says about itself.
-
-    Returns
-    -------
-    dict of str to str
-        The text of each file by its name: ``kernels.h`` with the formulas, ``systems.h`` with those that solve linear
-        systems, ``solvers.h`` with what solves them, ``moves.h``, ``loops.h``, ``fours.h`` and ``compiled.c`` with what
-        makes ufuncs of them, and of the formulas without compensation, which `plain_files` writes; ``calls.h`` with
-        short calls of ufuncs.
+    ``kernels.h`` has the formulas, ``systems.h`` those that solve linear systems, ``solvers.h`` what solves them. The
+    others make ufuncs of these, and of the formulas without compensation, which `plain_files` writes. Kernels that
+    cannot be compiled are left out.
     """
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))

@@ -43,19 +43,7 @@ _TEMPLATES = Environment(
 def render(lowered: Iterable[Lowered], drivers: Sequence[Driver] = (), package: str = PACKAGE) -> dict[str, str]:
     """Return the files of the package.
 
-    Parameters
-    ----------
-    lowered : iterable of Lowered
-        The kernels with their programs.
-    drivers : sequence of Driver
-        Hand-written functions, whose modules are copied.
-    package : str
-        Its name, which its modules do not need: they import each other by their places.
-
-    Returns
-    -------
-    dict of str to str
-        The text of each file by its path inside the package.
+    The modules of hand-written functions are copied.
     """
     modules = by_module(lowered)
     files = {

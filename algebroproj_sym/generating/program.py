@@ -77,14 +77,7 @@ Interpretation: TypeAlias = "Callable[[Call, tuple[tuple[Any, ...], ...]], tuple
 class Program:
     """A straight-line program.
 
-    Attributes
-    ----------
-    inputs : tuple of str
-        The names of the inputs.
-    steps : tuple of Step or Call
-        The operations in order; each name is assigned once.
-    outputs : tuple of str or int
-        The results.
+    Each name is assigned once, and used after that.
 
     Examples
     --------

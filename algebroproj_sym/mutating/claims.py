@@ -47,14 +47,7 @@ class MutantFate:
 class MutatedClaim:
     """The mutants of a claim.
 
-    Attributes
-    ----------
-    paper, number, kind : str
-        Which claim.
-    total : int
-        How many mutants there are; those that were tried are `fates`.
-    fates : tuple of MutantFate
-        What became of them.
+    There are `total` of them; those that were tried have a fate.
     """
 
     paper: str

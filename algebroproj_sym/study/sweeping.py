@@ -182,19 +182,7 @@ def missing(sweep: Sweep) -> list[int]:
 def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iterator[int]:
     """Compute the chunks that are missing, and yield the number of each when it is kept.
 
-    Parameters
-    ----------
-    sweep : Sweep
-        Prepared.
-    executor : Executor, optional
-        Who computes: local processes, or a cluster; without one this process does.
-    window : int
-        How many chunks are under way at once; memory is bounded by it.
-
-    Yields
-    ------
-    int
-        The number of a chunk.
+    An executor computes, with `window` chunks under way at once; without one, this process does.
     """
     if executor is None:
         for chunk in missing(sweep):

@@ -78,16 +78,7 @@ class Stratum:
 class Accuracy:
     """The errors of a function: over all samples, and stratum by stratum.
 
-    Attributes
-    ----------
-    function : str
-        Its module and name.
-    overall : Stratum
-        All samples.
-    strata : tuple of Stratum
-        One by one.
-    backward : bool
-        Whether it solves a linear system, of which a small backward error is asked.
+    If the function solves a linear system, a small backward error is asked of it.
     """
 
     function: str

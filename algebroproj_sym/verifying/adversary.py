@@ -41,14 +41,8 @@ REPORTED = 2
 class Attack:
     """What an adversary found.
 
-    Attributes
-    ----------
-    accuracy : Accuracy
-        The errors at the worst inputs of each stratum.
-    worst : Sample
-        The input with the largest error in units in the last place.
-    evaluations : int
-        How many inputs were tried.
+    The errors at the worst inputs of each stratum, the input with the largest error in units in the last place, and how
+    many were tried.
     """
 
     accuracy: Accuracy

@@ -38,16 +38,8 @@ def source_is_proved(kernel: Kernel, package: ModuleType, *, plain: bool = False
 class Expectation:
     """What a source must compute in a field.
 
-    Attributes
-    ----------
-    kernel : Kernel
-        Whose source.
-    values : mapping of Symbol to field element
-        The arguments, and what primitive functions return.
-    lift : callable
-        The embedding of Q in the field.
-    expected : tuple of field element
-        What the derivation gives the primitive functions, and its results.
+    There are values for the arguments and for what primitive functions return, the embedding of Q, and what the
+    derivation gives the primitive functions, followed by its results.
     """
 
     kernel: Kernel

@@ -24,16 +24,7 @@ class FetchError(RuntimeError):
 class Package:
     """A file of a package registry.
 
-    Attributes
-    ----------
-    registry : {"npm", "PyPI"}
-        Where it is.
-    name, version : str
-        Which package.
-    file : str
-        The name of the file.
-    sha256 : str
-        Its digest, in hexadecimal digits.
+    The registry is npm or PyPI; the digest has hexadecimal digits.
     """
 
     registry: str

@@ -76,7 +76,7 @@ def mutate(
         changed = mapped(partial(_mutated, folder=folder, limit=limit, size=samples), lowered, jobs)
         functions = list(progressing(changed, len(lowered), "changing functions"))
     if output == "json":
-        echo_json(_record(claims, functions))
+        echo_json({"schema": 1, "claims": list(map(asdict, claims)), "functions": list(map(asdict, functions))})
     else:
         _print_claims(claims)
         _print_functions(functions, full=full)
@@ -156,7 +156,3 @@ def _counts(fates: Sequence[SourceFate]) -> tuple[int, int, int, int, int]:
         sum(fate.by_numbers for fate in same),
         sum(fate.same_bits for fate in same),
     )
-
-
-def _record(claims: Sequence[MutatedClaim], functions: Sequence[MutatedKernel]) -> dict[str, Any]:
-    return {"schema": 1, "claims": [asdict(claim) for claim in claims], "functions": [asdict(f) for f in functions]}

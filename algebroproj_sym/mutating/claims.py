@@ -12,7 +12,7 @@ from algebroproj_sym.declaring.claim import expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import entries, size, vector, written
 from algebroproj_sym.mutating.forms import mutants, sampled
-from algebroproj_sym.proving import Proof, UndefinedError, seed_of
+from algebroproj_sym.proving import UndefinedError, seed_of
 
 Fate = Literal["refuted", "undefined", "equivalent", "explained", "survived"]
 
@@ -86,7 +86,8 @@ def mutate_claim(claim: Claim, limit: int = 0) -> MutatedClaim:
 def _fate(claim: Claim, form: Any) -> tuple[Fate, str]:
     """Return what becomes of a changed form, and why it survives or is undefined."""
     try:
-        proof = _compared(*_where_changed(claim, form))
+        asked, changed = _where_changed(claim, form)
+        proof = KINDS[claim.kind].compare(asked, in_derived_terms(changed, claim.where), "flint")
     except (UndefinedError, DeclarationError, ZeroDivisionError) as error:
         return "undefined", str(error).partition("\n")[0][:200]
     if proof.verdict == "refuted":
@@ -113,10 +114,6 @@ def _shown(form: Any) -> str:
     if isinstance(form, tuple):
         return written(sympy.Tuple(*form))
     return written(form) if isinstance(form, sympy.Basic | sympy.MatrixBase) else str(form)
-
-
-def _compared(claim: Claim, form: Any) -> Proof:
-    return KINDS[claim.kind].compare(claim, in_derived_terms(form, claim.where), "flint")
 
 
 def _is_same(claim: Claim, form: Any) -> bool:

@@ -96,7 +96,9 @@ def finding_line(judgement: Judgement) -> str:
     if claim.printed is None:
         return f"reconstructed as {folded(_text_of(claim, 'corrected'), LONGEST_ENTRY)}"
     if entries := _differing(claim, full=False):
-        return "; ".join(entries[:2] if len(entries) < 3 else [entries[0], f"… and {_count(claim) - 1} more entries"])
+        return "; ".join(
+            entries[:2] if len(entries) < 3 else [entries[0], f"… and {len(differing_entries(claim)) - 1} more entries"]
+        )
     if claim.corrected is not None:
         printed, corrected = apart(_text_of(claim, "printed"), _text_of(claim, "corrected"), LONGEST_ENTRY)
         return f"printed {printed}, corrected {corrected}"
@@ -130,10 +132,6 @@ def apart(left: str, right: str, most: int) -> tuple[str, str]:
     ends = ["" if start + most > len(text) else "…" for text in (left, right)]
     sizes = [f"{end} ({len(text):,} characters)" for end, text in zip(ends, (left, right), strict=True)]
     return cut[0] + sizes[0], cut[1] + sizes[1]
-
-
-def _count(claim: Claim) -> int:
-    return len(differing_entries(claim))
 
 
 def _about(judgement: Judgement, *, full: bool) -> Iterator[Line]:

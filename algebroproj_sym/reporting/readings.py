@@ -12,6 +12,7 @@ from algebroproj_sym.showing.display import folded
 if TYPE_CHECKING:
     from algebroproj_sym.reading import Link, Reading
 
+VERDICTS = ("contradicts", "definition", "follows", "independent", "not decided", "not read")
 MOST_REASONS = 8
 MOST_LINES = 12
 
@@ -24,11 +25,7 @@ def reading_record(readings: Sequence[Reading]) -> dict[str, Any]:
 def summary_of(readings: Iterable[Reading]) -> Counter[str]:
     """Return how many equations have which verdict."""
     counts = Counter(each.verdict for each in readings)
-    return Counter({verdict: counts[verdict] for verdict in sorted(counts, key=_place)})
-
-
-def _place(verdict: str) -> int:
-    return ("contradicts", "definition", "follows", "independent", "not decided", "not read").index(verdict)
+    return Counter({verdict: counts[verdict] for verdict in VERDICTS if verdict in counts})
 
 
 def decisive(reading: Reading) -> Link | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -31,16 +31,12 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
         failed=[failed_function(verification) for verification in verified if not verification.passed],
         verdicts=VERDICTS,
         papers=[
-            (paper, summary(group), [(j, finding_line(j)) for j in group if is_finding(j)])
-            for paper, group in _by_paper(judgements)
+            (paper, summary(group := list(found)), [(j, finding_line(j)) for j in group if is_finding(j)])
+            for paper, found in groupby(judgements, key=lambda j: j.claim.paper)
         ],
         functions=[_function(low, v) for low, v in zip(lowered, verified, strict=True)],
         bound=BOUND,
     )
-
-
-def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement]]]:
-    return [(paper, list(group)) for paper, group in groupby(judgements, key=lambda j: j.claim.paper)]
 
 
 def _function(low: Lowered, verification: Verification) -> dict[str, object]:

@@ -137,7 +137,7 @@ def _settled(
     while precision < LAST_PRECISION:
         precision *= 2
         finer = _at(compiled, point, precision)
-        settled = [_agree(a, b) for a, b in zip(values, finer, strict=True)]
+        settled = [abs(a - b) <= abs(b) * mpmath.mpf(10) ** -DIGITS for a, b in zip(values, finer, strict=True)]
         if all(settled):
             return finer, precision
         values = finer
@@ -145,10 +145,6 @@ def _settled(
     if all(agreed or zero for agreed, zero in zip(settled, zeros, strict=True)):
         return tuple(mpmath.mpf(0) if zero else value for value, zero in zip(values, zeros, strict=True)), precision
     raise NoAgreementError(f"oracle: {LAST_PRECISION} digits do not give {DIGITS} certain ones at {point}")
-
-
-def _agree(value: Any, finer: Any) -> bool:
-    return bool(abs(value - finer) <= abs(finer) * mpmath.mpf(10) ** -DIGITS)
 
 
 def _exact_zeros(kernel: Kernel, inputs: Mapping[str, float]) -> list[bool]:

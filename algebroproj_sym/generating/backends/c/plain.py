@@ -88,7 +88,7 @@ def _function(low: Lowered) -> dict[str, object]:
         "rows": len(rows),
         "head": "PLAIN" if copied or _work(low) >= ORDERING * len(ordered) else "NARROW",
         "declared": ", ".join([*(f"{_kind(name)} (*restrict {name})[{n}]" for name, n in arrays.items()), POINTS]),
-        "given": ", ".join(_given(name, size, place) for place, (name, size) in enumerate(arrays.items())),
+        "given": ", ".join(f"({_kind(name)} (*)[{n}])data[{k}] + first" for k, (name, n) in enumerate(arrays.items())),
         "loops": [loop for loop in loops if loop],
     }
 
@@ -98,11 +98,6 @@ def _work(low: Lowered) -> int:
     systems = [len(step.rows) for step in low.plain.steps if isinstance(step, Call) and step.primitive in LINEAR]
     counts = low.plain.operations()
     return counts.total() + (DIVISION - 1) * counts["/"] + sum(height**3 for height in systems)
-
-
-def _given(name: str, size: int, place: int) -> str:
-    """Return an array as it is given to a function, from the addresses of all operands."""
-    return f"({_kind(name)} (*)[{size}])data[{place}] + first"
 
 
 def _kind(name: str) -> str:

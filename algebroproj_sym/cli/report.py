@@ -21,7 +21,7 @@ from algebroproj_sym.declaring import drivers, kernels, located, split
 from algebroproj_sym.generating.backends.numpy import render
 from algebroproj_sym.generating.writing import PACKAGE, write
 from algebroproj_sym.processes import in_processes
-from algebroproj_sym.reporting.dependences import noting
+from algebroproj_sym.reporting.dependences import noted
 from algebroproj_sym.reporting.live.bundling import live_files
 from algebroproj_sym.reporting.live.fetching import FetchError
 from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
@@ -66,27 +66,24 @@ def report(
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
     carried = _live_files() if live else {}
-    with noting(selectors) as rests:
-        judgements = judged(claims, jobs)
-        console().print(summary_text(judgements))
-        say_what_is_wrong(judgements)
-        numbers = {(claim.paper, claim.number) for claim in claims}
-        chosen = [
-            k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}
-        ]
-        lowered = lowered_after(judgements, chosen, jobs)
-        package = render(lowered, drivers(sources))
-        with TemporaryDirectory() as folder:
-            write(package, Path(folder) / PACKAGE)
-            verifications = list(
-                progressing(pipeline.verifications(lowered, Path(folder), samples, jobs), len(lowered), "verifying")
-            )
-        modules = [derivation for derivation, _ in found]
-        shown: list[Notebook] = []
-        if notebooks:
-            run = list({module.path: module for module in modules}.values())
-            shown = list(progressing(in_processes(run_notebook, run, jobs), len(run), "running notebooks"))
-        known = rests()
+    known = noted(selectors)
+    judgements = judged(claims, jobs)
+    console().print(summary_text(judgements))
+    say_what_is_wrong(judgements)
+    numbers = {(claim.paper, claim.number) for claim in claims}
+    chosen = [k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}]
+    lowered = lowered_after(judgements, chosen, jobs)
+    package = render(lowered, drivers(sources))
+    with TemporaryDirectory() as folder:
+        write(package, Path(folder) / PACKAGE)
+        verifications = list(
+            progressing(pipeline.verifications(lowered, Path(folder), samples, jobs), len(lowered), "verifying")
+        )
+    modules = [derivation for derivation, _ in found]
+    shown: list[Notebook] = []
+    if notebooks:
+        run = list({module.path: module for module in modules}.values())
+        shown = list(progressing(in_processes(run_notebook, run, jobs), len(run), "running notebooks"))
     functions = functions_of(lowered, verifications, package)
     site = render_site(catalogue(judgements, modules, functions, shown, live, known)) | carried
     replace(site, out)

@@ -133,18 +133,12 @@ def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Me
     Raises
     ------
     NotUnderstoodError
-        If there is no such kernel, it is more than one loop over points, or an output is not set.
+        If there is no such kernel, it is more than loops over points, or an output is not set.
     """
     if name not in source.kernels:
         raise NotUnderstoodError(f"C source: expected a kernel {name}, there is none")
-    body = source.kernels[name]
-    if not body.lstrip("{\n ").startswith(_POINTS):
-        raise NotUnderstoodError(f"{name}: expected a loop over points")
-    statements = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '', 1)}").body.block_items
-    if len(statements) != 1 or not isinstance(statements[0], c_ast.Compound):
-        raise NotUnderstoodError(f"{name}: expected one loop over points")
     variables: dict[str, Any] = {"in": dict(enumerate(inputs)), "out": {}, "i": _POINT}
-    _run(statements[0], _Scope(variables, source, meaning))
+    _run_loops(name, source.kernels[name], "all", _Scope(variables, source, meaning))
     return _in_order(name, variables["out"])
 
 
@@ -180,7 +174,7 @@ def plain_outputs(
 
 def _run_loops(name: str, body: str, length: str, scope: _Scope) -> None:
     """Execute loops over the same points, one after the other; before them, rows may be declared for all of them."""
-    declared, *loops = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '')}").body.block_items
+    declared, *loops = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '')}").body.block_items or [None]
     rows: dict[int, Any] = {}
     match declared:
         case c_ast.Decl(

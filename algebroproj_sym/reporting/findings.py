@@ -25,14 +25,8 @@ LONGEST_VALUE = 40
 class Finding:
     """A finding, and the claims that have it.
 
-    Attributes
-    ----------
-    first : Judgement
-        That of the claim that tells it.
-    others : tuple of Judgement
-        Those of the claims that are declared to have the same finding.
-    numbers : mapping of str to Claim
-        The claims of the paper by their numbers.
+    The first one tells it; the others are declared to have the same. The claims of the paper are known by their
+    numbers.
     """
 
     first: Judgement

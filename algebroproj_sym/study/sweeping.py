@@ -52,22 +52,8 @@ class BusyFolderError(ValueError):
 class Sweep:
     """A study with its arguments, in a folder.
 
-    Attributes
-    ----------
-    study : Study
-        What is computed.
-    folder : Path
-        Where.
-    options : mapping of str to object
-        The options of the study that are not to have their default values.
-    members : int
-        How many members.
-    size : int
-        How many members a chunk has; memory is bounded by it.
-    seed : int
-        Of the random numbers.
-    output : {"netcdf", "zarr"}
-        Form of the dataset.
+    The options are those that are not to have their default values. A chunk has `size` members, by which memory is
+    bounded.
 
     Raises
     ------

@@ -23,14 +23,6 @@ from numpy.typing import ArrayLike, NDArray
 from algebroproj._runtime.evaluation import Body, Signature, batch_of, parts_of, placed
 from algebroproj._runtime.pairs import DIGITS, DoubleDouble
 
-__all__ = [
-    "Arithmetic",
-    "apply",
-    "lift",
-    "nearest",
-    "radius",
-]
-
 Numbers: TypeAlias = NDArray[Any]
 Function: TypeAlias = Callable[..., Any]
 

@@ -21,8 +21,6 @@ from algebroproj._runtime.systems import null_vector, solve
 from algebroproj_sym.declaring import ELEMENTARY, Primitive
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
-__all__ = ["Taylor", "composed", "gradient", "hessian", "taylor", "variables"]
-
 Array: TypeAlias = NDArray[np.float64]
 
 

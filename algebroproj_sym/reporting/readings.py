@@ -12,7 +12,6 @@ from algebroproj_sym.showing.display import folded
 if TYPE_CHECKING:
     from algebroproj_sym.reading import Link, Reading
 
-VERDICTS = ("contradicts", "definition", "follows", "independent", "not decided", "not read")
 MOST_REASONS = 8
 MOST_LINES = 12
 
@@ -23,9 +22,9 @@ def reading_record(readings: Sequence[Reading]) -> dict[str, Any]:
 
 
 def summary_of(readings: Iterable[Reading]) -> Counter[str]:
-    """Return how many equations have which verdict."""
-    counts = Counter(each.verdict for each in readings)
-    return Counter({verdict: counts[verdict] for verdict in VERDICTS if verdict in counts})
+    """Return how many equations have which verdict, in alphabetical order."""
+    counts: Counter[str] = Counter(each.verdict for each in readings)
+    return Counter(dict(sorted(counts.items())))
 
 
 def decisive(reading: Reading) -> Link | None:

@@ -31,10 +31,10 @@ from algebroproj_sym.expressions import (
     values_of,
     written,
 )
-from algebroproj_sym.expressions.exact import exact, fmpq
+from algebroproj_sym.expressions.exact import fmpq
 from algebroproj_sym.proving.constrained import NO_POINT, Problem
 from algebroproj_sym.proving.engines import ENGINES
-from algebroproj_sym.proving.points import Point, rational_points, seed_of
+from algebroproj_sym.proving.points import Point, rational_points, seed_of, vanish
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
 
 Decision = Literal["proved", "refuted", "open"]
@@ -243,7 +243,7 @@ class _Question:
         """Whether the sides differ at a point; None where a side is undefined or a hypothesis or assumption fails."""
         if not self.admits(point):
             return None
-        at = exact(point)
+        at = {symbol: fmpq(value) for symbol, value in point.items()}
         try:
             if any(evaluate(unit, at, fmpq)[0] == 0 for unit in self.nonzero):
                 return None
@@ -262,7 +262,7 @@ class _Question:
         found = list[Point]()
         for place, filling in enumerate(islice(rational_points(self.symbols, self.seed, self.values), FILLINGS)):
             point = filling | self.witness
-            wrong = next((constraint for constraint in self.constraints if not _vanishes(constraint, point)), None)
+            wrong = next((constraint for constraint in self.constraints if not vanish([constraint], point)), None)
             if wrong is not None and place == 0:
                 raise ValueError(f"witness: expected a point with {wrong} = 0, got {dict(self.witness)}")
             if wrong is None and self.differs_at(point) is not None:
@@ -291,13 +291,6 @@ def _exact(value: Any, argument: str) -> Fraction:
     if not isinstance(number, sympy.Rational):
         raise ValueError(f"{argument}: expected an exact number, got {value!r}")
     return Fraction(int(number.p), int(number.q))
-
-
-def _vanishes(constraint: sympy.Expr, point: Point) -> bool:
-    try:
-        return bool(evaluate(constraint, point)[0] == 0)
-    except ZeroDivisionError:
-        return False
 
 
 def _prove_identity(question: _Question) -> Proof:

@@ -23,7 +23,6 @@ from algebroproj_sym.proving import (
     Proof,
     RationalFunction,
     RationalFunctionField,
-    points_on,
     prove,
     rational_points,
     rational_zeros,
@@ -106,9 +105,7 @@ def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr
 
 
 def _candidates(suspects: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int) -> Iterator[Point]:
-    """Yield zeros of the factors, solved for a variable or with a rational root, then any points."""
-    for suspect in suspects:
-        yield from points_on([suspect], symbols, seed, TRIES)
+    """Yield zeros of the factors, then any points."""
     for suspect in suspects:
         yield from rational_zeros([suspect], symbols, seed, TRIES)
     yield from islice(rational_points(symbols, seed), TRIES)

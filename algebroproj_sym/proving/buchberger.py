@@ -15,9 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from typing import Any
 
-import flint
-
-from algebroproj_sym.proving.polynomials import EffortExceededError
+from algebroproj_sym.proving.polynomials import EffortExceededError, relation
 
 Powers = tuple[int, ...]
 
@@ -140,20 +138,11 @@ class GroebnerBasis:
         >>> GroebnerBasis([x**2 - 2]).relation([x**0, x, x**2, x**3])
         [-2, 0, 1]
         """
-        rows: list[tuple[dict[Powers, Any], list[Any]]] = []
-        for place, polynomial in enumerate(polynomials):
-            rest = {tuple(map(int, powers)): value for powers, value in self.normal_form(polynomial).to_dict().items()}
-            numbers = [flint.fmpq(int(k == place)) for k in range(place + 1)]
-            for row, combination in rows:
-                factor = rest.get(max(row), 0)
-                if factor:
-                    rest = {p: rest.get(p, 0) - factor * row.get(p, 0) for p in {*rest, *row}}
-                    rest = {p: value for p, value in rest.items() if value}
-                    numbers = [n - factor * c for n, c in zip(numbers, combination + [0] * place, strict=False)]
-            if not rest:
-                return numbers
-            scale = 1 / rest[max(rest)]
-            rows.append(({p: value * scale for p, value in rest.items()}, [n * scale for n in numbers]))
+        forms = list[Any]()
+        for polynomial in polynomials:
+            forms.append(self.normal_form(polynomial))
+            if (found := relation(forms)) is not None:
+                return found
         return None
 
     def free(self) -> set[int]:

@@ -10,7 +10,17 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import SymbolError, assumed, is_plain
-from algebroproj_sym.expressions.letters import LetterError, Reading, Shape, Size, Term, made, number, parse_letters
+from algebroproj_sym.expressions.letters import (
+    LetterError,
+    Reading,
+    Shape,
+    Size,
+    Term,
+    made,
+    minus,
+    number,
+    parse_letters,
+)
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.letters.deciding import Found, Point, decide
 from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_letters
@@ -197,7 +207,7 @@ def _difference(text: Any, shapes: Mapping[str, Shape], argument: str) -> Term:
     second = parse_letters(right, shapes, argument)
     if second == number(0):
         return first
-    return made("sum", first, made("product", number(-1), second))
+    return minus(first, second)
 
 
 def _statement(

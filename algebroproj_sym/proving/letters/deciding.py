@@ -322,7 +322,9 @@ class _Question:
         for attempt in range(SPARSE_TRIES):
             sizes = self._sizes(generator, attempt)
             letters = {
-                name: (sparse if name in bound and not letter.properties else example)(letter, sizes, generator, 0)
+                name: sparse(letter, sizes, generator)
+                if name in bound and not letter.properties
+                else example(letter, sizes, generator, 0)
                 for name, letter in self.statement.letters.items()
             }
             scalars = {name: self._number(symbol, generator, 0) for name, symbol in self._scalars().items()}

@@ -15,6 +15,7 @@ from typing import Any
 
 import flint
 
+from algebroproj_sym.expressions.exact import fraction
 from algebroproj_sym.proving.reals.balls import Balls
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.samples import Sample, samples_at
@@ -422,8 +423,3 @@ def _spelled(theory: Theory, name: str) -> str:
 def rational(value: Any) -> Fraction:
     """Return about the value of a number, given by itself or by an interval."""
     return value if isinstance(value, Fraction) else Fraction(value[0] + value[1], 2 << BITS).limit_denominator(10**9)
-
-
-def fraction(value: Any) -> Fraction:
-    """Return a number of FLINT."""
-    return Fraction(int(value.p), int(value.q))

@@ -201,7 +201,7 @@ def _serve(connection: Any, engine: str) -> None:
 
 def _decided(question: Question, engine: str) -> Outcome:
     from algebroproj_sym.proving.points import point_record
-    from algebroproj_sym.proving.prove import UndefinedError
+    from algebroproj_sym.proving.proof import UndefinedError
     from algebroproj_sym.proving.statements import prove
 
     start = monotonic()

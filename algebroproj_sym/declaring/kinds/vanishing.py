@@ -27,6 +27,7 @@ from algebroproj_sym.proving import (
     rational_points,
     rational_zeros,
     seed_of,
+    undecided,
 )
 
 TRIES = 200
@@ -101,7 +102,7 @@ def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr
             certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}
             return Proof("refuted", (), certificate, point, engine)
     reason = "the irreducible factors differ, but no rational point tells them apart"
-    return Proof("open", (), {"method": "none", "reason": reason}, None, engine)
+    return undecided(reason, engine)
 
 
 def _candidates(suspects: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int) -> Iterator[Point]:

@@ -38,7 +38,7 @@ from algebroproj_sym.proving.letters.statements import (
 from algebroproj_sym.proving.letters.turns import Turn
 from algebroproj_sym.proving.letters.words import Algebra, NotWordsError
 from algebroproj_sym.proving.points import rational_zeros
-from algebroproj_sym.proving.prove import Decision, UndefinedError
+from algebroproj_sym.proving.proof import Decision, UndefinedError
 from algebroproj_sym.proving.prove import prove as decided
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 

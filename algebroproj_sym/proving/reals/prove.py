@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.proving.polynomials import EffortExceededError
-from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.proof import Proof
 from algebroproj_sym.proving.reals.integrals import integrated
 from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
 from algebroproj_sym.proving.reals.reading import (

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-import flint
-
 from algebroproj_sym.proving.consequences import End
-from algebroproj_sym.proving.polynomials import content_of, null_space
+from algebroproj_sym.proving.polynomials import content_of, relation
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.rewriting import Rule, reduced_by, rules
 from algebroproj_sym.replaying.field import Element
@@ -34,9 +32,10 @@ def constant_zero(knowledge: Knowledge, element: Element) -> bool:
         if following is None:
             return False
         powers.append(following)
-        relation = _relation([value for value, _ in powers])
-        if relation is not None:
-            return _shown(knowledge, goal, relation, [value for value, _ in powers], given)
+        values = [value for value, _ in powers]
+        found = relation(values)
+        if found is not None:
+            return _shown(knowledge, goal, found, values, given)
     return False
 
 
@@ -45,22 +44,12 @@ def _is_apart(knowledge: Knowledge, element: Element) -> bool:
     return bool(value) if not isinstance(value, tuple) else value[0] > 0 or value[1] < 0
 
 
-def _relation(values: list[Any]) -> list[Any] | None:
-    """Return coefficients with which polynomials add up to zero."""
-    rows: dict[Any, list[Any]] = {}
-    for column, value in enumerate(values):
-        for powers, coefficient in value.to_dict().items():
-            rows.setdefault(powers, [flint.fmpq(0)] * len(values))[column] = coefficient
-    found = null_space([*rows.values()], len(values))
-    return found[0][1] if found else None
-
-
-def _shown(knowledge: Knowledge, goal: Any, relation: list[Any], powers: list[Any], given: list[Rule]) -> bool:
-    low = next(place for place, value in enumerate(relation) if value != 0)
+def _shown(knowledge: Knowledge, goal: Any, numbers: list[Any], powers: list[Any], given: list[Rule]) -> bool:
+    low = next(place for place, value in enumerate(numbers) if value != 0)
     if low == 0:
         return False
     rest = goal * 0
-    for power, value in zip(powers, relation[low:], strict=False):
+    for power, value in zip(powers, numbers[low:], strict=False):
         rest = rest + power * value
     if rest == 0:
         return False

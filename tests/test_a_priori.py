@@ -19,7 +19,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import algebroproj
-from algebroproj_sym.declaring import kernels
+from algebroproj_sym.declaring import judge, kernels, select
 from algebroproj_sym.exporting import assumptions, compiled
 from algebroproj_sym.exporting.files import LIBRARY
 from algebroproj_sym.exporting.rounding import ALLOWED, CHECKER, accuracy_of, render
@@ -35,7 +35,13 @@ from algebroproj_sym.verifying.condition_numbers import a_priori_record, as_reco
 from algebroproj_sym.verifying.shipped import call, function_of
 from algebroproj_sym.verifying.straight_line import executed, is_rational, numbered, straight_line, straight_line_of_c
 
-FUNCTIONS = ("projection.mu_from_center", "projection.project", "affine.plane_coordinates", "correlation.epipoles")
+FUNCTIONS = (
+    "projection.mu_from_center",
+    "projection.project",
+    "affine.plane_coordinates",
+    "correlation.epipoles",
+    "projection.projection_determinant",
+)
 UNDERFLOW = 1e-250
 
 
@@ -80,7 +86,9 @@ def sized(line, arguments):
                 sizes[number] = abs(values[number])
                 continue
             case "/":
-                size = sizes[operands[0]] / abs(values[operands[1]])
+                size = sizes[operands[0]] * sizes[operands[1]] / values[operands[1]] ** 2
+            case "join":
+                size = sizes[operands[0]]
             case "*" | "product_error":
                 size = math.prod(sizes[operand] for operand in operands[:2]) + sum(sizes[o] for o in operands[2:])
             case _:
@@ -91,6 +99,7 @@ def sized(line, arguments):
 
 MEANING = {
     "+": add,
+    "join": add,
     "-": sub,
     "*": mul,
     "/": truediv,
@@ -155,15 +164,14 @@ def test_no_error_is_larger_than_its_bound(lowered):
 
 @pytest.mark.whole
 def test_the_c_source_computes_what_was_analysed():
-    """The lines of the C source, parsed, are the program that the bounds speak of, and most functions have bounds."""
+    """The lines of the C source, parsed, are the program that the bounds speak of, and each result has a bound."""
     rational = [low for low in map(lower, kernels()) if is_rational(low)]
-    analysed = [analysis(straight_line(low)) for low in rational]
-    for low, found in zip(rational, analysed, strict=True):
+    assert len(rational) >= 74
+    for low in rational:
+        line = straight_line(low)
         if is_compiled(low):
-            assert straight_line_of_c(low, algebroproj) == found.line
-    assert len(rational) >= 70
-    assert sum(found.is_complete for found in analysed) >= 57
-    assert sum(any(found.bounds) for found in analysed) >= 62
+            assert straight_line_of_c(low, algebroproj) == line
+        assert analysis(line).is_complete, low.kernel.qualified_name
 
 
 def c_text():
@@ -342,6 +350,23 @@ def test_a_file_says_what_its_numbers_stand_for(lowered):
         assert f"entry {place} is {number}" in text
 
 
+def test_a_file_names_the_claims_that_its_formula_rests_on(lowered):
+    """Each selector is that of a claim, and the claim is decided as it says."""
+    found = accuracy_of(lowered, algebroproj)
+    text = " ".join(render([found])[f"{found.name}.v"].split())
+    selectors = text.partition("these claims of the ledger: ")[2].partition(". ")[0].split(", ")
+    assert selectors == [f"{lowered.kernel.paper}:{number}" for number in lowered.kernel.claims]
+    for selector in selectors:
+        (claim,) = [claim for claim in select([selector]) if f"{claim.paper}:{claim.number}" == selector]
+        assert judge(claim).verdict == claim.expected
+
+
+def test_arguments_that_cannot_be_are_not_looked_for_without_end():
+    line = numbered(recorded("x", lambda x: (1 / (x - x),)))
+    with pytest.raises(ValueError, match="no divisor is zero, found none in"):
+        instance(analysis(line), 9, bool)
+
+
 @pytest.mark.whole
 @needs_coq
 def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
@@ -362,7 +387,7 @@ def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     (analysed, k), changed = (found[0].analysis, found[0].reach), [*mutants(found[0].analysis)]
     for place, mutant in enumerate([analysed, *changed]):
         parts.append(definitions(str(place), mutant))
-    checks = [range_check(0, k), instance_check(k, instance(analysed, 9)), range_check(0, 0), formula_check()]
+    checks = [range_check(0, k), instance_check(k, instance(analysed, 9, bool)), range_check(0, 0), formula_check()]
     checks += [range_check(place, k) for place in range(1, len(changed) + 1)]
     checks += [range_check(0, wrong) for wrong in (k + 1, 2 * k, 1023, 5000)]
     singular = [1, 0, 0, 5, 4], [7, -5, 7, 8, -7], [2**53 + 1, -5, 7, 8, 4]

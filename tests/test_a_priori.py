@@ -28,6 +28,7 @@ from algebroproj_sym.exporting.rounding.theorems import definitions
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating import is_compiled, lower, run
 from algebroproj_sym.generating.program import named, recorded
+from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.verifying import load_package
 from algebroproj_sym.verifying.a_priori import ONE, Analysis, Bound, analysis
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, inline_value, source_of
@@ -160,6 +161,48 @@ def test_no_error_is_larger_than_its_bound(lowered):
                 point, best = candidate, ratio
         largest = max(largest, best)
     assert Fraction(1, 8) < largest <= 1
+
+
+def extreme_point(generator, count, k):
+    """Numbers from both ends of a range, or such that sums of some of them and 1 nearly cancel several times."""
+    if generator.random() < 0.5:
+        return [generator.choice((-1, 1)) * generator.uniform(1, 2) * 2.0 ** generator.choice((-k, 1 - k, 0, k - 1))
+                for _ in range(count)]  # fmt: skip
+    point = [generator.uniform(0.1, 0.9) for _ in range(count)]
+    for place in generator.sample(range(count), count // 2):
+        point[place] = 1 - point[place - 1] + generator.choice((0.0, 2.0**-53, -(2.0**-52), 2.0**-80))
+    return point
+
+
+def test_the_bound_holds_at_the_ends_of_the_range_and_next_to_singular_points(lowered):
+    """Where the hypotheses of the theorem hold, results are finite and no error is larger than the bound."""
+    found, k = analysis(straight_line(lowered)), reach(lowered.program)
+    generator, checked = random.Random(7), 0
+    for _ in range(150):
+        point = extreme_point(generator, len(lowered.kernel.symbols), k)
+        try:
+            values, sizes = sized(found.line, [Fraction(value) for value in point])
+        except ZeroDivisionError:
+            continue
+        kappas = {place: sizes[place] / abs(value) for place, value in values.items() if value}
+        if not all(d.result in kappas and applies(d, kappas) for d in found.divisors):
+            continue
+        with np.errstate(all="ignore"):
+            batch = {
+                symbol.name: np.array([value]) for symbol, value in zip(lowered.kernel.symbols, point, strict=True)
+            }
+            computed = call(function_of(lowered.kernel, algebroproj), lowered.kernel, batch)[0].tolist()
+        for bound, value in zip(found.bounds, computed, strict=True):
+            assert math.isfinite(value)
+            if applies(bound, kappas):
+                truth = values[bound.result]
+                assert abs(Fraction(value) - truth) <= relative_error(bound, kappas) * abs(truth)
+                checked += 1
+    assert checked > 50
+
+
+def applies(bound, kappas):
+    return all(place in kappas for place, _ in bound.terms) and relative_error(bound, kappas) is not None
 
 
 @pytest.mark.whole

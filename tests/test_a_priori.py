@@ -166,8 +166,10 @@ def test_no_error_is_larger_than_its_bound(lowered):
 def extreme_point(generator, count, k):
     """Numbers from both ends of a range, or such that sums of some of them and 1 nearly cancel several times."""
     if generator.random() < 0.5:
-        return [generator.choice((-1, 1)) * generator.uniform(1, 2) * 2.0 ** generator.choice((-k, 1 - k, 0, k - 1))
-                for _ in range(count)]  # fmt: skip
+        return [
+            generator.choice((-1, 1)) * generator.uniform(1, 2) * 2.0 ** generator.choice((-k, 1 - k, 0, k - 1))
+            for _ in range(count)
+        ]
     point = [generator.uniform(0.1, 0.9) for _ in range(count)]
     for place in generator.sample(range(count), count // 2):
         point[place] = 1 - point[place - 1] + generator.choice((0.0, 2.0**-53, -(2.0**-52), 2.0**-80))
@@ -366,11 +368,11 @@ def mutants(found: Analysis):
                 yield replace(found, **{name: (*bounds[:place], mutant, *bounds[place + 1 :])})
     for place in range(len(found.divisors)):
         yield replace(found, divisors=found.divisors[:place] + found.divisors[place + 1 :])
-    other = {"+": "-", "-": "+", "*": "/", "/": "*", "neg": "product_error"}
+    other = {"+": "-", "-": "+", "*": "/", "/": "*", "neg": "product_error", "join": "+"}
     used = {number for fact in found.certificate for number in fact.arguments if isinstance(number, int)}
     for number, (operator, operands) in line.operations.items():
         changed = None
-        if operator in ("+", "-") and number in used:
+        if operator in ("+", "-", "/", "join") and number in used:
             changed = other[operator], operands
         if operator == "product_error" and operands[0] != operands[1]:
             changed = operator, (operands[0], operands[0], operands[2])
@@ -381,6 +383,14 @@ def mutants(found: Analysis):
     for place, fact in enumerate(found.certificate):
         if place % 7 == 0 and not any(fact in other.arguments for other in found.certificate):
             yield replace(found, certificate=found.certificate[:place] + found.certificate[place + 1 :])
+
+
+def wrongly_joined(found: Analysis):
+    """Programs that say of the second number of a sum that it was only rounded off the first: bounds get smaller."""
+    line = found.line
+    for number in {fact.arguments[0] for fact in found.certificate if fact.rule == "SumOf"}:
+        operations = {**line.operations, number: ("join", line.operations[number][1])}
+        yield replace(found, line=replace(line, operations=operations))
 
 
 def test_a_file_says_what_its_numbers_stand_for(lowered):
@@ -414,7 +424,8 @@ def test_arguments_that_cannot_be_are_not_looked_for_without_end():
 @needs_coq
 def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     """The theorems are accepted, rest on the listed axioms; mutants, wider ranges and singular points fail."""
-    lowered = [lower(*kernels([name])) for name in ("projection.mu_from_center", "affine.plane_coordinates")]
+    names = ("projection.mu_from_center", "normal_case.from_orientation", "projection.projection_determinant")
+    lowered = [lower(*kernels([name])) for name in names]
     found = [accuracy_of(low, algebroproj) for low in lowered]
     write_texts(render(found), tmp_path)
     for name in (*CHECKER, *(each.name for each in found)):
@@ -428,10 +439,14 @@ def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     parts.append(f"From {LIBRARY} Require Import Exact {found[0].name}.\nFrom {LIBRARY} Require Formulas.\n")
     parts.append("Import ListNotations.\nOpen Scope positive_scope.\n")
     (analysed, k), changed = (found[0].analysis, found[0].reach), [*mutants(found[0].analysis)]
-    for place, mutant in enumerate([analysed, *changed]):
+    (divided, narrow), others = (found[2].analysis, found[2].reach), [*mutants(found[2].analysis)]
+    others += wrongly_joined(found[1].analysis)
+    for place, mutant in enumerate([analysed, *changed, divided, *others]):
         parts.append(definitions(str(place), mutant))
     checks = [range_check(0, k), instance_check(k, instance(analysed, 9, bool)), range_check(0, 0), formula_check()]
+    checks.append(range_check(len(changed) + 1, narrow))
     checks += [range_check(place, k) for place in range(1, len(changed) + 1)]
+    checks += [range_check(len(changed) + 1 + place, narrow) for place in range(1, len(others) + 1)]
     checks += [range_check(0, wrong) for wrong in (k + 1, 2 * k, 1023, 5000)]
     singular = [1, 0, 0, 5, 4], [7, -5, 7, 8, -7], [2**53 + 1, -5, 7, 8, 4]
     checks += [instance_check(k, numbers) for numbers in singular]
@@ -444,8 +459,8 @@ def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     (tmp_path / "mutants.v").write_text("\n".join(parts), encoding="utf-8")
     command = ["coqc", "-q", "-R", ".", LIBRARY, "mutants.v"]
     said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
-    assert len(checks) > 60
-    assert "= [0%nat; 1%nat; 2%nat; 3%nat]" in " ".join(said.split())
+    assert len(checks) > 100
+    assert "= [0%nat; 1%nat; 2%nat; 3%nat; 4%nat]" in " ".join(said.split())
 
 
 FORMULAS = "Trees.formulas"

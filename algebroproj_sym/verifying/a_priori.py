@@ -402,10 +402,13 @@ class _Search:
     def _separated(self, low: int, total: int | None, difference: int | None) -> None:
         """Conclude that a sum of both parts of a pair, and what it is short of them, are a pair too."""
         operator, *parts = self.operation(total) if total is not None else ("", 0, 0)
-        for pair in list(self.pairs[parts[0]]) if operator == "+" and total is not None else []:
+        if total is None or operator != "+":
+            return
+        for pair in list(self.pairs[parts[0]]):
             if pair.second != parts[1]:
                 continue
-            error, rest, uses = pair.error, _whole(pair), (pair,)
+            uses: tuple[Fact, ...] = (pair,)
+            error, rest = pair.error, _whole(pair)
             if difference is not None:
                 large = pair.rest + rest
                 small = rest + _tiny(large)
@@ -428,6 +431,7 @@ class _Search:
         """Conclude that a quotient of first parts, and the quotient of what it leaves of the dividend, are a pair."""
         operator, *parts = self.operation(last)
         before, dividend = parts if operator == "+" else (last, None)
+        divisor: tuple[int, int] | None
         match self.operation(before):
             case ("-", left, cross) if self.operation(cross)[0] == "*":
                 left_over, divisor, (quotient, second) = left, (cross, before), self.operation(cross)[1:]

@@ -217,13 +217,13 @@ def test_the_lemma_of_the_error_of_a_product_speaks_of_the_operations_of_the_c_s
 def test_the_bound_of_a_formula_is_the_one_of_its_definition(lowered):
     """The condition numbers that are written are those that are evaluated."""
     found = analysis(straight_line(lowered))
-    written = conditions(found)
+    kappa_texts, where = conditions(found)
     generator = random.Random(1)
     arguments = [Fraction(generator.randint(1, 50), 7) for _ in found.line.inputs]
     names = dict(zip(found.line.inputs, arguments, strict=True))
-    for name, text in written.where.items():
+    for name, text in where.items():
         names[name] = evaluated(text, names)
-    kappas = {place: evaluated(text, names) for place, text in written.kappas.items()}
+    kappas = {place: evaluated(text, names) for place, text in kappa_texts.items()}
     for bound, expected in zip(found.bounds, relative_errors(found, arguments), strict=True):
         assert relative_error(bound, kappas) == expected
 

@@ -6,14 +6,15 @@ a statement becomes tokens (`lexing`) and a tree of the grammar (`grammar`), whi
 relation is judged (`judging`), and where one fails, the smallest change is sought by which it would hold (`repairs`).
 """
 
-from algebroproj_sym.reading.documents import Document, UnreadableDocumentError, document_at, document_of
-from algebroproj_sym.reading.folder import write_folder
-from algebroproj_sym.reading.grammar import Builder, Side, formula_of, read_formula
-from algebroproj_sym.reading.judging import VERDICTS, Link, Reading, Verdict, read_document
-from algebroproj_sym.reading.lexing import UnreadableError
-from algebroproj_sym.reading.matrices import in_letters
-from algebroproj_sym.reading.ordering import in_order
-from algebroproj_sym.reading.symbols import Symbols, SymbolsFile, Table, symbols_file, symbols_for, tables_in
+from algebroproj_sym.reading.defining.symbols import Symbols, SymbolsFile, Table, symbols_file, symbols_for, tables_in
+from algebroproj_sym.reading.documents.displays import Document, UnreadableDocumentError, document_at, document_of
+from algebroproj_sym.reading.judging.document import read_document
+from algebroproj_sym.reading.judging.verdicts import VERDICTS, Link, Reading, Verdict
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Builder, Side, formula_of, read_formula
+from algebroproj_sym.reading.parsing.matrices import in_letters
+from algebroproj_sym.reading.parsing.ordering import in_order
+from algebroproj_sym.reading.reporting.folder import write_folder
 
 __all__ = [
     "VERDICTS",

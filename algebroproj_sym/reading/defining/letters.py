@@ -15,9 +15,10 @@ from lark import Token, Transformer, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
-from algebroproj_sym.reading.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, wrapped
-from algebroproj_sym.reading.lexing import UnreadableError, split_symbol
-from algebroproj_sym.reading.vocabulary import Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, wrapped
 
 MOST_PARTS = 1_000
 """How many parts a side may have, with all definitions put in."""

@@ -50,8 +50,8 @@ def prove(
         elementary functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
     relation : {"=", "!=", "<", "<=", ">", ">="}
         Between the sides; with another one than equality they are scalars, and the symbols are real numbers.
-    constraints : sequence of str or sympy.Expr
-        Expressions that are zero; text may also be an equation ``left = right``.
+    constraints : sequence of str, sympy.Expr or sympy.Eq
+        Expressions that are zero, or equations; text may be an equation ``left = right``.
     nonzero : sequence of str or sympy.Expr
         Expressions that are not zero.
     assumptions : sequence of str or SymPy relation
@@ -105,6 +105,9 @@ def prove(
     'proved'
     >>> prove("x", "0", constraints=["x^2"]).certificate["method"]
     'radical membership'
+    >>> x, y = sympy.symbols("x y")
+    >>> prove(x**2, y**2, constraints=[sympy.Eq(x, y)]).verdict
+    'proved'
     >>> prove("x", "1", constraints=["x^2 = 2"]).counterexample
     {x: -sqrt(2)}
     >>> prove("sqrt(x^2)", "x", assumptions=["x >= 0"]).verdict, prove("sqrt(x^2)", "x").counterexample
@@ -124,6 +127,7 @@ def prove(
     for argument, given in {"constraints": constraints, "nonzero": nonzero, "assumptions": assumptions}.items():
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
+    constraints = [_difference(each) for each in constraints]
     forms = (lhs, rhs, *constraints, *nonzero)
     if letters is not None or properties or speaks_of_letters(forms):
         for argument, unused in {"assumptions": not assumptions, "witness": witness is None}.items():
@@ -144,6 +148,16 @@ def prove(
         if not any(map(has_functions, forms)):
             raise
     return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
+
+
+def _difference(constraint: Any) -> Any:
+    """Return what an equation says is zero; nothing is cancelled, since each side must be defined."""
+    if not isinstance(constraint, sympy.Eq):
+        return constraint
+    left, right = constraint.args
+    if isinstance(left, sympy.MatrixExpr):
+        return sympy.MatAdd(left, sympy.MatMul(-1, right))
+    return sympy.Add(left, sympy.Mul(-1, right, evaluate=False), evaluate=False)
 
 
 def has_functions(form: Any) -> bool:

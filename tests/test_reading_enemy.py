@@ -64,6 +64,7 @@ TRUE = {
     "a wrong formula": SUM + r"A beginner writes \[ s^2 = a^2 + b^2. \] This leads to an error.",
     "not": SUM + r"It is not true that, hence, \[ s^2 = a^2 - 2ab + b^2. \]",
     "a question": SUM + r"Does it follow that \[ s^2 = a^2 - 2ab + b^2? \]",
+    "in terms of": SUM + r"In terms of its parts, the difference gives \[ s^2 = a^2 - 2ab + b^2. \]",
     # Another meaning of a letter.
     "a new section": SUM + r"\section{Differences} Hence \[ s^2 = a^2 - 2ab + b^2. \]",
     "a new paragraph": SUM + r"\paragraph{Differences} The difference $s$ gives \[ s^2 = a^2 - 2ab + b^2. \]",

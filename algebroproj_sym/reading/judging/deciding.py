@@ -11,8 +11,9 @@ from itertools import islice
 from algebroproj_sym.expressions import entries, evaluate, free_symbols
 from algebroproj_sym.proving import Outcome
 from algebroproj_sym.proving.reals.prove import may_agree, often_agree
+from algebroproj_sym.reading.defining.letters import FREE
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.judging.doubts import NOT_COMPUTED
+from algebroproj_sym.reading.judging.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
 from algebroproj_sym.reading.judging.questions import (
     Sides,
     Way,
@@ -63,7 +64,7 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         if each.link.verdict != "follows":
             refuted = [(way, answer) for way, (_, answer) in zip(each.ways, answered, strict=True)]
             failing += [(each, way, answer) for way, answer in refuted if answer.verdict == "refuted" and not way.reads]
-    candidates = [_likely_repairs(way) for _, way, _ in failing]
+    candidates = [_likely_repairs(way) if way.doubt not in (A_CONDITION, NOT_GIVEN) else [] for _, way, _ in failing]
     found = answers([way for changes in candidates for _, way in changes], seconds, jobs)
     for (each, way, refutation), changes in zip(failing, candidates, strict=True):
         tried = [(repair, changed, *found.pop(0)) for repair, changed in changes]
@@ -119,8 +120,10 @@ def _doubt_of_refutation(way: Way) -> str:
     if letters is not None:
         if any(re.search(r"[a-z]x|x[a-z]", text.partition(" ")[0]) for text in letters.values()):
             return "the sizes of its letters are not stated"
-        values = any("'" in text for _, text in questions[0].named_texts)
-        return f"what a function, a sum or an integral in it {NOT_COMPUTED}" if values else ""
+        values = {name for _, text in questions[0].named_texts for name in re.findall(r"([a-z]+)\d+'", text)}
+        if values - {FREE}:
+            return f"what a function, a sum or an integral in it {NOT_COMPUTED}"
+        return "nothing above it gives the function" if values else ""
     elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
     positive = bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
     return "it holds where its letters are positive" if positive else ""

@@ -21,6 +21,8 @@ from algebroproj_sym.reading.judging.words import Beside, words_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 NOT_COMPUTED = "stands for is not computed"
+NOT_GIVEN = "its letters are defined nowhere above it"
+A_CONDITION = "it may be a condition"
 _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
 
 
@@ -95,12 +97,12 @@ def _doubt_of_letters(
     """Return whether letters are not given, so that an equation may be a condition or a new statement."""
     ours, theirs = (vocabulary.letters_of(side) for side in formula.sides[index : index + 2])
     if bool(ours) != bool(theirs):
-        return "it may be a condition"
+        return A_CONDITION
     if chained and theirs <= ours and (index > 0 or ours <= theirs):
         return ""
     base = frozenset(letter for each in used for letter in vocabulary.letters_of(each.tree))
     if not used and (ours or theirs):
-        return "its letters are defined nowhere above it"
+        return NOT_GIVEN
     if new := sorted((ours | theirs) - base):
         return f"{vocabulary.name(new[0])} is not given by the definitions above it"
     return ""

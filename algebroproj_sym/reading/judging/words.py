@@ -170,4 +170,5 @@ _WORD = re.compile(r"[^\W\d_]{2,}")
 
 
 def _without_formulas(text: str) -> str:
-    return re.sub(r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+", " ", text)
+    """Return words without formulas, references, and what names the letters of an equation alone."""
+    return re.sub(r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|\b[Ii]n terms of [^,.$]*", " ", text)

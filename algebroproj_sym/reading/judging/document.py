@@ -110,7 +110,7 @@ class _Pass:
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
         self.introduced = False
-        self.beside = Beside("", "", "", "", False, 0, 0)
+        self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
         self.carried = ""
         self.ended = True
@@ -153,11 +153,19 @@ class _Pass:
                 self.vocabulary.define(definition)
         if len(formula.sides) > 1:
             self._note(statement, formula)
+            self._restate(formula)
+
+    def _restate(self, formula: Parsed) -> None:
+        """Take notice that a letter with a definition is given within the text, and otherwise."""
+        for side in formula.sides:
+            known = self.vocabulary.definitions.get(defined_by(side)[0])
+            if known is not None and known.tree not in formula.sides and formula.relations[0] in EQUALITIES:
+                self.vocabulary.define(replace(known, role="case"))
 
     def _note(self, statement: Statement, formula: Parsed) -> None:
         for side in formula.sides:
             for symbol in symbols_in(side):
-                self.asserted.setdefault(symbol, id(statement.display))
+                self.asserted.setdefault(symbol, statement.display.place)
 
     def _displayed(
         self, statement: Statement, found: Parsed | UnreadableError, place: int
@@ -190,7 +198,7 @@ class _Pass:
             links.append(Link("not decided", "it has no relation, so it states nothing"))
         if definition is not None:
             self.vocabulary.define(definition)
-            self.asserted.setdefault(definition.symbol, id(display))
+            self.asserted.setdefault(definition.symbol, display.place)
         else:
             self._note(statement, found)
         self._assert(statement, found, defines=definition is not None)
@@ -203,8 +211,7 @@ class _Pass:
         sides = formula.sides[defines:]
         pairs = [(sides[0], sides[-1]), *(pairwise(sides) if len(sides) > 2 else ())] if len(sides) > 1 else []
         names = frozenset((statement.number, statement.label)) - {""}
-        special = bool(self.beside.case)
-        words = self.beside.words
+        special, words = bool(self.beside.case), self.beside.words
         where, display = _where(statement), statement.display
         for left, right in pairs:
             self.premises.append(Premise(left, right, where, display.part, display.place, names, special, words))
@@ -226,13 +233,14 @@ class _Pass:
         if not explicit and self.beside.is_conditional:
             return None
         late = late or explicit or self.introduced or is_table(symbol, right, self.vocabulary)
-        used = self.asserted.get(symbol, id(statement.display)) != id(statement.display) and not late
-        if used or symbol in self.vocabulary.definitions or is_circular(symbol, right, self.vocabulary):
+        used = self.asserted.get(symbol, statement.display.place) != statement.display.place and not late
+        again = symbol in self.vocabulary.definitions and relation not in (":=", "=:")
+        if used or again or is_circular(symbol, right, self.vocabulary):
             return None
         if not explicit and derivatives_in((left,), self.vocabulary, self.survey.occurring):
             return None
         given = symbol, parameters, right, _where(statement), statement.display.part
-        words, place = self.beside.words, statement.display.place
+        words, place = beside(statement, "").words, statement.display.place
         made = Definition(*given, explicit, not statement.condition, place=place, words=words)
         return replace(made, usable=made.usable and computes(made, self.vocabulary))
 

@@ -34,8 +34,6 @@ def doubt_of_premises(beside: Beside, formula: Parsed, index: int, vocabulary: V
     for each in used_by(vocabulary, formula.sides[index], formula.sides[index + 1]):
         if each.role != "definition" and each.part != beside.part:
             return "a letter may have another meaning where it was given"
-        if each.role == "case":
-            return f"{each.where} may be a case"
     if not beside.follows:
         return "it is not said to follow"
     return doubt_of(beside, formula, index, vocabulary)
@@ -48,6 +46,10 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
     used = used_by(vocabulary, left, right)
     if formula.relations[index] == "≡":
         return "it may be a congruence"
+    if formula.relations[index] in (":=", "=:"):
+        return "it gives its letter anew"
+    if cases := [each.where for each in used if each.role == "case"]:
+        return f"{cases[0]} may be a case"
     if beside.condition:
         return "it stands beside a condition"
     lone = [tree for tree in (left, right) if defined_by(tree)[0]]

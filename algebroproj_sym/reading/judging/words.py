@@ -71,6 +71,8 @@ class Beside:
         How many headings come before it.
     place : int
         Where its display begins, in characters.
+    ends : bool
+        Whether its sentence ends before the next equation.
     """
 
     sentence: str
@@ -80,6 +82,7 @@ class Beside:
     implied: bool
     part: int
     place: int
+    ends: bool
 
     @property
     def case(self) -> str:
@@ -98,8 +101,8 @@ class Beside:
 
     @property
     def words(self) -> frozenset[str]:
-        """All words near the equation."""
-        return words_of(f"{self.before} {self.sentence} {self.behind}")
+        """All words near the equation, but for those that lead to the next one."""
+        return words_of(f"{self.before} {self.sentence} {self.behind if self.ends else ''}")
 
     @property
     def follows(self) -> bool:
@@ -126,9 +129,9 @@ def beside(statement: Statement, carried: str) -> Beside:
     display = statement.display
     last = last_sentence(display.before)
     sentence = f"{carried} {last}" if last == display.before.rstrip() else last
-    behind = "" if has_ended(display) else re.split(r"[.]\s", display.after)[0][:NEAR]
-    words = sentence, display.before[-NEAR:], behind, statement.condition
-    return Beside(*words, statement.implied, display.part, display.place)
+    behind, *rest = [""] if has_ended(display) else re.split(r"[.]\s", display.after)
+    words = sentence, display.before[-NEAR:], behind[:NEAR], statement.condition
+    return Beside(*words, statement.implied, display.part, display.place, bool(rest))
 
 
 def has_ended(display: Display) -> bool:

@@ -255,7 +255,7 @@ class _Pass:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         doubt = doubt_of(self.beside, formula, index, self.vocabulary)
         letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
-        identity = self._named(statement, self.given.identities) or (relation == "≡" and bool(letters))
+        identity = self._named(statement, self.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.vocabulary, left, right))
         vocabulary = self.vocabulary.copied()
         others = self._others(statement, formula, index)

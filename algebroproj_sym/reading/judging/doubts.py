@@ -45,7 +45,7 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
     symbols = {*symbols_in(left), *symbols_in(right)}
     used = used_by(vocabulary, left, right)
     if formula.relations[index] == "≡":
-        return "it may be a congruence"
+        return "it may be a congruence, or a condition"
     if formula.relations[index] in (":=", "=:"):
         return "it gives its letter anew"
     if cases := [each.where for each in used if each.role == "case"]:

@@ -177,8 +177,8 @@ class Vocabulary:
             return False
         if size[1] == 1:
             return below in (*"xyzw", *map(str, range(1, size[0] + 1)))
-        row, column = (below.replace(",", "") + "00")[:2]
-        return len(below.replace(",", "")) == 2 and row in "123456"[: size[0]] and column in "123456"[: size[1]]
+        entry = below.replace(",", "")
+        return len(entry) == 2 and entry[0] in "123456"[: size[0]] and entry[1] in "123456"[: size[1]]
 
     def properties_of(self, symbol: str) -> tuple[str, ...]:
         """Return what a symbol is said to be, such as a rotation."""

@@ -8,11 +8,11 @@ MAX_NESTING = 30
 MAX_PIECES = 20_000
 MAX_DIGITS = 1_000
 PIECE = re.compile(r"\\[a-zA-Z]+\*?|\\.|\s+|.", re.DOTALL)
-GREEK = (
+_GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi "
     "omega varepsilon varphi varrho vartheta varkappa varpi varsigma"
 )
-GREEK = frozenset(f"\\{name}" for low in GREEK.split() for name in (low, low.capitalize()))
+GREEK = frozenset(f"\\{name}" for low in _GREEK_NAMES.split() for name in (low, low.capitalize()))
 LETTERS = GREEK | {r"\ell", r"\hbar", r"\imath", r"\jmath", r"\nabla", r"\infty", r"\emptyset"}
 BOLD = {
     r"\bm": r"\mathbf",

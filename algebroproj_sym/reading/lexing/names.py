@@ -93,7 +93,7 @@ def take_letter(cursor: Cursor) -> str:
 def take_scripts(cursor: Cursor) -> tuple[int, str, str]:
     """Return the primes, the subscript and the superscript that follow."""
     primes, below, above = 0, "", ""
-    cursor.raised: list[Piece] = []
+    cursor.raised = []
     while True:
         here = cursor.index
         while cursor.text.isspace() or (cursor.text == "{" and cursor.peek(1) == "}" and _at_script(cursor)):

@@ -230,9 +230,10 @@ class _Pass:
         if not symbol or self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
             return None
         explicit = explicit or relation in (":=", "=:") or self._named(statement, self.given.definitions)
-        if not explicit and self.beside.is_conditional:
+        table = is_table(symbol, right, self.vocabulary)
+        if self.beside.is_conditional and not (explicit or table):
             return None
-        late = late or explicit or self.introduced or is_table(symbol, right, self.vocabulary)
+        late = late or explicit or self.introduced or table
         used = self.asserted.get(symbol, statement.display.place) != statement.display.place and not late
         again = symbol in self.vocabulary.definitions and relation not in (":=", "=:")
         if used or again or is_circular(symbol, right, self.vocabulary):

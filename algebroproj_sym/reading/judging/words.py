@@ -15,7 +15,7 @@ CASES = re.compile(
     r"\b(?:if|when|whenever|case|cases|assum\w+|suppose|approximat\w*|small|large|neglect\w*|limit\w*|either|roots?|"
     r"wrong|solutions?|otherwise|instead|special\w*|let|mod|modulo|convention|sign|opposite|alternative\w*|except|unless|"
     r"setting|choos\w+|solv\w+|equilibrium|condition\w*|requir\w+|impos\w+|vanish\w*|equation of|not|never|without|"
-    r"only|provided|example|instance|absence|ignor\w+|drop\w*|error|erroneous\w*|mistak\w+|false)\b"
+    r"provided|absence|ignor\w+|drop\w*|error|erroneous\w*|mistak\w+|false)\b"
     r"|(?:for|with|at|in which|where)\s+\$[^$]*=",
     re.IGNORECASE,
 )

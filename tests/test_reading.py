@@ -403,6 +403,8 @@ def test_two_signs_are_two_statements(latex, verdict):
         (r"\[ \sum_i \lbrace a_i + b_i \rbrace = c \]", r"[\sum_{i}](a_i + b_i) = c"),
         (r"\[ 0_{2\times1} = x \]", "[[0], [0]] = x"),
         (r"\[ a = b \Rightarrow c = d \]", "c = d"),
+        (r"\[ y = \underset{x}{\text{min.}} \:\: \lVert x \rVert \]", "y = [min._{x}](norm(x))"),
+        (r"\[ y = \underset{x}{z} \]", None),
     ],
 )
 def test_what_print_means(latex, read):

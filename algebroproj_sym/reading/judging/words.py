@@ -146,7 +146,7 @@ def _case_in(words: str) -> str:
 
 def last_sentence(words: str) -> str:
     """Return the words since the last full stop or the last empty line."""
-    return re.split(r"[.!?]\s+(?=[A-Z\\$])|\n\s*\n", words.rstrip())[-1]
+    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())[-1]
 
 
 def words_of(text: str) -> frozenset[str]:

@@ -84,6 +84,20 @@ def read_big(cursor: Cursor) -> None:
     _read_body(cursor)
 
 
+def read_underset(cursor: Cursor) -> None:
+    r"""Read what is written over something, as ``\underset{x}{\text{min}}``: a minimum, a maximum or a limit."""
+    start = cursor.place
+    cursor.index += 1
+    below, name = bare(cursor.group()), bare(cursor.group()).replace("\\", "")
+    if not _EXTREME.fullmatch(name):
+        raise UnreadableError(r"the command \underset is read below a minimum, a maximum or a limit only", start)
+    cursor.out.append(Token("BIG", f"{name}_{{{below}}}", start_pos=start))
+    _read_body(cursor)
+
+
+_EXTREME = re.compile(r"(?:arg)?(?:min|max|lim|inf|sup)(?:imi[sz]e)?\.?")
+
+
 def _read_body(cursor: Cursor) -> None:
     """Emit what a sum, an integral or a derivative is of: all to the next sign, relation or end."""
     start, depth = cursor.index, 0

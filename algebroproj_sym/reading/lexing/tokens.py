@@ -29,7 +29,7 @@ from algebroproj_sym.reading.lexing.commands import (
     WITH_ARGUMENT,
 )
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.functions import read_big, read_fraction, read_function, read_root
+from algebroproj_sym.reading.lexing.functions import read_big, read_fraction, read_function, read_root, read_underset
 from algebroproj_sym.reading.lexing.names import (
     at_symbol,
     at_unknown_letter,
@@ -97,6 +97,8 @@ def _step(cursor: Cursor) -> None:
         read_fraction(cursor)
     elif text == r"\sqrt":
         read_root(cursor)
+    elif text == r"\underset":
+        read_underset(cursor)
     elif text in BIG:
         read_big(cursor)
     elif text.startswith("\\begin{"):

@@ -17,7 +17,8 @@ from algebroproj_sym.expressions import (
     parse_zero,
     require_bounded,
 )
-from algebroproj_sym.proving.prove import Proof, Witness
+from algebroproj_sym.proving.proof import Proof
+from algebroproj_sym.proving.prove import Witness
 from algebroproj_sym.proving.prove import prove as decided
 
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
@@ -39,6 +40,7 @@ def prove(
     engine: str = "flint",
     properties: Mapping[Any, Any] | None = None,
     letters: Mapping[str, str] | None = None,
+    complex: Sequence[str] | None = None,
 ) -> Proof:
     """Decide whether a relation of two sides holds wherever both are defined and the hypotheses hold.
 
@@ -64,6 +66,10 @@ def prove(
         What letters are: rotation, orthogonal, symmetric, skew, unit, positive definite, diagonal or idempotent.
     letters : mapping of name to str, optional
         The vectors and matrices in text, with their properties, such as ``{"R": "3x3 rotation", "t": "3x1"}``.
+    complex : sequence of str, optional
+        The names of complex variables; the others are real.  With it, be it empty, ``I`` in text is the imaginary unit.
+        It is found without it in expressions of SymPy, and if text has ``re``, ``im``, ``conjugate`` or ``arg``.  A
+        point has the parts ``z_re`` and ``z_im`` of a variable ``z``.
 
     Returns
     -------
@@ -118,6 +124,10 @@ def prove(
     'proved'
     >>> prove("diff(log(x), x)", "1/x").hypotheses
     ('x > 0',)
+    >>> prove("exp(I*x)", "cos(x) + I*sin(x)", complex=[]).verdict
+    'proved'
+    >>> prove("abs(z)^2", "z*conjugate(z)", complex=["z"]).verdict
+    'proved'
     >>> R, t = sympy.MatrixSymbol("R", 3, 3), sympy.MatrixSymbol("t", 3, 1)
     >>> prove((R * t).T * (R * t), t.T * t, properties={R: "rotation"}).scope
     'for every size'
@@ -136,6 +146,9 @@ def prove(
         if relation != "=":
             raise UnsupportedError(f"relation: expected '=' for a statement in letters, got {relation!r}")
         return _of_letters(lhs, rhs, constraints, nonzero, properties, letters, engine)
+    names = _complex_names(forms, complex)
+    if names is not None:
+        return _complex(lhs, rhs, relation, constraints, nonzero, assumptions, witness, names)
     if (
         relation != "="
         or assumptions
@@ -158,6 +171,34 @@ def _difference(constraint: Any) -> Any:
     if isinstance(left, sympy.MatrixExpr):
         return sympy.MatAdd(left, sympy.MatMul(-1, right))
     return sympy.Add(left, sympy.Mul(-1, right, evaluate=False), evaluate=False)
+
+
+def _complex_names(forms: Sequence[Any], given: Sequence[str] | None) -> frozenset[str] | None:
+    """Return the names of the complex variables of a statement about complex numbers, or None."""
+    from algebroproj_sym.proving.reals.reading import has_complex_parts, symbols_in
+
+    if isinstance(given, str) or not isinstance(given, Sequence | None):
+        raise TypeError(f"complex: expected a sequence of names, got {_kind(given)}")
+    symbols = {symbol.name for symbol in symbols_in(forms) if symbol.is_complex and symbol.is_real is None}
+    asked = given is not None or any(map(has_complex_parts, forms)) or (symbols and any(map(has_functions, forms)))
+    return frozenset([*(given or ()), *symbols]) if asked else None
+
+
+def _complex(
+    lhs: Any,
+    rhs: Any,
+    relation: str,
+    constraints: Sequence[Any],
+    nonzero: Sequence[Any],
+    assumptions: Sequence[Any],
+    witness: Witness | None,
+    names: frozenset[str],
+) -> Proof:
+    from algebroproj_sym.proving.reals.prove import proof_of_complex
+
+    if any(isinstance(side, sympy.MatrixBase) for side in (lhs, rhs)):
+        raise UnsupportedError("prove: expected scalars in a statement about complex numbers, got a matrix")
+    return proof_of_complex(lhs, rhs, constraints, nonzero, assumptions, witness, relation, names)
 
 
 def has_functions(form: Any) -> bool:

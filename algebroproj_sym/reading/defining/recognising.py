@@ -17,10 +17,10 @@ EQUALITIES = ("=", ":=", "=:", "≡")
 def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
     """Return the letter that is a side of its own, and its parameters if it is a function of letters."""
     while tree.data in ("bracket", "items", "group") and len(tree.children) == 1:
-        (inside,) = tree.children
-        if not isinstance(inside, Tree):
+        (lone,) = tree.children
+        if not isinstance(lone, Tree):
             break
-        tree = inside
+        tree = lone
     if tree.data == "symbol":
         return str(tree.children[0]), ()
     if tree.data == "call":

@@ -23,10 +23,10 @@ from algebroproj_sym.reading import (
     read_formula,
     symbols_file,
 )
-from algebroproj_sym.reading.documents import MAX_FORMULAS
-from algebroproj_sym.reading.grammar import parsed, text_of
-from algebroproj_sym.reading.lexing import split_symbol
-from algebroproj_sym.reading.statements import statements
+from algebroproj_sym.reading.documents.displays import MAX_FORMULAS
+from algebroproj_sym.reading.documents.statements import statements
+from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.parsing.grammar import parsed, text_of
 
 A, B, C, X, Y = sympy.symbols("a b c x y")
 
@@ -304,7 +304,6 @@ def test_each_verdict_names_what_it_rests_on():
         r"\[ M = \begin{pmatrix} a & b \\ c & d \end{pmatrix} \] \[ \det M = ad + bc \]",
         r"\[ f(x) = x^2 \] \[ f(x + 1) - f(x) = 2x - 1 \]",
         r"\[ 2^3 = 9 \]",
-        r"\[ (a + b)^2 \equiv a^2 + b^2 \]",
     ],
 )
 def test_what_contradicts_has_an_exact_point(latex):
@@ -363,6 +362,8 @@ INNOCENT = [
     r"\[ 3 \text{ apples} + 4 = 7 \]",
     r"\[ 2\,\text{m} + 3\,\text{m} = 5\,\text{m} \]",
     r"\[ 10 \equiv 3 \ (7) \]",
+    r"\[ (a + b)^2 \equiv a^2 + b^2 \]",
+    r"\[ \nabla u \cdot r \equiv 0 \]",
     r"\[ 1024 = 1\;024 = 1~024 \]",
     r"\[ 100\,^\circ\mathrm{C} = 373\,\mathrm{K} \]",
 ]
@@ -374,16 +375,40 @@ def test_a_statement_that_may_be_true_is_never_called_a_contradiction(latex):
     assert "contradicts" not in verdicts(latex)
 
 
+def test_nothing_is_decided_of_what_has_no_value():
+    assert verdicts(r"\[ \sum_i x_i = \sum_j x_j \]") == ["not decided"]
+
+
 @pytest.mark.parametrize(
-    "latex",
+    ("latex", "verdict"),
     [
-        r"\[ \sum_i x_i = \sum_j x_j \]",
-        r"\[ a = b \pm c = b \mp c \]",
+        (r"\[ (a \pm b)^2 = a^2 \pm 2ab + b^2 \]", "follows"),
+        (r"\[ (a \pm b)(a \mp b) = a^2 - b^2 \]", "follows"),
+        (r"\[ y = (a \pm b)^2 = a^2 \mp 2ab + b^2 \]", "independent"),
+        (r"\[ a = b \pm c = b \mp c \]", "independent"),
+        (r"\[ s := a + b \] \[ s = a \pm b \]", "independent"),
     ],
 )
-def test_nothing_is_decided_of_what_has_no_value(latex):
-    assert verdicts(latex)[-1] in ("not decided", "definition")
-    assert "follows" not in verdicts(latex)
+def test_two_signs_are_two_statements(latex, verdict):
+    assert verdicts(latex)[-1] == verdict
+
+
+@pytest.mark.parametrize(
+    ("latex", "read"),
+    [
+        (r"\[ p^h = (u, v, 1) \]", "p_h = [[u, v, 1]]"),
+        (r"\[ p^h = 2 h \]", "p**h = 2*h"),
+        (r"\[ e^x = 2 \]", "e**x = 2"),
+        (r"\[ \lim \limits_{l \to 0} l^2 = 0 \]", r"[\lim_{l\to0}](l**2) = 0"),
+        (r"\[ \sum_i \lbrace a_i + b_i \rbrace = c \]", r"[\sum_{i}](a_i + b_i) = c"),
+        (r"\[ 0_{2\times1} = x \]", "[[0], [0]] = x"),
+        (r"\[ a = b \Rightarrow c = d \]", "c = d"),
+        (r"\[ y = \underset{x}{\text{min.}} \:\: \lVert x \rVert \]", "y = [min._{x}](norm(x))"),
+        (r"\[ y = \underset{x}{z} \]", None),
+    ],
+)
+def test_what_print_means(latex, read):
+    assert readings(latex)[-1].read == read
 
 
 @pytest.mark.parametrize(

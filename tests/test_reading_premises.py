@@ -138,3 +138,69 @@ def test_a_row_with_too_many_cells_is_refused(tmp_path):
     (tmp_path / "quotes.toml").write_text(rows, encoding="utf-8")
     with pytest.raises(DeclarationError, match=r"expected 1 cells.*got 2"):
         quotations(tmp_path)
+
+
+BERNOULLI = r"\[ p_0 + \frac12 r u^2 = p + \frac12 r w^2 \] \[ c := \frac{p - p_0}{\frac12 r u^2} \]"
+
+
+@pytest.mark.parametrize(
+    ("latex", "hypothesis"),
+    [
+        (BERNOULLI + r"\[ c = 1 - \left(\frac{w}{u}\right)^2 \]", "u"),
+        (r"The letters $s > q > r$. \[ s (q - r) = \frac12 (q^2 - r^2) \Rightarrow s = \frac12 (q + r) \]", "q - r"),
+        (r"The letters $x > v > w$. \[ x + y L = v \] \[ x - y L = w \] \[ 2 y L = v - w \]", ""),
+        (r"\[ f(x, y) = g \] \[ f(x, y) = x^2 y \] \[ u = \frac{\partial f}{\partial y} = x^2 \]", ""),
+    ],
+)
+def test_an_equation_gives_each_letter_in_which_it_is_linear(latex, hypothesis):
+    reading = last(latex)
+    assert reading.links[-1].verdict == "follows"
+    assert reading.links[-1].rests_on
+    assert not hypothesis or hypothesis in reading.links[-1].hypotheses
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"The letters $x > y$. \[ x^2 = y^2 \] \[ x = y \]",
+        r"The letters $x > y > z$. \[ x z = y z \] \[ x = y + z \]",
+        r"The letters $x > y$. \[ x (\sin^2 y + \cos^2 y - 1) = 0 \] \[ x = 0 \]",
+        r"The letters $x > y > z$. \[ (z - z) x = y \] \[ x = y \]",
+        r"The letters $x > y > z$. \[ \left(\frac{2z}{2y} - \frac{z}{y}\right) x = y \] \[ x = y \]",
+        r"The letters $x > y$. \[ x + y = 1 \quad \text{for } y > 2 \] \[ x = 1 - y \]",
+        r"The letters $x > y$. \[ x + 2 y = 1 \] \section{Other} \[ 2 x = 2 - 4 y \]",
+    ],
+)
+def test_an_equation_gives_no_letter_that_it_does_not(latex):
+    assert last(latex).verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ P = K x \] where \[ K = a + b. \]",
+        r"The camera $K$ has \[ K x = y. \] It is \[ K = \begin{pmatrix} a & b \\ 0 & c \end{pmatrix}. \]",
+        r"\[ x = [a] b \] where \[ [a] = c. \]",
+    ],
+)
+def test_a_letter_that_is_introduced_is_defined(latex):
+    assert last(latex).verdict == "definition"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ p := m v. \] The body rests if \[ v = 0. \]",
+        r"If the body rests, \[ v = 0. \]",
+        r"\[ p := m v. \] If the body rests, $v = 0$. In general \[ 2 v = 3. \]",
+        r"The letters $v > m$. The body has two speeds, where for the first \[ v = 3. \]",
+    ],
+)
+def test_a_letter_in_a_case_is_not(latex):
+    assert last(latex).verdict != "definition"
+
+
+def test_a_way_that_would_follow_is_suggested_though_nothing_contradicts():
+    (link,) = last(BERNOULLI + r"For the plate \[ c = 1 + \left(\frac{w}{u}\right)^2 \]").links
+    assert link.verdict == "independent"
+    assert link.suggestion == "1 - (w/u)**2 instead of 1 + (w/u)**2"

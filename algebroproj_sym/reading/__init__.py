@@ -1,19 +1,20 @@
 """Reading: the LaTeX of quotes as expressions, and the equations of a document, each with a verdict.
 
-A text becomes displays (`documents`), with its macros expanded (`macros`); a display becomes statements (`statements`);
-a statement becomes tokens (`lexing`) and a tree of the grammar (`grammar`), which can keep the order of print
-(`ordering`).  A letter stands for what a table (`symbols`), or a definition above it (`vocabulary`), says.  Then each
-relation is judged (`judging`), and where one fails, the smallest change is sought by which it would hold (`repairs`).
+There is a folder for each stage.  `documents` finds formulas in a file, and equations in these.  `lexing` makes tokens
+of an equation, and `parsing` a tree, and an expression of the tree.  `defining` says what letters stand for: by tables,
+by phrases, and by equations above.  `judging` gives each relation a verdict, and looks for the smallest change by which
+one that fails would hold.  `reporting` writes a document as a derivation folder.
 """
 
-from algebroproj_sym.reading.documents import Document, UnreadableDocumentError, document_at, document_of
-from algebroproj_sym.reading.folder import write_folder
-from algebroproj_sym.reading.grammar import Builder, Side, formula_of, read_formula
-from algebroproj_sym.reading.judging import VERDICTS, Link, Reading, Verdict, read_document
-from algebroproj_sym.reading.lexing import UnreadableError
-from algebroproj_sym.reading.matrices import in_letters
-from algebroproj_sym.reading.ordering import in_order
-from algebroproj_sym.reading.symbols import Symbols, SymbolsFile, Table, symbols_file, symbols_for, tables_in
+from algebroproj_sym.reading.defining.symbols import Symbols, SymbolsFile, Table, symbols_file, symbols_for, tables_in
+from algebroproj_sym.reading.documents.displays import Document, UnreadableDocumentError, document_at, document_of
+from algebroproj_sym.reading.judging.document import read_document
+from algebroproj_sym.reading.judging.verdicts import VERDICTS, Link, Reading, Verdict
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Builder, Side, formula_of, read_formula
+from algebroproj_sym.reading.parsing.matrices import in_letters
+from algebroproj_sym.reading.parsing.ordering import in_order
+from algebroproj_sym.reading.reporting.folder import write_folder
 
 __all__ = [
     "VERDICTS",

@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from algebroproj_sym.reading.documents import Display, Document, label_of, tag_of
-from algebroproj_sym.reading.lexing import RELATIONS, Piece, split_pieces
+from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of
+from algebroproj_sym.reading.lexing.commands import RELATIONS
+from algebroproj_sym.reading.lexing.pieces import Piece, split_pieces
 
 _INNER = re.compile(
     r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlined|subarray|(?:align|equation|gather|multline)\*?)\}"
@@ -17,6 +18,7 @@ _WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shor
 _WIDE = (r"\quad", r"\qquad")
 _OPENS = re.compile(r"\b(?:for|if|when|where|with|at|and|or|as|all|every|any)\s*$")
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
+_ARROWS = (r"\Rightarrow", r"\Longrightarrow", r"\implies")
 _IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
 
 
@@ -40,6 +42,8 @@ class Statement:
         The words that stand beside it, such as "for x > 0".
     reason : str
         Why it cannot be read.
+    implied : bool
+        Whether an arrow leads to it from the statement before it.
     """
 
     display: Display
@@ -49,6 +53,7 @@ class Statement:
     latex: str
     condition: str = ""
     reason: str = ""
+    implied: bool = False
 
 
 def statements(document: Document) -> list[Statement]:
@@ -70,8 +75,12 @@ def statements(document: Document) -> list[Statement]:
                     number = number or own
             label = label_of("".join(rows)) or label_of(display.latex)
             for pieces, condition in parts:
-                text = "".join(piece.text for piece in pieces).strip()
-                found.append(Statement(display, number, label, tuple(pieces), text, condition, display.reason))
+                for place, part in enumerate(_implied(pieces)):
+                    text = "".join(piece.text for piece in part).strip()
+                    implied = place > 0
+                    found.append(
+                        Statement(display, number, label, tuple(part), text, condition, display.reason, implied)
+                    )
     return found
 
 
@@ -112,6 +121,12 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
         yield [display.latex], [part for _, parts in found for part in parts]
     else:
         yield from found
+
+
+def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:
+    """Return the equations between arrows; all in one if an arrow leads from or to what is no equation."""
+    parts = split_pieces(pieces, _ARROWS)
+    return parts if all(map(_has_relation, parts)) else [list(pieces)]
 
 
 def _rows_of(display: Display) -> Iterator[str]:
@@ -183,7 +198,8 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
         ranges = False
         for part, words in _separated(column):
             part = _without_idle(part)
-            if part and statements and _OPENS.search(statements[-1][1][-1] if statements[-1][1] else ""):
+            bracketed = part and part[0].text == "(" and part[-1].text == ")" and _has_relation(part)
+            if part and statements and (bracketed or _OPENS.search(statements[-1][1][-1] if statements[-1][1] else "")):
                 statements[-1][1].append("".join(piece.text for piece in part))
                 part = []
             if part and all(piece.text in _ELLIPSES or piece.text.isspace() for piece in part):

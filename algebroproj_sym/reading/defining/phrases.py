@@ -18,9 +18,9 @@ from typing import TypeVar
 
 from lark import Tree
 
-from algebroproj_sym.reading.grammar import parsed
-from algebroproj_sym.reading.lexing import UnreadableError
-from algebroproj_sym.reading.statements import Statement
+from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import parsed
 
 _ALONE = r"(?: matrix|(?=\s*(?:[.,;)]|and\b|$)))"
 _KINDS = (

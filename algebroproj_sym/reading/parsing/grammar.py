@@ -33,7 +33,8 @@ from algebroproj_sym.expressions import (
     vector,
 )
 from algebroproj_sym.expressions.bounds import MAX_BITS, MAX_EXPONENT
-from algebroproj_sym.reading.lexing import Piece, UnreadableError, pieces_of, tokens_of
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
+from algebroproj_sym.reading.lexing.tokens import tokens_of
 
 Names = Callable[[str], Any]
 Side = Callable[[], Expression]
@@ -140,7 +141,7 @@ class _Given(Lexer):
 
 @cache
 def _parser() -> Lark:
-    grammar = (files("algebroproj_sym.reading") / "latex.lark").read_text(encoding="utf-8")
+    grammar = (files("algebroproj_sym.reading.parsing") / "latex.lark").read_text(encoding="utf-8")
     return Lark(grammar, parser="lalr", lexer=_Given)
 
 

@@ -7,7 +7,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from algebroproj_sym.reading.lexing import MAX_PIECES, Piece, UnreadableError, pieces_of
+from algebroproj_sym.reading.lexing.commands import MAX_PIECES
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
 
 MAX_EXPANSIONS = 10_000
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 
-from algebroproj_sym.reading.lexing import Piece, UnreadableError, pieces_of
-from algebroproj_sym.reading.macros import Macro, expanded, macros_in, redefinitions
+from algebroproj_sym.reading.documents.macros import Macro, expanded, macros_in, redefinitions
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
 
 MAX_CHARACTERS = 5_000_000
 MAX_FORMULAS = 20_000
@@ -78,6 +78,11 @@ class Display:
     part: int
     numbered: bool
     within: int
+
+    @property
+    def place(self) -> int:
+        """Where its formula begins, counted in characters; -1 for one without."""
+        return self.pieces[0].place if self.pieces else -1
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from keyword import iskeyword
 from pathlib import Path
 
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.reading.documents import UnreadableDocumentError
-from algebroproj_sym.reading.judging import Link, Reading
-from algebroproj_sym.reading.symbols import SymbolsFile
+from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.documents.displays import UnreadableDocumentError
+from algebroproj_sym.reading.judging.verdicts import Link, Reading
 
 _WIDTH = 100
 _HEADER = """

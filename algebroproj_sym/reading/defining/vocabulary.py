@@ -6,15 +6,17 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
 import sympy
 
-from algebroproj_sym.reading.grammar import Formula, evaluated, symbols_in, text_of
-from algebroproj_sym.reading.lexing import UnreadableError, split_symbol
-from algebroproj_sym.reading.symbols import Table, letters_of
+from algebroproj_sym.reading.defining.symbols import Table, letters_of
+from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula, evaluated, symbols_in, text_of
 
 MOST_DEFINITIONS = 20_000
+Role = Literal["definition", "premise", "case"]
 
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
@@ -44,6 +46,12 @@ class Definition:
         Whether the document says in words or signs that this is a definition.
     usable : bool
         Whether it holds without a condition.
+    role : {"definition", "premise", "case"}
+        Whether it is a definition, an equation that a document asserts, or one beside which words speak of a case.
+    place : int
+        Where its display begins, in characters.
+    words : frozenset of str
+        The words beside it.
     """
 
     symbol: str
@@ -53,6 +61,9 @@ class Definition:
     part: int
     explicit: bool
     usable: bool = True
+    role: Role = "definition"
+    place: int = -1
+    words: frozenset[str] = frozenset()
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:
@@ -157,12 +168,17 @@ class Vocabulary:
         return self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
 
     def is_component(self, symbol: str) -> bool:
-        """Whether a symbol is a component of a vector: a thin letter of a known size with a number or axis below."""
+        """Whether a symbol is an entry: a thin letter of a known size with a number or axis below, or with two."""
         if symbol in self._sizes or " " in symbol or _BOLD.search(symbol):
             return False
         letter, _, below, _ = split_symbol(symbol)
         size = self._sizes.get(letter)
-        return size is not None and size[1] == 1 and below in (*"xyzw", *map(str, range(1, size[0] + 1)))
+        if size is None:
+            return False
+        if size[1] == 1:
+            return below in (*"xyzw", *map(str, range(1, size[0] + 1)))
+        entry = below.replace(",", "")
+        return len(entry) == 2 and entry[0] in "123456"[: size[0]] and entry[1] in "123456"[: size[1]]
 
     def properties_of(self, symbol: str) -> tuple[str, ...]:
         """Return what a symbol is said to be, such as a rotation."""

@@ -32,8 +32,10 @@ import sympy
 
 from algebroproj_sym.expressions import Expression, Matrix, ParseError, parse
 from algebroproj_sym.proving.letters import PROPERTIES
-from algebroproj_sym.reading.documents import UnreadableDocumentError
-from algebroproj_sym.reading.lexing import GREEK, UnreadableError, split_symbol, written
+from algebroproj_sym.reading.documents.displays import UnreadableDocumentError
+from algebroproj_sym.reading.lexing.commands import GREEK
+from algebroproj_sym.reading.lexing.names import split_symbol, written
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
 
 FILE = "symbols.toml"
 OF_ANGLES = (r"\sin", r"\cos", r"\tan")

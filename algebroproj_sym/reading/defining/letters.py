@@ -15,9 +15,10 @@ from lark import Token, Transformer, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
-from algebroproj_sym.reading.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, wrapped
-from algebroproj_sym.reading.lexing import UnreadableError, split_symbol
-from algebroproj_sym.reading.vocabulary import Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, wrapped
 
 MOST_PARTS = 1_000
 """How many parts a side may have, with all definitions put in."""
@@ -25,6 +26,8 @@ _STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 _COLUMN = re.compile(rf"{_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
 _TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
 _SIZES = "nmklpqrstuvw"
+FREE = "free"
+"""How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
 
 
 class _Size:
@@ -136,6 +139,7 @@ class _Reader:
         self._names: set[str] = set()
         self._functions: dict[str, str] = {}
         self._wholes: dict[str, tuple[str, Shape]] = {}
+        self._called: dict[str, str] = {}
 
     def part(self, tree: Formula) -> _Part:
         """Return a formula as a part, with all definitions put in."""
@@ -207,12 +211,13 @@ class _Reader:
         """Whether a symbol is a vector or a matrix."""
         return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
 
-    def whole(self, name: str, arguments: list[_Part], shape: Shape) -> _Part:
+    def whole(self, name: str, arguments: list[_Part], shape: Shape, *, is_call: bool = False) -> _Part:
         """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text."""
 
         def text() -> str:
             key = f"{name}({', '.join(each.text() for each in arguments)})"
-            own, first = self._wholes.setdefault(key, (f"whole{len(self._wholes) + 1}'", shape))
+            kind = FREE if is_call and self._called.setdefault(_base(name), key) == key else "whole"
+            own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}'", shape))
             if [size.root for size in first] != [size.root for size in shape] and any(
                 one.value is None or one.value != other.value for one, other in zip(first, shape, strict=True)
             ):
@@ -247,6 +252,14 @@ class _Reader:
             elif kind == "sin" and (other := self._functions.get(f"cos({argument}")):
                 found.append(f"{name}^2 + {other}^2 = 1")
         return found
+
+
+def _base(function: str) -> str:
+    r"""Return the letter of a function without accents and scripts: ``q_x`` may be a derivative of ``q``."""
+    letters = re.findall(
+        r"[a-zA-Z]+|\\[a-zA-Z]+", re.sub(r"\\(?:math[a-z]+|d*dot|bar|tilde|hat|vec)(?![a-z])", "", function)
+    )
+    return letters[0] if letters else function
 
 
 def _number_of(text: Callable[[], str], *inside: _Part) -> _Part:
@@ -335,7 +348,7 @@ class _Parts(Transformer[Token, Any]):
             raise _refused(f"the value of the function {name}")
         columns = (_Size(), _Size(1)) if _COLUMN.search(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
-        part = self.reader.whole(name, arguments, shape)
+        part = self.reader.whole(name, arguments, shape, is_call=True)
         part.is_table = _TABLE.search(name) is not None
         part.symbols |= {name}
         return part

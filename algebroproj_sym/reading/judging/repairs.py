@@ -9,8 +9,8 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.grammar import Formula
-from algebroproj_sym.reading.lexing import split_symbol
+from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.parsing.grammar import Formula
 
 MOST = 250
 STRONG = frozenset(("sign", "number", "exponent", "index", "fraction", "function"))

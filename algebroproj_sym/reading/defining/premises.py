@@ -1,22 +1,31 @@
-r"""What a document says before an equation, besides its definitions: equations with a lone letter, and derivatives.
+r"""What a document says before an equation, besides its definitions: other equations, and derivatives.
 
 An equation such as ``\mu = a^3 n^2`` is no definition if the letter was used before.  But the document asserts it, so
-what follows from it follows.  It is a *premise* of the equations behind it.  A derivative, such as ``\dot V`` or
+what follows from it follows.  It is a *premise* of the equations behind it.  One such as ``L \omega = u - v`` gives any
+letter in which it is linear.  A derivative, such as ``\dot V`` or
 ``\frac{\partial f}{\partial x}``, is computed where the function has a definition.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
+import sympy
 from lark import Token, Tree
 
-from algebroproj_sym.reading.grammar import Formula, symbols_in
-from algebroproj_sym.reading.vocabulary import Definition, Vocabulary
+from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
+from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.replaying.reals.terms import has_functions
 
+MOST_NEAR = 3
+"""How many equations before one may be premises of it, though words beside them speak of a case."""
 _CITED = re.compile(r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\((\d+(?:\.\d+)*[a-z]?)\)")
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
@@ -25,11 +34,85 @@ _DERIVATIVE = re.compile(r"(d|\\partial)(.+)/\1(.+)")
 
 @dataclass(frozen=True)
 class Premise:
-    """An equation that gives a letter, its labels and numbers, and whether words beside it speak of a case."""
+    """An equation that a document asserts.
 
-    gives: Definition
+    Attributes
+    ----------
+    left, right : Tree
+        Its sides.
+    where : str
+        Where it stands.
+    part : int
+        How many headings come before it.
+    place : int
+        Where its display begins, in characters.
+    names : frozenset of str
+        Its label and its number.
+    special : bool
+        Whether words beside it speak of a case.
+    words : frozenset of str
+        The words beside it.
+    """
+
+    left: Formula
+    right: Formula
+    where: str
+    part: int
+    place: int
     names: frozenset[str]
     special: bool
+    words: frozenset[str]
+
+    @cached_property
+    def gives(self) -> Definition | None:
+        """What it says of a letter that stands alone; None if none does."""
+        for side, other in ((self.left, self.right), (self.right, self.left)):
+            symbol, parameters = defined_by(side)
+            if symbol:
+                return self._of(symbol, parameters, other)
+        return None
+
+    def _of(self, symbol: str, parameters: tuple[str, ...], value: Formula) -> Definition:
+        role: Role = "case" if self.special else "premise"
+        given = symbol, parameters, value, self.where, self.part
+        return Definition(*given, explicit=False, role=role, place=self.place, words=self.words)
+
+    def solved(self, vocabulary: Vocabulary, wanted: Collection[str]) -> Definition | None:
+        """Return what it says of a letter in which it is linear, the simplest, or else a wanted one; None for none."""
+        difference: Formula = Tree("sum", [self.left, Token("SIGN", "-"), self.right])
+        hidden = frozenset().union(*(vocabulary.letters_of(each.tree) for each in vocabulary.used_in(difference)))
+        letters = {*symbols_in(difference)} & vocabulary.letters_of(difference) - hidden
+        try:
+            value = vocabulary.value(difference)
+            slopes = {each: _slope_of(value, vocabulary.plain(each)) for each in sorted(letters)}
+            linear = {each: slope for each, slope in slopes.items() if slope is not None}
+            simple = lambda each: (len(free_symbols(linear[each])), each not in wanted, each)  # noqa: E731
+            for symbol in sorted(linear, key=simple)[:1]:
+                zero, one = (_with_number(difference, symbol, number) for number in "01")
+                below: Formula = Tree("sum", [one, Token("SIGN", "-"), zero])
+                return self._of(symbol, (), Tree("fraction", [Tree("sum", [Token("SIGN", "-"), zero]), below]))
+        except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+            return None
+        return None
+
+
+def _slope_of(value: Any, letter: Any) -> Any:
+    """Return by what a letter is multiplied in a number, if it is rational and without the letter; None otherwise."""
+    if shape(value) or not isinstance(letter, sympy.Symbol) or not value.has(letter):
+        return None
+    slope = diff(value, letter)
+    if slope.has(letter) or has_functions(text(slope)):
+        return None
+    point = {each: sympy.Integer(3) ** place + 1 for place, each in enumerate(sorted(free_symbols(slope), key=str), 1)}
+    return slope if any(evaluate(slope, point)) else None
+
+
+def _with_number(tree: Formula, symbol: str, number: str) -> Formula:
+    """Return a formula with a number for a letter."""
+    if tree.data == "symbol" and tree.children[0] == symbol:
+        return Tree("number", [Token("NUMBER", number)])
+    parts = [_with_number(each, symbol, number) if isinstance(each, Tree) else each for each in tree.children]
+    return Tree(tree.data, parts)
 
 
 def cited_in(words: str) -> frozenset[str]:
@@ -44,9 +127,20 @@ def cited_in(words: str) -> frozenset[str]:
     return frozenset(name.strip() for names in found for name in names.split(","))
 
 
-def applicable(premises: Iterable[Premise], cited: frozenset[str]) -> Iterator[Premise]:
-    """Yield the premises that an equation may rest on: those it names, and those beside which no case is spoken of."""
-    return (each for each in premises if each.names & cited or not each.special)
+def applicable(premises: Sequence[Premise], part: int, cited: frozenset[str]) -> list[Premise]:
+    """Return the premises that an equation may rest on.
+
+    They are those that it names, those beside which no case is spoken of, and the last ones in the same section.
+    """
+    near = [each for each in premises[-MOST_NEAR:] if each.part == part]
+    return [each for each in premises if each.names & cited or not each.special or each in near]
+
+
+def neighbours(premises: Sequence[Premise], part: int, cited: frozenset[str]) -> list[Premise]:
+    """Return the premises from which a letter may be found that stands alone on no side: the last, and those cited."""
+    near = [each for each in premises[-MOST_NEAR:] if each.part == part]
+    named = [each for each in premises if each.names & cited]
+    return list(dict.fromkeys([*near[::-1], *named]))
 
 
 def extended(vocabulary: Vocabulary, given: Iterable[Definition]) -> Vocabulary:
@@ -159,7 +253,7 @@ def _made(
     where = f"the derivative of {definition.where}"
     if constant:
         where += f", where {', '.join(map(vocabulary.name, constant))} do not change"
-    return Definition(symbol, (), tree, where, definition.part, True)
+    return Definition(symbol, (), tree, where, definition.part, True, place=definition.place, words=definition.words)
 
 
 def _slope(value: Formula, variable: str) -> Formula:

@@ -9,8 +9,8 @@ from lark import Token
 
 from algebroproj_sym.expressions import Matrix, over, shape
 from algebroproj_sym.expressions.arranging import arranged, negated, power_of, product_of, sum_of
-from algebroproj_sym.reading.grammar import Formula, Names
-from algebroproj_sym.reading.lexing import UnreadableError
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula, Names
 
 
 def in_order(tree: Formula, names: Names) -> Any:
@@ -31,7 +31,7 @@ def in_order(tree: Formula, names: Names) -> Any:
     Examples
     --------
     >>> from algebroproj_sym.expressions.writing import written
-    >>> from algebroproj_sym.reading.grammar import parsed
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
     >>> (side,) = parsed(r"3 (y - \frac{1}{b} a)^2").sides
     >>> written(in_order(side, sympy.Symbol), ordered=False, fractions=True)
     '3*(y - 1/b*a)**2'

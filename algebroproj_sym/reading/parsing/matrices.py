@@ -11,7 +11,7 @@ from lark import Token, v_args
 
 from algebroproj_sym.expressions import over
 from algebroproj_sym.expressions.letters import Adjugate, Cross, Dot, Skew, Vee
-from algebroproj_sym.reading.grammar import Formula, Names, _Expressions, transformed
+from algebroproj_sym.reading.parsing.grammar import Formula, Names, _Expressions, transformed
 
 _OF_MATRICES = {"det": sympy.Determinant, "adj": Adjugate, "tr": sympy.Trace, "Tr": sympy.Trace, "trace": sympy.Trace}
 
@@ -26,7 +26,7 @@ def in_letters(tree: Formula, names: Names) -> Any:
 
     Examples
     --------
-    >>> from algebroproj_sym.reading.grammar import parsed
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
     >>> table = {r"\mathbf{R}": sympy.MatrixSymbol("R", 3, 3), r"\mathbf{t}": sympy.MatrixSymbol("t", 3, 1)}
     >>> (side,) = parsed(r"2 \mathbf{R}^T (\mathbf{R} \mathbf{t} \times \mathbf{t})").sides
     >>> in_letters(side, table.get)

@@ -1,0 +1,189 @@
+"""What is known of a whole document before its equations are read in order."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.defining.phrases import properties_in, sizes_in
+from algebroproj_sym.reading.defining.premises import crosses_in
+from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.documents.displays import Document
+from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
+from algebroproj_sym.reading.lexing.names import split_symbol, written
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.lexing.tokens import tokens_of
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, parsed, symbols_in
+
+_E = Tree("symbol", [Token("SYMBOL", "e")])
+
+
+@dataclass(frozen=True)
+class Survey:
+    """A document, and what the user says of its letters.
+
+    Attributes
+    ----------
+    document : Document
+        What was read from a file.
+    given : SymbolsFile
+        What the user says.
+    """
+
+    document: Document
+    given: SymbolsFile
+
+    @cached_property
+    def statements(self) -> tuple[Statement, ...]:
+        """All statements in the order of the document, also those within the text."""
+        order = {id(each): place for place, each in enumerate(self.document.formulas)}
+        every = [*statements(self.document), *inline_statements(self.document)]
+        return tuple(sorted(every, key=lambda each: order[id(each.display)]))
+
+    @cached_property
+    def functions(self) -> frozenset[str]:
+        """The letters that stand before a bracket with one letter, or with several values."""
+        found = set[str]()
+        for each in self.statements:
+            try:
+                tokens, _ = tokens_of(each.pieces, lambda name: False, frozenset()) if each.pieces else ([], False)
+            except UnreadableError:
+                continue
+            found |= {str(token) for token in tokens if token.type == "CALLEE"}
+        return frozenset(found)
+
+    @cached_property
+    def _first(self) -> dict[int, Parsed | UnreadableError]:
+        return {id(each): self._parsed(each, frozenset()) for each in self.statements}
+
+    @cached_property
+    def labels(self) -> frozenset[str]:
+        r"""The letters with a label above them, as in ``p^h``: a letter that stands nowhere else in the document."""
+        above: dict[str, set[str]] = {}
+        elsewhere = set[str]()
+        for side in _sides(self._first):
+            for power in side.find_data("power"):
+                base, exponent = power.children
+                if (
+                    isinstance(base, Tree)
+                    and base.data == "symbol"
+                    and base != _E
+                    and (label := _lone_letter(exponent))
+                ):
+                    above.setdefault(label, set()).add(str(base.children[0]))
+            elsewhere |= {*_not_raised(side)}
+        return frozenset(written(*_split(base), label) for label in above.keys() - elsewhere for base in above[label])
+
+    @cached_property
+    def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
+        """What was parsed of each statement, by its id."""
+        if not self.labels:
+            return self._first
+        return {id(each): self._parsed(each, self.labels) for each in self.statements}
+
+    def _parsed(self, statement: Statement, labels: frozenset[str]) -> Parsed | UnreadableError:
+        if not statement.pieces:
+            return UnreadableError(statement.reason or "there is no formula")
+        try:
+            return self.parsed(statement, labels)
+        except UnreadableError as error:
+            return error
+
+    def parsed(self, statement: Statement, labels: frozenset[str] | None = None, *, wide: bool = True) -> Parsed:
+        """Parse a statement.
+
+        Raises
+        ------
+        UnreadableError
+            If it is no formula.
+        """
+        own = self.labels if labels is None else labels
+        known = self.given.whole.symbols
+        return parsed(statement.pieces, lambda name: name in known or name in own, self.functions, wide)
+
+    @cached_property
+    def occurring(self) -> frozenset[str]:
+        """The symbols of the document."""
+        return frozenset(symbol for side in _sides(self.formulas) for symbol in symbols_in(side))
+
+    def vocabulary(self) -> Vocabulary:
+        """Return what is known of the letters before the first equation."""
+        sizes, properties = sizes_in(self.statements), properties_in(self.statements)
+        found = Vocabulary(self.given.whole, sizes, self._matrices(), properties, euler=self._has_euler())
+        words = (f"{each.before} {each.after}" for each in self.document.formulas)
+        for definition in crosses_in(sorted(self.occurring), words):
+            found.define(definition)
+        return found
+
+    def _matrices(self) -> frozenset[str]:
+        """Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace."""
+        found = set[str]()
+        for side in _sides(self.formulas):
+            for tree in side.iter_subtrees():
+                head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
+                if tree.data == "marked" and not head.startswith("_"):
+                    found |= {*_factors(tree.children[0])}
+                elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
+                    found |= {*_factors(tree.children[1])}
+        return frozenset(found)
+
+    def _has_euler(self) -> bool:
+        """Whether e is Euler's number: the base of powers with letters, and nothing else."""
+        powers, letters = list[bool](), 0
+        for side in _sides(self.formulas):
+            letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
+            for power in side.find_data("power"):
+                base, exponent = power.children
+                if base == _E and isinstance(exponent, Tree):
+                    powers.append(bool(symbols_in(exponent)))
+        return len(powers) == letters and any(powers)
+
+
+def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula]:
+    for formula in formulas.values():
+        for side in formula.sides if isinstance(formula, Parsed) else ():
+            if isinstance(side, Tree):
+                yield side
+
+
+def _lone_letter(tree: Any) -> str:
+    """Return the Latin letter that an exponent is; empty if it is more or something else."""
+    while isinstance(tree, Tree) and tree.data == "group" and len(tree.children) == 1:
+        (tree,) = tree.children
+    alone = isinstance(tree, Tree) and tree.data == "symbol"
+    letter = str(tree.children[0]) if alone else ""
+    return letter if len(letter) == 1 and letter.isalpha() else ""
+
+
+def _not_raised(tree: Any) -> Iterator[str]:
+    """Yield the letters of a tree that are no whole exponent."""
+    if isinstance(tree, Token):
+        yield from re.findall(r"(?<![\\a-zA-Z])[a-zA-Z](?![a-zA-Z])", str(tree))
+    elif tree.data == "power" and _lone_letter(tree.children[1]):
+        yield from _not_raised(tree.children[0])
+    else:
+        for child in tree.children:
+            yield from _not_raised(child)
+
+
+def _split(symbol: str) -> tuple[str, int, str]:
+    letter, primes, below, _ = split_symbol(symbol)
+    return letter, primes, below
+
+
+def _factors(tree: Any) -> Iterator[str]:
+    """Yield the letters of a sum or product of letters alone."""
+    if tree.data == "symbol":
+        yield str(tree.children[0])
+    elif tree.data in ("run", "product", "sum", "group") or (
+        tree.data in ("bracket", "items") and len(tree.children) == 1
+    ):
+        for part in tree.children:
+            if isinstance(part, Tree):
+                yield from _factors(part)

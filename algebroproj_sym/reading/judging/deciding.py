@@ -1,0 +1,179 @@
+"""Every relation decided: as it stands, in other ways, and with the smallest changes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import islice
+
+from algebroproj_sym.expressions import entries, evaluate, free_symbols
+from algebroproj_sym.proving import Outcome
+from algebroproj_sym.proving.reals.prove import may_agree, often_agree
+from algebroproj_sym.reading.defining.letters import FREE
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.judging.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
+from algebroproj_sym.reading.judging.questions import (
+    Sides,
+    Way,
+    answers,
+    asked_of,
+    is_elementary,
+    is_lettered,
+    questions_of,
+    rests_of,
+    used_by,
+)
+from algebroproj_sym.reading.judging.repairs import STRONG, Repair, repairs
+from algebroproj_sym.reading.judging.verdicts import Link
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import symbols_in
+from algebroproj_sym.replaying.reals.terms import has_functions
+
+MOST_REPAIRS = 8
+
+
+MOST_REPAIRS_OF_LETTERS = 40
+
+
+POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
+
+
+@dataclass
+class Asked:
+    """A link that is yet to be decided: as it stands, and in other ways."""
+
+    reading: int
+    place: int
+    ways: list[Way]
+    link: Link
+    identity: bool
+    certain: bool
+
+
+def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
+    """Decide every link, first as it stands, then in other ways, then with single changes."""
+    found = answers([way for each in asked for way in each.ways], seconds, jobs)
+    failing: list[tuple[Asked, Way, Outcome]] = []
+    for each in asked:
+        answered = [found.pop(0) for _ in each.ways]
+        place = next((i for i, (_, answer) in enumerate(answered) if answer.verdict == "proved"), 0)
+        question, outcome = answered[place]
+        each.link = replace(_link_of(each, outcome, each.ways[place]), sides=question)
+        if each.link.verdict != "follows":
+            refuted = [(way, answer) for way, (_, answer) in zip(each.ways, answered, strict=True)]
+            failing += [(each, way, answer) for way, answer in refuted if answer.verdict == "refuted" and not way.reads]
+    candidates = [_likely_repairs(way) if way.doubt not in (A_CONDITION, NOT_GIVEN) else [] for _, way, _ in failing]
+    found = answers([way for changes in candidates for _, way in changes], seconds, jobs)
+    for (each, way, refutation), changes in zip(failing, candidates, strict=True):
+        tried = [(repair, changed, *found.pop(0)) for repair, changed in changes]
+        best = next((one for one in tried if one[3].verdict == "proved"), None)
+        link = _refuted(each, way, refutation, best[0] if best else None, best[1] if best else way)
+        if best and best[2] and best[1].left is way.left:
+            link = replace(link, corrected=best[2][1])
+        if way is each.ways[0] or _says(link) > _says(each.link):
+            each.link = link
+
+
+def _says(link: Link) -> tuple[bool, bool]:
+    """Return how much a link that does not follow says."""
+    return link.verdict == "contradicts", bool(link.suggestion)
+
+
+def _likely_repairs(way: Way) -> list[tuple[Repair, Way]]:
+    """Return the changes after which the sides agree at some points."""
+    vocabulary, left, right = way.vocabulary, way.left, way.right
+    used = used_by(vocabulary, left, right)
+    symbols = {symbol for tree in (left, right, *(each.tree for each in used)) for symbol in symbols_in(tree)}
+    changes = [(each, replace(way, right=each.formula)) for each in repairs(right, symbols)]
+    changes += [(each, replace(way, left=each.formula)) for each in repairs(left, symbols)]
+    found = sorted(changes, key=lambda pair: pair[0].kind not in STRONG)
+    changed = [pair for pair in found if pair[1].left != pair[1].right]
+    if is_lettered(way):
+        return changed[:MOST_REPAIRS_OF_LETTERS]
+    return [*islice((pair for pair in changed if _agree(vocabulary, pair[1].sides)), MOST_REPAIRS)]
+
+
+def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:
+    """Whether two sides agree at some points at which they are defined."""
+    try:
+        values = [vocabulary.value(side) for side in sides]
+        if any(map(is_elementary, values)):
+            return all(may_agree(each.lhs, each.rhs) for each in questions_of(vocabulary, *sides))
+        names = sorted({symbol for value in values for symbol in free_symbols(value)}, key=str)
+        for seed in range(len(POINTS)):
+            point = {name: POINTS[(seed + place) % len(POINTS)] + place for place, name in enumerate(names)}
+            left, right = (evaluate(value, point) for value in values)
+            if len(left) != len(right) or any(a != b for a, b in zip(left, right, strict=True)):
+                return False
+    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, AttributeError, OverflowError):
+        return False
+    return True
+
+
+def _doubt_of_refutation(way: Way) -> str:
+    """Return why sides that differ at a point may still be meant to be equal; empty for no reason."""
+    questions = asked_of(way.vocabulary, *way.sides)
+    assert isinstance(questions, list)
+    letters = questions[0].letters
+    if letters is not None:
+        if any(re.search(r"[a-z]x|x[a-z]", text.partition(" ")[0]) for text in letters.values()):
+            return "the sizes of its letters are not stated"
+        values = {name for _, text in questions[0].named_texts for name in re.findall(r"([a-z]+)\d+'", text)}
+        if values - {FREE}:
+            return f"what a function, a sum or an integral in it {NOT_COMPUTED}"
+        return "nothing above it gives the function" if values else ""
+    elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
+    positive = bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
+    return "it holds where its letters are positive" if positive else ""
+
+
+def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:
+    """Return the verdict of a link, as far as it is decided without changes."""
+    link = asked.link
+    if outcome.verdict == "proved":
+        return replace(
+            link,
+            verdict="follows",
+            reason=f"read as {way.reads}" if way.reads else "",
+            rests_on=rests_of(way.vocabulary, *way.sides),
+            hypotheses=outcome.hypotheses,
+            certificate=outcome.certificate,
+        )
+    return replace(link, reason=("the prover does not take it: " if outcome.unreadable else "") + outcome.reason)
+
+
+def _holds_beside(way: Way, repaired: Way) -> bool:
+    """Whether two entries with letters hold, and a change that makes all hold does not concern them."""
+    if is_lettered(way):
+        return False
+    before, after = ([*map(entries, map(way.vocabulary.value, each.sides))] for each in (way, repaired))
+    same = [a for a, b, c, d in zip(*before, *after, strict=True) if (a, b) == (c, d) and free_symbols(a)]
+    return len(same) >= 2
+
+
+def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None, repaired: Way) -> Link:
+    """Return the verdict of a link that fails at a point, and of the smallest change by which it would follow."""
+    suggestion = ""
+    if repair is not None:
+        now, before = (way.vocabulary.text(tree) for tree in (repair.now, repair.before))
+        suggestion = f"{now} instead of {before}"
+    doubt = _doubt_of_refutation(way)
+    doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
+    plain = way is asked.ways[0]
+    certain = (plain and asked.certain) or (
+        repair is not None and (repair.kind in STRONG or (repair.kind == "letter" and _holds_beside(way, repaired)))
+    )
+    asserted = (certain and not doubt) or (plain and asked.identity and not (doubt and is_lettered(way)))
+    reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
+    undecided = doubt.endswith(NOT_COMPUTED)
+    return replace(
+        asked.link,
+        verdict="contradicts" if asserted else "not decided" if undecided else "independent",
+        reason=reason,
+        rests_on=rests_of(way.vocabulary, *way.sides),
+        counterexample=refutation.counterexample,
+        suggestion=suggestion,
+        certificate=refutation.certificate,
+    )

@@ -1,0 +1,306 @@
+"""A document read once from its beginning to its end: definitions and premises collected, and each relation judged."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from algebroproj_sym.reading.defining.premises import (
+    Premise,
+    applicable,
+    cited_in,
+    derivatives_in,
+    extended,
+    neighbours,
+)
+from algebroproj_sym.reading.defining.recognising import EQUALITIES, computes, defined_by, is_circular, is_table
+from algebroproj_sym.reading.defining.survey import Survey
+from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.documents.displays import Display, Document
+from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.judging.deciding import Asked, decide
+from algebroproj_sym.reading.judging.doubts import doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.questions import Sides, Way, asked_of, both_sides, rests_of, used_by
+from algebroproj_sym.reading.judging.verdicts import Link, Reading
+from algebroproj_sym.reading.judging.words import (
+    CONDITIONAL,
+    DEFINES,
+    Beside,
+    beside,
+    has_ended,
+    last_sentence,
+    words_of,
+)
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
+
+
+def read_document(
+    document: Document,
+    given: SymbolsFile | None = None,
+    *,
+    seconds: float = 10.0,
+    jobs: int = 1,
+    lines: Collection[int] | None = None,
+) -> list[Reading]:
+    r"""Return the equations of a document, each with its verdict.
+
+    Parameters
+    ----------
+    document : Document
+        What was read from a file.
+    given : SymbolsFile, optional
+        What the user says of its letters.
+    seconds : float
+        How long the proof of one relation may take.
+    jobs : int
+        How many worker processes.
+    lines : collection of int, optional
+        The lines on which the equations begin that are to be decided; by default all are.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading import document_of
+    >>> found = read_document(document_of(r"\[ s = a + b \] \[ s^2 = a^2 + 2ab + b^2 \]"))
+    >>> [(each.read, each.verdict) for each in found]
+    [('s = a + b', 'definition'), ('s**2 = a**2 + 2*a*b + b**2', 'follows')]
+    """
+    readings, asked = _Pass(Survey(document, given or SymbolsFile())).all()
+    asked = [each for each in asked if lines is None or readings[each.reading].line in lines]
+    decide(asked, seconds, jobs)
+    for each in asked:
+        links = list(readings[each.reading].links)
+        links[each.place] = each.link
+        readings[each.reading] = replace(readings[each.reading], links=tuple(links))
+    return _without_refuted_premises(readings)
+
+
+def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
+    """Return readings in which nothing follows from an equation that contradicts."""
+    found = list[Reading]()
+    refuted = set[str]()
+    for each in readings:
+        links = tuple(
+            replace(link, verdict="independent", reason=f"it follows only from {wrong[0]}, which contradicts")
+            if link.verdict == "follows" and (wrong := [where for where in link.rests_on if where in refuted])
+            else link
+            for link in each.links
+        )
+        found.append(replace(each, links=links))
+        if found[-1].verdict == "contradicts":
+            refuted.add(_where(each.statement))
+    return found
+
+
+def _where(statement: Statement) -> str:
+    number = statement.number or statement.label
+    line = f"line {statement.display.line}"
+    return f"({number}), {line}" if number else line
+
+
+class _Pass:
+    """Goes through a document once, and collects definitions, premises and questions."""
+
+    def __init__(self, survey: Survey) -> None:
+        self.survey = survey
+        self.given = survey.given
+        self.vocabulary = survey.vocabulary()
+        self.asserted: dict[str, int] = {}
+        self.premises: list[Premise] = []
+        self.introduced = False
+        self.beside = Beside("", "", "", "", False, 0, 0, True)
+        self.display: Display | None = None
+        self.carried = ""
+        self.ended = True
+
+    def all(self) -> tuple[list[Reading], list[Asked]]:
+        """Return the displayed equations, and what is to be asked of them."""
+        readings: list[Reading] = []
+        asked: list[Asked] = []
+        for statement in self.survey.statements:
+            found = self.survey.formulas[id(statement)]
+            if statement.display.environment == "inline":
+                if isinstance(found, Parsed):
+                    self._inline(statement, found)
+                continue
+            reading, questions = self._displayed(statement, found, len(readings))
+            readings.append(reading)
+            asked += questions
+        return readings, asked
+
+    def _listen(self, statement: Statement) -> None:
+        """Take in the words beside a statement."""
+        display = statement.display
+        same_part = self.beside.part == display.part
+        if display is not self.display:
+            self.carried = "" if self.ended or not same_part else self.beside.sentence
+        self.display = display
+        self.beside = beside(statement, self.carried)
+        if words_of(display.before):
+            self.introduced = self.beside.introduces
+        self.ended = has_ended(display)
+
+    def _named(self, statement: Statement, names: frozenset[str]) -> bool:
+        return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
+
+    def _inline(self, statement: Statement, formula: Parsed) -> None:
+        before = statement.display.before
+        if len(formula.sides) == 2 and DEFINES.search(before) and not CONDITIONAL.search(last_sentence(before)):
+            definition = self._definition(statement, formula, explicit=True, late=True)
+            if definition is not None and definition.symbol not in self.vocabulary.definitions:
+                self.vocabulary.define(definition)
+        if len(formula.sides) > 1:
+            self._note(statement, formula)
+            self._restate(formula)
+
+    def _restate(self, formula: Parsed) -> None:
+        """Take notice that a letter with a definition is given within the text, and otherwise."""
+        for side in formula.sides:
+            known = self.vocabulary.definitions.get(defined_by(side)[0])
+            if known is not None and known.tree not in formula.sides and formula.relations[0] in EQUALITIES:
+                self.vocabulary.define(replace(known, role="case"))
+
+    def _note(self, statement: Statement, formula: Parsed) -> None:
+        for side in formula.sides:
+            for symbol in symbols_in(side):
+                self.asserted.setdefault(symbol, statement.display.place)
+
+    def _displayed(
+        self, statement: Statement, found: Parsed | UnreadableError, place: int
+    ) -> tuple[Reading, list[Asked]]:
+        display = statement.display
+        number = statement.number or statement.label
+        if isinstance(found, UnreadableError):
+            line = self.survey.document.line_of(found.place) if found.place is not None else display.line
+            reason = f"line {line}: {found}"
+            return Reading(display.line, number, statement.latex, None, reason, (), statement), []
+        sides = [self.vocabulary.text(side) for side in found.sides]
+        read = sides[0] + "".join(
+            f" {relation} {side}" for relation, side in zip(found.relations, sides[1:], strict=True)
+        )
+        links: list[Link] = []
+        asked: list[Asked] = []
+        self._listen(statement)
+        definition = self._definition(statement, found, explicit=False)
+        for index, relation in enumerate(found.relations):
+            if index == 0 and definition is not None:
+                questions = asked_of(self.vocabulary, definition.tree, definition.tree)
+                both = both_sides(questions) if isinstance(questions, list) else None
+                links.append(Link("definition", rests_on=rests_of(self.vocabulary, definition.tree), sides=both))
+                continue
+            link, question = self._link(statement, found, index, relation, place)
+            links.append(link)
+            if question is not None:
+                asked.append(question)
+        if not found.relations:
+            links.append(Link("not decided", "it has no relation, so it states nothing"))
+        if definition is not None:
+            self.vocabulary.define(definition)
+            self.asserted.setdefault(definition.symbol, display.place)
+        else:
+            self._note(statement, found)
+        self._assert(statement, found, defines=definition is not None)
+        return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), asked
+
+    def _assert(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
+        """Keep an equation as a premise of what stands behind it."""
+        if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
+            return
+        sides = formula.sides[defines:]
+        pairs = [(sides[0], sides[-1]), *(pairwise(sides) if len(sides) > 2 else ())] if len(sides) > 1 else []
+        names = frozenset((statement.number, statement.label)) - {""}
+        special, words = bool(self.beside.case), self.beside.words
+        where, display = _where(statement), statement.display
+        for left, right in pairs:
+            self.premises.append(Premise(left, right, where, display.part, display.place, names, special, words))
+
+    # -- definitions
+
+    def _definition(
+        self, statement: Statement, formula: Parsed, *, explicit: bool, late: bool = False
+    ) -> Definition | None:
+        """Return what a statement defines: a letter, or a function of letters, of which nothing was asserted before."""
+        if not formula.relations or formula.relations[0] not in EQUALITIES:
+            return None
+        relation = formula.relations[0]
+        left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
+        symbol, parameters = defined_by(left)
+        if not symbol or self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
+            return None
+        explicit = explicit or relation in (":=", "=:") or self._named(statement, self.given.definitions)
+        table = is_table(symbol, right, self.vocabulary)
+        if self.beside.is_conditional and not (explicit or table):
+            return None
+        late = late or explicit or self.introduced or table
+        used = self.asserted.get(symbol, statement.display.place) != statement.display.place and not late
+        again = symbol in self.vocabulary.definitions and relation not in (":=", "=:")
+        if used or again or is_circular(symbol, right, self.vocabulary):
+            return None
+        if not explicit and derivatives_in((left,), self.vocabulary, self.survey.occurring):
+            return None
+        given = symbol, parameters, right, _where(statement), statement.display.part
+        words, place = beside(statement, "").words, statement.display.place
+        made = Definition(*given, explicit, not statement.condition, place=place, words=words)
+        return replace(made, usable=made.usable and computes(made, self.vocabulary))
+
+    # -- relations
+
+    def _link(
+        self, statement: Statement, formula: Parsed, index: int, relation: str, place: int
+    ) -> tuple[Link, Asked | None]:
+        left, right = formula.sides[index], formula.sides[index + 1]
+        rests = rests_of(self.vocabulary, left, right)
+        if relation not in EQUALITIES:
+            return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
+        doubt = doubt_of(self.beside, formula, index, self.vocabulary)
+        letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
+        identity = self._named(statement, self.given.identities)
+        certain = not letters and all(each.explicit for each in used_by(self.vocabulary, left, right))
+        vocabulary = self.vocabulary.copied()
+        others = self._others(statement, formula, index)
+        ways = [
+            Way(left, right, vocabulary, doubt),
+            *(Way(*each, vocabulary, reads=" = ".join(map(vocabulary.text, each))) for each in others),
+            *self._with_premises(statement, formula, index, vocabulary),
+        ]
+        asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain)
+        return asked.link, asked
+
+    def _others(self, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
+        """Yield a relation as LaTeX may mean it as well: the slash, and how far the argument of a function goes."""
+        sides = formula.sides[index], formula.sides[index + 1]
+        if (others := (regrouped(sides[0]), regrouped(sides[1]))) != sides:
+            yield others
+        if formula.chose:
+            narrow = self.survey.parsed(statement, wide=False)
+            yield narrow.sides[index], narrow.sides[index + 1]
+
+    def _with_premises(
+        self, statement: Statement, formula: Parsed, index: int, vocabulary: Vocabulary
+    ) -> Iterator[Way]:
+        """Yield the ways to take a relation that rest on equations above it, and on derivatives."""
+        left, right = formula.sides[index], formula.sides[index + 1]
+        seen = [tuple(map(id, used_by(vocabulary, left, right)))]
+        for known in self._vocabularies(statement, left, right, vocabulary):
+            used = used_by(known, left, right)
+            if (ids := tuple(map(id, used))) not in seen:
+                seen.append(ids)
+                yield Way(left, right, known, doubt_of_premises(self.beside, formula, index, known))
+
+    def _vocabularies(
+        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
+    ) -> Iterator[Vocabulary]:
+        """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others."""
+        cited, part = cited_in(statement.display.before), statement.display.part
+        found = [each.gives for each in applicable(self.premises, part, cited) if each.gives is not None]
+        lone = frozenset(symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol)
+        for given in ([each for each in found if each.symbol not in lone], found):
+            known = extended(vocabulary, given)
+            yield known
+            yield extended(known, derivatives_in((left, right), known, self.survey.occurring))
+        wanted = {*symbols_in(left), *symbols_in(right)}
+        for each in neighbours(self.premises, part, cited):
+            if (solution := each.solved(vocabulary, wanted)) is not None:
+                yield extended(vocabulary, [solution])

@@ -1,0 +1,144 @@
+"""Why a relation that fails for some values need not be a contradiction.
+
+It must be one if its letters are all given: by definitions above it or, in a chain, by the side before.  It may not
+stand beside words that speak of a case, and it may not be a new definition of a letter, or a condition.  Words before a
+display say nothing of an equation in it that rests on other equations of the display alone: they speak of all of them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Any
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.judging.questions import used_by
+from algebroproj_sym.reading.judging.words import Beside, words_of
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+
+NOT_COMPUTED = "stands for is not computed"
+NOT_GIVEN = "its letters are defined nowhere above it"
+A_CONDITION = "it may be a condition"
+_IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
+
+
+def doubt_of_premises(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary) -> str:
+    """Return why an equation that fails under its premises need not contradict them.
+
+    It must follow from them by its own words, and they must be in the same section.
+    """
+    for each in used_by(vocabulary, formula.sides[index], formula.sides[index + 1]):
+        if each.role != "definition" and each.part != beside.part:
+            return "a letter may have another meaning where it was given"
+    if not beside.follows:
+        return "it is not said to follow"
+    return doubt_of(beside, formula, index, vocabulary)
+
+
+def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary) -> str:
+    """Return why a relation that fails for some values need not be a contradiction; empty if it must be one."""
+    left, right = formula.sides[index], formula.sides[index + 1]
+    symbols = {*symbols_in(left), *symbols_in(right)}
+    used = used_by(vocabulary, left, right)
+    if formula.relations[index] == "≡":
+        return "it may be a congruence, or a condition"
+    if formula.relations[index] in (":=", "=:"):
+        return "it gives its letter anew"
+    if cases := [each.where for each in used if each.role == "case"]:
+        return f"{cases[0]} may be a case"
+    if beside.condition:
+        return "it stands beside a condition"
+    lone = [tree for tree in (left, right) if defined_by(tree)[0]]
+    within = bool(used) and not lone and all(each.place == beside.place for each in used)
+    if case := beside.case_within if within else beside.case:
+        return f"the word {case!r} beside it may limit it to a case"
+    if doubt := _doubt_of_reading((left, right, *(each.tree for each in used)), symbols):
+        return doubt
+    if formula.chose:
+        return formula.chose
+    unusable = sorted(s for s in symbols if s in vocabulary.definitions and not vocabulary.definitions[s].usable)
+    if unusable:
+        return f"what {vocabulary.name(unusable[0])} {NOT_COMPUTED}"
+    if within:
+        return _doubt_of_letters(formula, index, vocabulary, used, chained=len(formula.sides) > 2)
+    if used and (word := beside.strange(frozenset().union(*(each.words for each in used)))):
+        return f"the word {word!r} beside it may speak of another thing"
+    for tree in lone:
+        definition = vocabulary.definitions.get(defined_by(tree)[0])
+        if definition is not None and not _is_meant(definition, beside):
+            return _other_meaning(definition, vocabulary)
+    first = [vocabulary.definitions[each] for each in sorted(symbols) if each in vocabulary.definitions]
+    if renamed := [each for each in first if re.sub(r"[{}\s]", "", each.symbol) in beside.renamed]:
+        return _other_meaning(renamed[0], vocabulary)
+    if words_of(beside.sentence) and not lone and first and not any(_is_meant(each, beside) for each in first):
+        return _other_meaning(first[0], vocabulary)
+    return _doubt_of_letters(formula, index, vocabulary, used, chained=len(formula.sides) > 2 and not lone)
+
+
+def _doubt_of_reading(trees: tuple[Formula, ...], symbols: Iterable[str]) -> str:
+    """Return what print may mean otherwise."""
+    if any(token in ("±", "∓") for tree in trees for token in tree.scan_values(lambda each: True)):
+        return "± stands for two statements"
+    if any("." in token for tree in trees[:2] for token in _numbers(tree)):
+        return "its decimals may be rounded"
+    if any(_has_mixed_number(tree) for tree in trees[:2]):
+        return "a number before a fraction may be added to it"
+    if any(_has_logarithm(tree) for tree in trees):
+        return "log may have another base"
+    imaginary = sorted(_IMAGINARY.intersection(symbols))
+    return f"{imaginary[0]} may be the imaginary unit" if imaginary else ""
+
+
+def _doubt_of_letters(
+    formula: Parsed, index: int, vocabulary: Vocabulary, used: list[Definition], *, chained: bool
+) -> str:
+    """Return whether letters are not given, so that an equation may be a condition or a new statement."""
+    ours, theirs = (vocabulary.letters_of(side) for side in formula.sides[index : index + 2])
+    if bool(ours) != bool(theirs):
+        return A_CONDITION
+    if chained and theirs <= ours and (index > 0 or ours <= theirs):
+        return ""
+    base = frozenset(letter for each in used for letter in vocabulary.letters_of(each.tree))
+    if not used and (ours or theirs):
+        return NOT_GIVEN
+    if new := sorted((ours | theirs) - base):
+        return f"{vocabulary.name(new[0])} is not given by the definitions above it"
+    return ""
+
+
+def _is_meant(definition: Definition, beside: Beside) -> bool:
+    """Whether a letter still has the meaning that it was given."""
+    return definition.part == beside.part and (definition.explicit or beside.follows)
+
+
+def _other_meaning(definition: Definition, vocabulary: Vocabulary) -> str:
+    return f"{vocabulary.name(definition.symbol)} is defined in {definition.where}; here it may mean something else"
+
+
+def _has_mixed_number(tree: Formula) -> bool:
+    r"""Whether a number stands before a fraction of numbers, as in ``1\frac12``."""
+    return any(
+        _is_number(one) and other.data == "fraction" and all(map(_is_number, other.children))
+        for run in tree.find_data("run")
+        for one, other in pairwise(run.children)
+        if isinstance(other, Tree)
+    )
+
+
+def _is_number(tree: Any) -> bool:
+    while tree.data == "group":
+        (tree,) = tree.children
+    return bool(tree.data == "number")
+
+
+def _has_logarithm(tree: Formula) -> bool:
+    functions = (*tree.find_data("function"), *tree.find_data("raised_function"))
+    return any(each.children[0] == "log" for each in functions)
+
+
+def _numbers(tree: Formula) -> list[str]:
+    return [str(each) for each in tree.scan_values(lambda each: isinstance(each, Token) and each.type == "NUMBER")]

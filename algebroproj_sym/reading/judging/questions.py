@@ -1,0 +1,169 @@
+"""What is asked of the prover: whether two sides are equal, with all definitions put in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import islice
+from typing import Any
+
+import sympy
+from lark import Token, Tree
+
+from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
+from algebroproj_sym.proving import Outcome, Question, outcomes
+from algebroproj_sym.proving.reals.reading import term_of
+from algebroproj_sym.reading.defining.letters import lettered
+from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula
+from algebroproj_sym.replaying.reals.terms import has_functions, written
+
+Sides = tuple[Formula, Formula]
+
+
+@dataclass(frozen=True)
+class Way:
+    """A way to take a link: its sides, what its letters stand for, and why it may not be meant if it fails so."""
+
+    left: Formula
+    right: Formula
+    vocabulary: Vocabulary
+    doubt: str = ""
+    reads: str = ""
+
+    @property
+    def sides(self) -> Sides:
+        """Both sides."""
+        return self.left, self.right
+
+
+def used_by(vocabulary: Vocabulary, *trees: Formula) -> list[Definition]:
+    """Return the definitions on which formulas rest."""
+    return [each for tree in trees for each in vocabulary.used_in(tree)]
+
+
+def rests_of(vocabulary: Vocabulary, *trees: Formula) -> tuple[str, ...]:
+    """Return the places and words on which formulas rest."""
+    return tuple(dict.fromkeys(each.where for each in used_by(vocabulary, *trees)))
+
+
+def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:
+    """Return the question whether two sides are equal; of matrices with real functions, one for each entry.
+
+    Where a sign is ± or ∓, both statements are asked.
+
+    Raises
+    ------
+    UnreadableError
+        If a side is no expression, or their shapes differ.
+    """
+    if any(_has_two_signs(tree) for tree in (left, right)):
+        both = [[_with_signs(tree, upper) for tree in (left, right)] for upper in (True, False)]
+        return [question for sides in both for question in questions_of(vocabulary, *sides)]
+    if any(vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)):
+        raise UnsizedError("a property of a letter says more than its entries")
+    values = [vocabulary.value(tree) for tree in (left, right)]
+    shapes = [shape(value) for value in values]
+    if shapes[0] != shapes[1]:
+        for place, other in ((0, 1), (1, 0)):
+            if values[place] == 0 and shapes[other]:
+                values[place] = values[other].zeros(*values[other].shape)
+            elif (
+                shapes[place]
+                and shapes[other]
+                and values[place].shape == values[other].shape[::-1]
+                and values[place].rows == 1
+            ):
+                values[place] = values[place].T
+    if shape(values[0]) != shape(values[1]):
+        raise UnreadableError(f"the sides have shapes {shapes[0] or 'of numbers'} and {shapes[1] or 'of numbers'}")
+    for value in values:
+        require_bounded(value, "the equation")
+        if value.has(sympy.I, sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+            raise UnreadableError("a value is no real number")
+    if shape(values[0]) and any(map(is_elementary, values)):
+        return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
+    return [Question(_text(values[0]), _text(values[1]))]
+
+
+def _has_two_signs(tree: Formula) -> bool:
+    return any(token in ("±", "∓") for token in tree.scan_values(lambda each: True))
+
+
+def _with_signs(tree: Formula, upper: bool) -> Formula:
+    """Return a formula with the upper signs of ± and ∓, or with the lower ones."""
+    signs = {"±": "-+"[upper], "∓": "+-"[upper]}
+    parts = [
+        _with_signs(each, upper) if isinstance(each, Tree) else Token("SIGN", signs[each]) if each in signs else each
+        for each in tree.children
+    ]
+    return Tree(tree.data, parts)
+
+
+def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question] | str:
+    """Return the questions, or why there are none."""
+    try:
+        return questions_of(vocabulary, left, right)
+    except UnreadableError as unread:
+        try:
+            return [lettered(vocabulary, left, right)]
+        except (UnreadableError, RecursionError) as error:
+            return str(error if isinstance(unread, UnsizedError) else unread).partition("\n")[0][:200]
+    except (TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
+        return str(error).partition("\n")[0][:200] or type(error).__name__
+
+
+def is_lettered(way: Way) -> bool:
+    """Whether a relation is asked with vectors and matrices as letters."""
+    questions = asked_of(way.vocabulary, *way.sides)
+    return isinstance(questions, list) and questions[0].letters is not None
+
+
+def is_elementary(value: Any) -> bool:
+    """Whether an entry has a real function or number that is not rational."""
+    return any(has_functions(text(entry)) or entry.atoms(sympy.NumberSymbol) for entry in entries(value))
+
+
+def _text(value: Any) -> str:
+    """Return text in which no number looks like a letter: exp(1) is no E."""
+    return written(term_of(value, "the equation")) if value.atoms(type(sympy.E)) else text(value)
+
+
+def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[str, str] | None, Outcome]]:
+    """Return each pair of sides as text with its outcome; one that cannot be asked is open."""
+    asked = [asked_of(each.vocabulary, *each.sides) for each in ways]
+    questions = [question for group in asked if isinstance(group, list) for question in group]
+    decided = outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions))) if questions else iter(())
+    return [
+        (both_sides(each), _with_letters(each[0], _of_entries([*islice(decided, len(each))])))
+        if isinstance(each, list)
+        else (None, Outcome("open", "none", 0.0, each))
+        for each in asked
+    ]
+
+
+def _with_letters(question: Question, outcome: Outcome) -> Outcome:
+    """Return an outcome with what its letters are taken for among its hypotheses."""
+    taken = tuple(f"{name} is {text}" for name, text in (question.letters or {}).items())
+    return replace(outcome, hypotheses=(*outcome.hypotheses, *taken))
+
+
+def both_sides(questions: Sequence[Question]) -> tuple[str, str] | None:
+    """Return the sides as a derivation states them; none if they have real functions, which it does not."""
+    sides = questions[0].lhs, questions[0].rhs
+    plain = len(questions) == 1 and questions[0].letters is None
+    return sides if plain and not any(map(has_functions, sides)) else None
+
+
+def _of_entries(found: Sequence[Outcome]) -> Outcome:
+    """Return what the outcomes of all entries come to."""
+    if len(found) == 1:
+        return found[0]
+    decisive = next((each for each in found if each.verdict == "refuted"), None)
+    decisive = decisive or next((each for each in found if each.verdict != "proved"), None)
+    if decisive is not None:
+        return decisive
+    hypotheses = tuple(dict.fromkeys(name for each in found for name in each.hypotheses))
+    certificate = {"method": "entries", "entries": [each.certificate for each in found]}
+    return Outcome("proved", "entries", sum(each.seconds for each in found), "", hypotheses, None, certificate)

@@ -1,0 +1,95 @@
+"""What a verdict says: of a relation, and of an equation of a document."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, get_args
+
+from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.parsing.grammar import Parsed
+
+Verdict = Literal["definition", "follows", "contradicts", "independent", "not decided", "not read"]
+
+
+VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+
+
+@dataclass(frozen=True)
+class Link:
+    """One relation of a chain.
+
+    Attributes
+    ----------
+    verdict : str
+        One of `VERDICTS`.
+    reason : str
+        Why it is not decided, or what else there is to say.
+    rests_on : tuple of str
+        Definitions, equations above it, derivatives, and words.
+    hypotheses : tuple of str
+        What is not zero where it holds.
+    counterexample : mapping of str to str, or None
+        A point at which the sides differ.
+    suggestion : str
+        The smallest change by which it would follow; empty for none.
+    certificate : mapping or None
+        The evidence.
+    sides : tuple of str, or None
+        Both sides as the prover had them, with all definitions put in, if a derivation can state them.
+    corrected : str
+        The right side with the suggested change, if it is one of the right side.
+    """
+
+    verdict: Verdict
+    reason: str = ""
+    rests_on: tuple[str, ...] = ()
+    hypotheses: tuple[str, ...] = ()
+    counterexample: Mapping[str, str] | None = None
+    suggestion: str = ""
+    certificate: Mapping[str, Any] | None = field(default=None, repr=False)
+    sides: tuple[str, str] | None = field(default=None, repr=False)
+    corrected: str = field(default="", repr=False)
+
+
+@dataclass(frozen=True)
+class Reading:
+    """An equation of a document, what was understood, and its verdict.
+
+    Attributes
+    ----------
+    line : int
+        Where its display begins.
+    number : str
+        Its number, else its label, else empty.
+    latex : str
+        Its LaTeX.
+    read : str or None
+        What was understood.
+    reason : str
+        Where and why reading stopped, or why there is no decision.
+    links : tuple of Link
+        The relations, one after the other.
+    statement : Statement
+        Where it comes from.
+    formula : Parsed or None
+        What was parsed.
+    """
+
+    line: int
+    number: str
+    latex: str
+    read: str | None
+    reason: str
+    links: tuple[Link, ...]
+    statement: Statement
+    formula: Parsed | None = None
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict: of several links, the one that matters most."""
+        if self.read is None:
+            return "not read"
+        found = {link.verdict for link in self.links}
+        order: tuple[Verdict, ...] = ("contradicts", "not decided", "independent", "definition", "follows")
+        return next((verdict for verdict in order if verdict in found), "not decided")

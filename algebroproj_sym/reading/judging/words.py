@@ -1,0 +1,177 @@
+"""What the words beside an equation say of it: that it follows, or that it may be of a case or of another thing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.documents.statements import Statement
+
+NEAR = 250
+"""How many characters beside a formula are searched for words about a case."""
+CASES = re.compile(
+    r"\b(?:if|when|whenever|case|cases|assum\w+|suppose|approximat\w*|small|large|neglect\w*|limit\w*|either|roots?|"
+    r"wrong|solutions?|otherwise|instead|special\w*|let|mod|modulo|convention|sign|opposite|alternative\w*|except|unless|"
+    r"setting|choos\w+|solv\w+|equilibrium|condition\w*|requir\w+|impos\w+|vanish\w*|equation of|not|never|without|"
+    r"provided|absence|ignor\w+|drop\w*|error|erroneous\w*|mistak\w+|false)\b"
+    r"|(?:for|with|at|in which|where)\s+\$[^$]*=",
+    re.IGNORECASE,
+)
+"""Words by which an equation may be about a case, so that it contradicts nothing."""
+CONDITIONAL = re.compile(r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case)\b", re.IGNORECASE)
+"""Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
+HENCE = re.compile(
+    r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|we (?:get|obtain|find|have|arrive)|gives?|"
+    r"giving|yields?|yielding|becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
+    r"resulting|leads? to|leading to|simplif\w+|that is|in other words|equivalent\w*|impl(?:y|ies|ying)|"
+    r"differentiat\w+|expanding|rewrit\w+|reduces? to|turns into|as a result|be (?:written|expressed)|is expressed)\b",
+    re.IGNORECASE,
+)
+"""Words by which an equation is said to follow from what is above it."""
+DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
+"""Words before an inline formula by which it is a definition."""
+
+_NEUTRAL = re.compile(
+    r"a|an|the|this|that|these|those|it|its|we|one|us|our|which|whose|what|both|all|each|any|every|and|or|of|to|into|in|"
+    r"from|by|on|as|at|with|for|between|is|are|be|been|was|has|have|had|can|may|will|must|do|does|now|also|again|then|"
+    r"here|there|above|below|previous|following|follow\w*|hence|thus|thereby|therefore|so|consequently|get|"
+    r"gets|obtain\w*|find|finds|found|arriv\w+|giv\w+|yield\w*|becom\w+|equal\w*|substitut\w+|insert\w*|plug\w*|"
+    r"combin\w+|rearrang\w+|result\w*|lead\w*|simpl\w+|other words|equivalent\w*|impl(?:y|ies|ying)|differentia\w+|"
+    r"expan\w+|rewrit\w+|reduc\w+|turn\w* into|writ\w+|express\w*|form\w*|equations?|eqs?|eqn|eqns|relations?|"
+    r"definitions?|defin\w+|identit(?:y|ies)|formulas?|formulae|terms?|sides?|factors?|left|right|hand|using|use\w*|"
+    r"appl\w+|recall\w*|not(?:e|ing) that|see|show\w*|comput\w+|calculat\w+|evaluat\w+|perform\w*|tak\w+|"
+    r"squaring|multipl\w+|divid\w+|divis\w+|add\w*|subtract\w*|sum\w*|product\w*|collect\w*|factor\w*|"
+    r"derivativ\w*|respect|time|compact\w*|explicit\w*|direct\w*|finally|easily|readily|straightforward\w*|immediate\w*|"
+    r"equation|expression\w*|quantit(?:y|ies)|values?|letters?|variables?|used|matrix|matrices|vector|vectors|"
+    r"back|out|up|together|after|since|because|via|through|thanks|according|algebra\w*|manipulation\w*|steps?|"
+    r"fact|sections?|chapters?|ref|eqref|label|cref|autoref|indeed|clearly|obviously|moreover|furthermore|"
+    r"same|just",
+    re.IGNORECASE,
+)
+"""The words of a derivation, which name nothing that an equation could be of."""
+
+
+@dataclass(frozen=True)
+class Beside:
+    """The words beside an equation.
+
+    Attributes
+    ----------
+    sentence : str
+        Its own sentence, up to it.
+    before, behind : str
+        The words near it, before it, and behind it up to the full stop.
+    condition : str
+        The words in its display.
+    implied : bool
+        Whether an arrow leads to it.
+    part : int
+        How many headings come before it.
+    place : int
+        Where its display begins, in characters.
+    ends : bool
+        Whether its sentence ends before the next equation.
+    """
+
+    sentence: str
+    before: str
+    behind: str
+    condition: str
+    implied: bool
+    part: int
+    place: int
+    ends: bool
+
+    @property
+    def case(self) -> str:
+        """A word by which the equation may be of a case; empty for none."""
+        return _case_in(f"{self.before} {self.sentence} {self.condition} {self.behind}")
+
+    @property
+    def case_within(self) -> str:
+        """Likewise, in the words that do not speak of the whole display."""
+        return _case_in(f"{self.condition} {self.behind}")
+
+    @property
+    def is_conditional(self) -> bool:
+        """Whether its own sentence speaks of a condition."""
+        return CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+
+    @property
+    def words(self) -> frozenset[str]:
+        """All words near the equation, but for those that lead to the next one."""
+        return words_of(f"{self.before} {self.sentence} {self.behind if self.ends else ''}")
+
+    @property
+    def follows(self) -> bool:
+        """Whether the equation is said to follow from what is above it."""
+        return self.implied or HENCE.search(self.sentence) is not None
+
+    @property
+    def introduces(self) -> bool:
+        """Whether words such as "where" stand right before the equation, and none of a case."""
+        return DEFINES.search(self.sentence) is not None and not self.case
+
+    @property
+    def renamed(self) -> frozenset[str]:
+        """The formulas of which the words before say what they are."""
+        return frozenset(re.sub(r"[{}\s]", "", each) for each in _RENAMED.findall(self.before))
+
+    def strange(self, known: Collection[str]) -> str:
+        """Return a word of the sentence that is none of a derivation, and that is not known; empty for none."""
+        return strange_word(f"{self.sentence} {_CLAUSE.split(self.behind)[0]}", known)
+
+
+def beside(statement: Statement, carried: str) -> Beside:
+    """Return the words beside a statement; its sentence may have begun before the equation above it."""
+    display = statement.display
+    last = last_sentence(display.before)
+    sentence = f"{carried} {last}" if last == display.before.rstrip() else last
+    behind, *rest = [""] if has_ended(display) else re.split(r"[.]\s", display.after)
+    words = sentence, display.before[-NEAR:], behind[:NEAR], statement.condition
+    return Beside(*words, statement.implied, display.part, display.place, bool(rest))
+
+
+def has_ended(display: Display) -> bool:
+    """Whether a sentence ends with a display."""
+    return _LABELS.sub("", display.latex).rstrip().endswith(".") or display.after.lstrip().startswith(".")
+
+
+def _case_in(words: str) -> str:
+    found = CASES.search(words)
+    return " ".join(found.group().split())[:20] if found else ""
+
+
+def last_sentence(words: str) -> str:
+    """Return the words since the last full stop or the last empty line."""
+    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())[-1]
+
+
+def words_of(text: str) -> frozenset[str]:
+    """Return the words of a text, without formulas and commands, in small letters."""
+    return frozenset(each.lower() for each in _WORD.findall(_without_formulas(text)))
+
+
+def strange_word(sentence: str, known: Collection[str]) -> str:
+    """Return a word that is none of a derivation, and that is not known; empty for none.
+
+    Examples
+    --------
+    >>> strange_word("Hence, for the ring, we obtain", {"disc"}), strange_word("This gives $x$ and thus", ())
+    ('ring', '')
+    """
+    words = (each for each in _WORD.findall(_without_formulas(sentence)) if not _NEUTRAL.fullmatch(each))
+    return next((each for each in words if each.lower() not in known), "")
+
+
+_LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
+_RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
+_CLAUSE = re.compile(r"\b(?:where|with|which)\b")
+_WORD = re.compile(r"[^\W\d_]{2,}")
+
+
+def _without_formulas(text: str) -> str:
+    """Return words without formulas, references, and what names the letters of an equation alone."""
+    return re.sub(r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|\b[Ii]n terms of [^,.$]*", " ", text)

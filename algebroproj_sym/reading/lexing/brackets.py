@@ -1,0 +1,92 @@
+"""Brackets, bars, matrices and distinctions of cases."""
+
+from __future__ import annotations
+
+from algebroproj_sym.reading.lexing.commands import BARS, CLOSING, MATRIX, MAX_NESTING, OPENING
+from algebroproj_sym.reading.lexing.cursor import Cursor
+from algebroproj_sym.reading.lexing.names import read_after
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, split_pieces
+
+
+def _partner(opening: str) -> str:
+    pairs = {"(": ")", "[": "]", r"\{": r"\}", r"\lbrace": r"\}", r"\lbrack": "]", r"\langle": r"\rangle"}
+    return pairs[opening]
+
+
+def read_bracket(cursor: Cursor) -> None:
+    """Read a bracket or a bar, and what is attached to it where it closes."""
+    text = cursor.text
+    if text in BARS:
+        kind = BARS[text]
+        left = text.startswith(r"\l") or not (cursor.ends_value() and kind in cursor.opened)
+        cursor.emit(f"{kind}_OPEN" if left else f"{kind}_CLOSE", text)
+        if left:
+            cursor.opened.append(kind)
+        else:
+            _close(cursor, kind)
+    elif text in OPENING:
+        cursor.emit(OPENING[text], text)
+        cursor.opened.append(OPENING[text])
+        left = True
+    else:
+        cursor.emit(CLOSING[text], text)
+        partner = next(kind for mark, kind in OPENING.items() if CLOSING[_partner(mark)] == CLOSING[text])
+        _close(cursor, partner)
+        left = False
+    if len(cursor.opened) + cursor.depth > MAX_NESTING:
+        raise cursor.fail(f"expected at most {MAX_NESTING} levels of nesting, got more")
+    cursor.index += 1
+    if not left:
+        read_after(cursor)
+
+
+def _close(cursor: Cursor, kind: str) -> None:
+    if not cursor.opened or cursor.opened[-1] != kind:
+        raise cursor.fail("a bracket is closed that is not open")
+    cursor.opened.pop()
+
+
+def read_environment(cursor: Cursor) -> None:
+    """Read a matrix or a distinction of cases."""
+    name = cursor.text
+    start = cursor.index
+    cursor.index += 1
+    if name == r"\begin{cases}":
+        _read_cases(cursor, start)
+        return
+    if not MATRIX.match(name):
+        raise UnreadableError(f"the environment {name} is not known inside a formula", cursor.pieces[start].place)
+    if "array" in name:
+        cursor.option()
+        cursor.group()
+    inner = cursor.within(_take_environment(cursor, name, start))
+    inner.until_end()
+    cursor.chose = cursor.chose or inner.chose
+    while inner.out and inner.out[-1].type == "ROW":
+        inner.out.pop()
+    cursor.emit("BEGIN", name)
+    cursor.out += inner.out
+    cursor.emit("END", name)
+    read_after(cursor)
+
+
+def _take_environment(cursor: Cursor, name: str, start: int) -> list[Piece]:
+    closing, depth, first = name.replace("begin", "end"), 1, cursor.index
+    while cursor.index < len(cursor.pieces):
+        depth += (cursor.text == name) - (cursor.text == closing)
+        cursor.index += 1
+        if depth == 0:
+            return cursor.pieces[first : cursor.index - 1]
+    raise UnreadableError(f"the environment {name} is not closed", cursor.pieces[start].place)
+
+
+def _read_cases(cursor: Cursor, start: int) -> None:
+    body = _take_environment(cursor, r"\begin{cases}", start)
+    cursor.emit("CASES")
+    for row in split_pieces(body, (r"\\",)):
+        value, *condition = split_pieces(row, ("&", r"\text", r"\mbox", r"\textrm", ",", r"\quad", r"\qquad"))
+        if not any(not piece.text.isspace() for piece in value):
+            continue
+        cursor.inner(value)
+        cursor.emit("CONDITION", " ".join("".join(p.text for p in part).strip(" {}") for part in condition).strip())
+    cursor.emit("ENDCASES")

@@ -1,0 +1,91 @@
+"""The commands of LaTeX that a formula may have, and what they stand for."""
+
+from __future__ import annotations
+
+import re
+
+MAX_NESTING = 30
+MAX_PIECES = 20_000
+MAX_DIGITS = 1_000
+PIECE = re.compile(r"\\[a-zA-Z]+\*?|\\.|\s+|.", re.DOTALL)
+_GREEK_NAMES = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi "
+    "omega varepsilon varphi varrho vartheta varkappa varpi varsigma"
+)
+GREEK = frozenset(f"\\{name}" for low in _GREEK_NAMES.split() for name in (low, low.capitalize()))
+LETTERS = GREEK | {r"\ell", r"\hbar", r"\imath", r"\jmath", r"\nabla", r"\infty", r"\emptyset"}
+BOLD = {
+    r"\bm": r"\mathbf",
+    r"\boldsymbol": r"\mathbf",
+    r"\pmb": r"\mathbf",
+    r"\bs": r"\mathbf",
+    r"\textbf": r"\mathbf",
+    r"\cal": r"\mathcal",
+    r"\bf": r"\mathbf",
+    r"\bold": r"\mathbf",
+    r"\mathbfit": r"\mathbf",
+}
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+STYLES = _words(
+    r"\mathbf \mathcal \mathscr \mathfrak \mathbb \mathds \mathsf \mathit \mathtt \tilde \bar \hat \dot \ddot \dddot "
+    r"\vec \overline \underline \widehat \widetilde \check \breve \mathring \acute \grave \overrightarrow"
+)
+UPRIGHT = _words(r"\mathrm \operatorname \operatorname* \text \textrm \mathop \textit")
+DROPPED = _words(
+    r"\left \right \displaystyle \textstyle \scriptstyle \big \Big \bigg \Bigg \bigl \bigr \Bigl \Bigr \biggl \biggr "
+    r"\Biggl \Biggr \middle \limits \nolimits \nonumber \notag \rm \it \mathord \mathbin \, \; \: \! ~ \/ \hfill "
+    r"\hline \mathrm \allowbreak \nobreak \relax \protect \ensuremath \strut \mathstrut \scriptscriptstyle"
+)
+DROPPED |= {"\\\n"}
+WIDE = frozenset((r"\quad", r"\qquad", "\\ "))
+WITH_ARGUMENT = _words(r"\hspace \vspace \label \phantom \hphantom \vphantom \tag \tag*")
+NO_LETTERS = _words(
+    r"\forall \exists \mid \cup \cap \setminus \wedge \vee \bullet \because \therefore \over \atop \choose \hbox "
+    r"\begin \end \lfloor \rfloor \lceil \rceil \langle \rangle \neg \land \lor \asymp \prec \succ \supset \subseteq "
+    r"\supseteq \def \let \newcommand \color \bmod \mod \pmod \top \not \overbrace \underbrace \stackrel \overset "
+    r"\underset \substack \binom"
+)
+"""Commands that stand for no letter."""
+BEFORE_LETTER = _words(r"\leftexp \leftidx \prescript \presuper")
+FRACTIONS = _words(r"\frac \dfrac \tfrac \cfrac")
+BIG = _words(r"\sum \prod \int \iint \iiint \oint \lim \max \min \sup \inf \bigcup \bigcap \argmin \argmax")
+FUNCTIONS = _words(
+    "sin cos tan cot sec csc arcsin arccos arctan arccot asin acos atan atan2 arctan2 sinh cosh tanh coth arcsinh "
+    "arccosh arctanh arsinh arcosh artanh sech csch exp log ln lg det tr trace Tr diag rank sign sgn adj sinc"
+)
+SIGNS = {"+": "+", "-": "-", "−": "-", r"\pm": "±", r"\mp": "∓"}
+RELATIONS = dict(
+    pair.split("#")
+    for pair in sorted(
+        _words(
+            r"=#= :=#:= =:#=: \equiv#≡ \triangleq#:= \coloneqq#:= \doteq#:= <#< >#> \lt#< \gt#> \le#<= \leq#<= \ge#>= "
+            r"\geq#>= \leqslant#<= \geqslant#>= \ll#≪ \gg#≫ \ne#!= \neq#!= \approx#≈ \simeq#≈ \cong#≅ \sim#~ \propto#∝ "
+            r"\in#∈ \notin#∉ \to#→ \rightarrow#→ \longrightarrow#→ \leadsto#→ \leftarrow#← \mapsto#↦ \Rightarrow#⇒ "
+            r"\Longrightarrow#⇒ \implies#⇒ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
+        )
+    )
+)
+TRANSPOSED = _words(r"T t \top \intercal \mathsf{T} \mathsfT \sfT \mathtt{T} \trans")
+MARKS = {**dict.fromkeys(TRANSPOSED, "T"), r"\wedge": "hat", r"\times": "hat", r"\vee": "vee"}
+PART_OF_NAME = re.compile(
+    r"\(.*\)|\\math(?:cal|scr|frak|bb)\W.*|[-+*]|\\(?:star|ast|dagger|circ|perp|parallel|prime)|\[.*\]"
+)
+MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?matrix\*?|smallmatrix|array)\}")
+OPENING = {"(": "LP", "[": "LS", r"\{": "LB", r"\lbrace": "LB", r"\lbrack": "LS", r"\langle": "ANGLE_OPEN"}
+CLOSING = {")": "RP", "]": "RS", r"\}": "RB", r"\rbrace": "RB", r"\rbrack": "RS", r"\rangle": "ANGLE_CLOSE"}
+BARS = {"|": "BAR", r"\vert": "BAR", r"\lvert": "BAR", r"\rvert": "BAR"} | dict.fromkeys(
+    (r"\|", r"\Vert", r"\lVert", r"\rVert"), "NORM"
+)
+ARGUMENT = "LaTeX leaves open how far the argument of a function goes"
+AXIS = r"[xyzA-SU-Z]"
+INDICES = re.compile(r"(?:[a-zA-Z]|\\[a-zA-Z]+){2,}")
+LETTER = re.compile(r"[a-zA-Z]|\\[a-zA-Z]+")
+VALUE_ENDS = frozenset(
+    ("NUMBER", "SYMBOL", "OPAQUE", "CLOSE", "RP", "RS", "RB", "BAR_CLOSE", "NORM_CLOSE", "ANGLE_CLOSE", "END", "MARK")
+)
+DIFFERENTIALS = frozenset(("d", r"\partial", r"\delta", r"\Delta", r"\mathrm{d}"))

@@ -1,0 +1,256 @@
+"""Letters with their accents, primes, subscripts and powers: what is one name, and what is raised."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from lark import Token
+
+from algebroproj_sym.reading.lexing.commands import (
+    AXIS,
+    BOLD,
+    DIFFERENTIALS,
+    DROPPED,
+    FUNCTIONS,
+    GREEK,
+    INDICES,
+    LETTER,
+    LETTERS,
+    MARKS,
+    NO_LETTERS,
+    PART_OF_NAME,
+    STYLES,
+    UPRIGHT,
+)
+from algebroproj_sym.reading.lexing.cursor import Cursor
+from algebroproj_sym.reading.lexing.pieces import Piece, bare, outside_braces, pieces_of
+
+
+def split_symbol(symbol: str) -> tuple[str, int, str, str]:
+    r"""Return letter, number of primes, subscript and superscript of a symbol.
+
+    Examples
+    --------
+    >>> split_symbol(r"\mu_{j1}''^T")
+    ('\\mu', 2, 'j1', 'T')
+    """
+    word = re.match(r"[a-zA-Z]*", symbol)[0]  # type: ignore[index]  # it always matches
+    rest = symbol[len(word) :] if len(word) > 1 else symbol
+    inner = Cursor(pieces_of(rest))
+    letter = word if len(word) > 1 else take_letter(inner)
+    return (letter, *take_scripts(inner))
+
+
+def written(letter: str, primes: int, subscript: str, superscript: str) -> str:
+    r"""Return the one way in which tables write a symbol.
+
+    Examples
+    --------
+    >>> written("\\mu", 2, "31", "")
+    "\\mu_{31}''"
+    """
+    below = f"_{{{subscript}}}" if len(subscript) > 1 else f"_{subscript}" if subscript else ""
+    above = f"^{{{superscript}}}" if len(superscript) > 1 else f"^{superscript}" if superscript else ""
+    return f"{letter}{below}{chr(39) * primes}{above}"
+
+
+def is_behind(script: Sequence[str]) -> bool:
+    r"""Whether a script above belongs to what stands before it, as in ``(AB){}^T``: a mark of matrices or a number."""
+    inside = list(script[1 : [*script, "}"].index("}")]) if script[:1] == ["{"] else list(script[:1])
+    return "".join(inside) in MARKS or inside[:1] == ["-"] or all(each.isdigit() for each in inside)
+
+
+def at_symbol(cursor: Cursor) -> bool:
+    """Whether a letter begins here."""
+    text = cursor.text
+    if text in UPRIGHT:
+        return not function_at(cursor)
+    return text.isalpha() or text in LETTERS or text in STYLES or text in BOLD or text == r"\partial"
+
+
+def function_at(cursor: Cursor) -> str:
+    """Return the name of the function that begins here; empty if none does."""
+    text = cursor.text
+    if text in UPRIGHT:
+        rest = cursor.pieces[cursor.index + 1 : cursor.index + 14]
+        inside = re.match(r"\s*\{([a-zA-Z0-9]+)\}", "".join(piece.text for piece in rest))
+        return inside[1] if inside and inside[1] in FUNCTIONS else ""
+    return text[1:] if text.startswith("\\") and text[1:] in FUNCTIONS else ""
+
+
+def take_letter(cursor: Cursor) -> str:
+    """Return the letter, with its style and accents, as tables write it."""
+    cursor.skip()
+    text = BOLD.get(cursor.text, cursor.text)
+    cursor.index += 1
+    if text in STYLES or text in UPRIGHT:
+        inside = bare(cursor.group())
+        return inside if text in UPRIGHT and len(inside) > 1 else inside if text in UPRIGHT else f"{text}{{{inside}}}"
+    return text
+
+
+def take_scripts(cursor: Cursor) -> tuple[int, str, str]:
+    """Return the primes, the subscript and the superscript that follow."""
+    primes, below, above = 0, "", ""
+    cursor.raised = []
+    while True:
+        here = cursor.index
+        while cursor.text.isspace() or (cursor.text == "{" and cursor.peek(1) == "}" and _at_script(cursor)):
+            cursor.index += 1 if cursor.text.isspace() else 2
+        if cursor.text == "'":
+            cursor.index += 1
+            primes += 1
+        elif cursor.text == "_":
+            cursor.index += 1
+            below += bare(cursor.group())
+        elif cursor.text == "^" and not above:
+            cursor.index += 1
+            cursor.raised = cursor.group()
+            inside = bare(cursor.raised).replace(r"\prime", "'")
+            primes += inside.count("'")
+            above = inside.replace("'", "")
+        else:
+            cursor.index = here
+            return primes, below, above
+
+
+def _at_script(cursor: Cursor) -> bool:
+    rest = [piece.text for piece in cursor.pieces[cursor.index : cursor.index + 12] if not piece.text.isspace()]
+    if rest[:2] != ["{", "}"] or len(rest) < 3 or rest[2] not in ("_", "^", "'"):
+        return False
+    return rest[2] != "^" or is_behind(rest[3:])
+
+
+def read_symbol(cursor: Cursor) -> None:
+    """Read a letter with its scripts."""
+    start, command = cursor.place, cursor.text
+    letter = take_letter(cursor)
+    cursor.skip()
+    if command.startswith(r"\operatorname") and (at_symbol(cursor) or cursor.text.isdigit() or function_at(cursor)):
+        raise cursor.fail(f"the function {letter} is not known")
+    read_scripted(cursor, letter, start)
+
+
+def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
+    """Read the scripts behind a letter: what is part of its name, and what is a power."""
+    if cursor.functions is not None and letter in DIFFERENTIALS and _at_factor(cursor):
+        _read_differential(cursor, letter, start)
+        return
+    primes, below, above = take_scripts(cursor)
+    whole = written(letter, primes, below, above)
+    bare = written(letter, primes, below, "")
+    if not above or cursor.known(whole):
+        emit_name(cursor, whole, start)
+    elif re.fullmatch(r"\*(T|-1|\\top)", above):
+        emit_name(cursor, written(letter, primes, below, "*"), start, raised=True)
+        emit_power(cursor, above[1:], cursor.raised[1:])
+    elif PART_OF_NAME.fullmatch(above) or is_axis(cursor, letter, above):
+        emit_name(cursor, whole, start)
+    elif cursor.functions is not None and _has_indices(cursor, letter, below, above):
+        cursor.chose = "letters above may be indices"
+        emit_name(cursor, whole, start)
+    else:
+        emit_name(cursor, bare, start, raised=True)
+        emit_power(cursor, above, [piece for piece in cursor.raised if piece.text not in ("'", r"\prime")])
+    read_after(cursor)
+
+
+def is_axis(cursor: Cursor, letter: str, above: str) -> bool:
+    r"""Whether what stands above a vector is an axis or a frame, as in ``\mathbf{e}^z``, and no power."""
+    return cursor.functions is not None and letter.startswith(r"\mathbf{") and bool(re.fullmatch(AXIS, above))
+
+
+def at_unknown_letter(cursor: Cursor) -> bool:
+    """Whether a command of the document that nothing defines may be a letter: it takes no argument."""
+    named = re.fullmatch(r"\\[a-zA-Z]+", cursor.text) is not None
+    return named and cursor.text not in NO_LETTERS and cursor.peek(1) != "{"
+
+
+def _has_indices(cursor: Cursor, letter: str, below: str, above: str) -> bool:
+    r"""Whether what stands above a letter may be indices, as in ``T^{\mu\nu}`` and ``g_\mu^\nu``, and no power."""
+    if letter in ("e", r"\mathrm{e}") or above in MARKS:
+        return False
+    letters = [*LETTER.findall(above)]
+    alone = all(each in GREEK or len(each) == 1 for each in letters)
+    mixed = len(letters) == 1 and {above, below} <= GREEK
+    return (INDICES.fullmatch(above) is not None and alone) or mixed
+
+
+def _at_factor(cursor: Cursor) -> bool:
+    here = cursor.text
+    return bool(here) and (here.isalpha() or here in LETTERS or here in STYLES or here in BOLD or here == r"\mathrm")
+
+
+def _read_differential(cursor: Cursor, letter: str, start: int) -> None:
+    inner = take_letter(cursor)
+    primes, below, above = take_scripts(cursor)
+    emit_name(cursor, f"{letter} {written(inner, primes, below, '')}", start)
+    if above:
+        emit_power(cursor, above, cursor.raised)
+    read_after(cursor)
+
+
+def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -> None:
+    """Add the token of a letter, or of a function before its bracket."""
+    before_bracket = cursor.functions is not None and not raised and cursor.peek() == "("
+    called = before_bracket and (whole in (cursor.functions or ()) or _at_argument(cursor))
+    cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
+
+
+def _at_argument(cursor: Cursor) -> bool:
+    """Whether the bracket that follows has one letter alone, or several values."""
+    inside, depth = list[Piece](), 0
+    for piece in cursor.pieces[cursor.index :]:
+        depth += (piece.text == "(") - (piece.text == ")")
+        if depth == 0 and inside:
+            break
+        inside.append(piece)
+    body = [piece for piece in inside if not piece.text.isspace() and piece.text not in DROPPED][1:]
+    if any(piece.text in (",", ";") for piece in outside_braces(body)):
+        return True
+    if not body or any(piece.text in "+-*/()=|" for piece in body):
+        return False
+    inner = Cursor(body, cursor.known)
+    return (
+        at_symbol(inner) and bool(take_letter(inner)) and take_scripts(inner) is not None and inner.index == len(body)
+    )
+
+
+def emit_power(cursor: Cursor, above: str, raised: Sequence[Piece]) -> None:
+    """Add what stands above a value: a mark of matrices, degrees or an exponent."""
+    if above in MARKS:
+        cursor.emit("MARK", MARKS[above])
+    elif above == r"\circ" and cursor.out[-1].type == "NUMBER":
+        if cursor.peek() in UPRIGHT or cursor.peek() in ("C", "F"):
+            raise cursor.fail("degrees of temperature are not read")
+        degrees = cursor.out.pop()
+        cursor.emit("OPEN", "{")
+        cursor.out += [degrees, Token("SYMBOL", r"\pi", start_pos=degrees.start_pos)]
+        cursor.emit("SLASH", "/")
+        cursor.emit("NUMBER", "180")
+        cursor.emit("CLOSE", "}")
+    elif above:
+        cursor.emit("SUP", "^")
+        cursor.inner(raised)
+
+
+def read_after(cursor: Cursor) -> None:
+    """Read what is attached to a value: powers, marks, the subscript of a bracket."""
+    while cursor.peek() in ("^", "_", "'") and cursor.out[-1].type != "CALLEE":
+        cursor.skip()
+        while cursor.text in DROPPED:
+            cursor.index += 1
+            cursor.skip()
+        mark = cursor.text
+        cursor.index += 1
+        if mark == "'":
+            raise cursor.fail("a prime is read after a letter only")
+        raised = cursor.group()
+        inside = bare(raised)
+        if mark == "^":
+            emit_power(cursor, inside, raised)
+        elif inside in (r"\times", r"\wedge"):
+            cursor.emit("MARK", "hat")
+        elif not (cursor.out[-1].type == "NORM_CLOSE" and inside in ("2", "F")):
+            cursor.emit("MARK", f"_{inside}")

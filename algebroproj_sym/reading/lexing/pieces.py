@@ -1,0 +1,90 @@
+"""LaTeX as pieces: control sequences and characters, each with its place in the source."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+from typing import NamedTuple
+
+from algebroproj_sym.reading.lexing.commands import BOLD, PIECE
+
+
+class Piece(NamedTuple):
+    """A control sequence or a character, and where it stands in the source."""
+
+    text: str
+    place: int
+
+
+class UnreadableError(ValueError):
+    """A text is no formula that the grammar reads, or has a name that no table explains.
+
+    Attributes
+    ----------
+    place : int or None
+        Where reading stopped, counted in characters from the beginning of the source.
+    """
+
+    def __init__(self, message: str, place: int | None = None) -> None:
+        super().__init__(message)
+        self.place = place
+
+
+def pieces_of(latex: str, place: int = 0) -> list[Piece]:
+    r"""Return the control sequences and characters of a text that begins at a place; ``\begin{name}`` is one.
+
+    Examples
+    --------
+    >>> [piece.text for piece in pieces_of(r"\frac12 \begin{cases}")]
+    ['\\frac', '1', '2', ' ', '\\begin{cases}']
+    """
+    found = [Piece(each.group(), place + each.start()) for each in PIECE.finditer(latex)]
+    return _with_environments(found)
+
+
+def _with_environments(pieces: Sequence[Piece]) -> list[Piece]:
+    joined: list[Piece] = []
+    index = 0
+    while index < len(pieces):
+        text, place = pieces[index]
+        if text in (r"\begin", r"\end"):
+            opening = next((i for i in range(index + 1, len(pieces)) if not pieces[i].text.isspace()), len(pieces))
+            closing = next((i for i in range(opening, min(opening + 30, len(pieces))) if pieces[i].text == "}"), None)
+            if closing is not None and pieces[opening].text == "{":
+                text += "".join(piece.text for piece in pieces[opening : closing + 1])
+                index = closing
+        joined.append(Piece(text, place))
+        index += 1
+    return joined
+
+
+def split_pieces(pieces: Sequence[Piece], marks: Collection[str], brackets: bool = True) -> list[list[Piece]]:
+    """Return the parts between marks that stand in no brace or environment, and in no bracket if that matters."""
+    parts: list[list[Piece]] = [[]]
+    depth = 0
+    for piece in pieces:
+        text = piece.text
+        depth += (text == "{" or (brackets and text in ("(", "[", r"\{")) or text.startswith(r"\begin{")) - (
+            text == "}" or (brackets and text in (")", "]", r"\}")) or text.startswith(r"\end{")
+        )
+        if depth <= 0 and text in marks:
+            parts.append([])
+        else:
+            parts[-1].append(piece)
+    return parts
+
+
+def outside_braces(pieces: Sequence[Piece]) -> list[Piece]:
+    """Return the pieces that stand in no brace."""
+    kept, depth = list[Piece](), 0
+    for piece in pieces:
+        depth += (piece.text == "{") - (piece.text == "}")
+        if depth == 0:
+            kept.append(piece)
+    return kept
+
+
+def bare(pieces: Sequence[Piece]) -> str:
+    """Return the text of pieces without braces, spaces and upright style."""
+    text = "".join(BOLD.get(piece.text, piece.text) for piece in pieces)
+    return re.sub(r"\\(?:mathrm|text|textrm|mathit|bf|rm|left|right|[,;:!])(?![a-z])|[{}\s,]", "", text)

@@ -1,0 +1,116 @@
+"""Letters in braces, and letters with scripts before them, as of a frame."""
+
+from __future__ import annotations
+
+from algebroproj_sym.reading.lexing.cursor import Cursor
+from algebroproj_sym.reading.lexing.names import (
+    at_symbol,
+    at_unknown_letter,
+    emit_name,
+    emit_power,
+    is_axis,
+    is_behind,
+    read_after,
+    read_scripted,
+    take_letter,
+    take_scripts,
+    written,
+)
+from algebroproj_sym.reading.lexing.pieces import bare
+
+
+def read_braces(cursor: Cursor) -> None:
+    """Read what stands in braces; a lone letter has the scripts behind them."""
+    start, inside = cursor.place, cursor.group()
+    inner = cursor.within(inside)
+    if _keeps_room(inner):
+        return
+    if cursor.peek() in ("_", "^", "'") and inside and _is_lone_letter(inner):
+        read_scripted(cursor, take_letter(inner), start)
+    elif any(not piece.text.isspace() for piece in inside):
+        cursor.inner(inside)
+        read_after(cursor)
+
+
+def _keeps_room(cursor: Cursor) -> bool:
+    r"""Whether there is nothing but room, as before the frame in ``{\vphantom{\omega}}^{B}\omega``."""
+    cursor.skip()
+    if cursor.text not in (r"\phantom", r"\hphantom", r"\vphantom"):
+        return False
+    cursor.index += 1
+    cursor.group()
+    cursor.skip()
+    alone, cursor.index = cursor.index == len(cursor.pieces), 0
+    return alone
+
+
+def _is_lone_letter(cursor: Cursor) -> bool:
+    """Whether there is nothing but a letter, with its style and accents."""
+    cursor.skip()
+    if not at_symbol(cursor):
+        return False
+    take_letter(cursor)
+    cursor.skip()
+    alone, cursor.index = cursor.index == len(cursor.pieces), 0
+    return alone
+
+
+def read_before_letter(cursor: Cursor) -> None:
+    """Read scripts before their letter, as of a frame: they go first in those behind it."""
+    if (
+        cursor.text == "^"
+        and cursor.ends_value()
+        and is_behind([piece.text for piece in cursor.pieces[cursor.index + 1 :]])
+    ):
+        read_after(cursor)
+        return
+    start = cursor.place
+    first = {"_": "", "^": ""}
+    while cursor.text in first:
+        mark = cursor.text
+        cursor.index += 1
+        first[mark] += bare(cursor.group())
+        cursor.skip()
+    _read_with_scripts(cursor, first["_"], first["^"], start)
+
+
+def read_command_before_letter(cursor: Cursor) -> None:
+    r"""Read a letter with scripts before it, as in ``\leftexp{B}{\omega}`` and ``\prescript{a}{b}{R}``."""
+    start, command = cursor.place, cursor.text
+    cursor.index += 1
+    above = bare(cursor.group())
+    below = bare(cursor.group()) if command == r"\prescript" else ""
+    above, _, marked = above.lstrip("^").partition("_")
+    inside = cursor.group()
+    behind = cursor.group() if command == r"\leftidx" and cursor.peek() == "{" else []
+    rest = cursor.pieces[cursor.index :]
+    inner = cursor.within(inside)
+    if _is_lone_letter(inner):
+        cursor.pieces, cursor.index = [*inside, *behind, *rest], 0
+        _read_with_scripts(cursor, below or marked, above, start)
+    else:
+        cursor.inner(inside)
+        read_after(cursor)
+
+
+def _read_with_scripts(cursor: Cursor, below: str, above: str, start: int) -> None:
+    """Read a letter, and put scripts before its own."""
+    cursor.skip()
+    while cursor.text == "{" and not at_symbol(cursor):
+        inside = cursor.group()
+        cursor.pieces, cursor.index = [*inside, *cursor.pieces[cursor.index :]], 0
+        cursor.skip()
+    if cursor.functions is not None and not at_symbol(cursor) and at_unknown_letter(cursor):
+        cursor.chose = f"the command {cursor.text} is not known"
+    elif not at_symbol(cursor):
+        raise cursor.fail("scripts are read beside a letter only")
+    letter = take_letter(cursor)
+    primes, own_below, own_above = take_scripts(cursor)
+    subscript = f"{below}_{own_below}" if below else own_below
+    if above:
+        subscript = f"{above}^{subscript}"
+    axis = own_above if is_axis(cursor, letter, own_above) else ""
+    emit_name(cursor, written(letter, primes, subscript, axis), start)
+    if not axis:
+        emit_power(cursor, own_above, cursor.raised)
+    read_after(cursor)

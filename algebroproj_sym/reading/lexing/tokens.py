@@ -1,0 +1,210 @@
+"""LaTeX of a formula as tokens of the grammar, each with its place in the source.
+
+What LaTeX leaves to the eye is decided in this folder: how far an argument goes, which ``|`` opens, whether ``f(x)`` is
+a value or a product.  What only concerns the looks is dropped.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
+
+from lark import Token
+
+from algebroproj_sym.reading.lexing.brackets import read_bracket, read_environment
+from algebroproj_sym.reading.lexing.commands import (
+    BARS,
+    BEFORE_LETTER,
+    BIG,
+    CLOSING,
+    DROPPED,
+    FRACTIONS,
+    MAX_DIGITS,
+    MAX_PIECES,
+    OPENING,
+    RELATIONS,
+    SIGNS,
+    WIDE,
+    WITH_ARGUMENT,
+)
+from algebroproj_sym.reading.lexing.cursor import Cursor
+from algebroproj_sym.reading.lexing.functions import read_big, read_fraction, read_function, read_root, read_underset
+from algebroproj_sym.reading.lexing.names import (
+    at_symbol,
+    at_unknown_letter,
+    function_at,
+    read_after,
+    read_scripted,
+    read_symbol,
+    take_scripts,
+)
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError
+from algebroproj_sym.reading.lexing.prescripts import read_before_letter, read_braces, read_command_before_letter
+
+
+def tokens_of(
+    pieces: Sequence[Piece],
+    known: Callable[[str], bool],
+    functions: Collection[str] | None = None,
+    wide_arguments: bool = True,
+) -> tuple[list[Token], str]:
+    """Return the tokens of a formula, and what the reader had to choose, such as how far an argument goes.
+
+    Parameters
+    ----------
+    pieces : sequence of Piece
+        As `pieces_of` gives them.
+    known : callable
+        Whether a symbol with a superscript is a name of its own, and no power.
+    functions : collection of str, optional
+        The letters that are functions; without it, letters before brackets are factors, and d is no differential.
+    wide_arguments : bool
+        Whether the argument of a function goes on over letters that follow one another.
+
+    Raises
+    ------
+    UnreadableError
+        Naming the place: where a command is not known, a bracket is missing or there is more than there may be.
+    """
+    if len(pieces) > MAX_PIECES:
+        raise UnreadableError(f"expected a formula of at most {MAX_PIECES} pieces, got {len(pieces)}", pieces[0].place)
+    inner = Cursor(list(pieces), known, functions, wide_arguments, step=_step)
+    inner.until_end()
+    return inner.out, inner.chose
+
+
+def _step(cursor: Cursor) -> None:
+    text = cursor.text
+    if text in (r"\left", r"\right"):
+        cursor.index += 1
+        cursor.skip()
+        cursor.index += cursor.text == "."
+    elif text.isspace() or text in DROPPED - {r"\mathrm"} or (text == r"\mathrm" and cursor.peek(1) != "{"):
+        cursor.index += 1
+    elif text in WIDE:
+        if cursor.opened:
+            cursor.emit("SEPARATOR", " ")
+        cursor.index += 1
+    elif text in WITH_ARGUMENT:
+        cursor.index += 1
+        cursor.group()
+    elif at_symbol(cursor):
+        read_symbol(cursor)
+    elif text.isdigit() or (text == "." and cursor.peek(1).isdigit()):
+        _read_number(cursor)
+    elif text in FRACTIONS:
+        read_fraction(cursor)
+    elif text == r"\sqrt":
+        read_root(cursor)
+    elif text == r"\underset":
+        read_underset(cursor)
+    elif text in BIG:
+        read_big(cursor)
+    elif text.startswith("\\begin{"):
+        read_environment(cursor)
+    elif function_at(cursor):
+        read_function(cursor)
+    elif text in OPENING or text in CLOSING or text in BARS:
+        read_bracket(cursor)
+    elif text == "{":
+        read_braces(cursor)
+    elif text in BEFORE_LETTER:
+        read_command_before_letter(cursor)
+    elif text in ("_", "^"):
+        read_before_letter(cursor)
+    else:
+        _read_operator(cursor)
+
+
+def _read_operator(cursor: Cursor) -> None:
+    text = cursor.text
+    kinds = {"/": "SLASH", r"\cdot": "DOT", r"\times": "CROSS", "*": "DOT", "!": "FACTORIAL", r"\div": "SLASH"}
+    kinds |= {"&": "AMP", r"\\": "ROW", ",": "SEPARATOR", ";": "SEPARATOR", r"\circ": "DOT", r"\otimes": "CIRCLED"}
+    kinds |= {r"\oplus": "CIRCLED", r"\odot": "CIRCLED", r"\ominus": "CIRCLED", r"\star": "CIRCLED"}
+    if text in SIGNS:
+        cursor.emit("SIGN", SIGNS[text])
+    elif text == ":" and cursor.peek(1) == "=":
+        cursor.emit("RELATION", ":=")
+        cursor.index += next(i for i, p in enumerate(cursor.pieces[cursor.index :]) if p.text == "=")
+    elif text in (":", r"\colon"):
+        cursor.emit("CIRCLED", ":")
+    elif text in (r"\stackrel", r"\overset"):
+        cursor.index += 1
+        over = "".join(piece.text for piece in cursor.group())
+        relation = "".join(piece.text for piece in cursor.group()).strip()
+        if relation not in RELATIONS:
+            raise cursor.fail(f"the command {text} is read above a relation only")
+        cursor.emit("RELATION", ":=" if "def" in over or "triangle" in over else RELATIONS[relation])
+        return
+    elif text in RELATIONS:
+        cursor.emit("RELATION", RELATIONS[text])
+    elif text == r"\\":
+        cursor.emit("ROW", text)
+        cursor.index += 1
+        if cursor.text == "[":
+            cursor.option()
+        return
+    elif text in kinds:
+        cursor.emit(kinds[text], text)
+    elif text in (r"\ldots", r"\dots", r"\cdots", r"\vdots", r"\ddots", "…"):
+        raise cursor.fail("an ellipsis is not read")
+    elif cursor.functions is not None and at_unknown_letter(cursor):
+        cursor.chose = f"the command {text} is not known"
+        start = cursor.place
+        cursor.index += 1
+        read_scripted(cursor, text, start)
+        return
+    elif text.startswith("\\"):
+        raise cursor.fail(f"the command {text} is not known")
+    else:
+        raise cursor.fail(f"expected a formula, got {text!r}")
+    cursor.index += 1
+
+
+def _read_number(cursor: Cursor) -> None:
+    start, digits = cursor.place, ""
+    while cursor.index < len(cursor.pieces):
+        text = cursor.text
+        goes_on = (text == "." and "." not in digits) or (text.isspace() and digits)
+        if not text.isdigit() and not (goes_on and cursor.peek(1).isdigit()):
+            break
+        digits += text.strip()
+        cursor.index += 1
+        cursor.index += _is_thousand(cursor, digits)
+    if len(digits) > MAX_DIGITS:
+        raise UnreadableError(f"expected a number of at most {MAX_DIGITS} digits, got {len(digits)}", start)
+    if digits == "0" and (size := _size_below(cursor)):
+        _emit_zeros(cursor, *size)
+        return
+    cursor.out.append(Token("NUMBER", digits, start_pos=start))
+    read_after(cursor)
+
+
+def _size_below(cursor: Cursor) -> tuple[int, int] | None:
+    r"""Return the size that stands below a zero, as in ``0_{3 \times 1}``, and go over it; None if there is none."""
+    if cursor.peek() != "_":
+        return None
+    ahead = replace(cursor)
+    _, below, _ = take_scripts(ahead)
+    match = re.fullmatch(r"([1-6])\\times([1-6])", below)
+    if match is None:
+        return None
+    cursor.index = ahead.index
+    return int(match[1]), int(match[2])
+
+
+def _emit_zeros(cursor: Cursor, rows: int, columns: int) -> None:
+    cursor.emit("BEGIN", "(")
+    for place in range(rows * columns):
+        if place:
+            cursor.emit("AMP" if place % columns else "ROW")
+        cursor.emit("NUMBER", "0")
+    cursor.emit("END", ")")
+    read_after(cursor)
+
+
+def _is_thousand(cursor: Cursor, digits: str) -> bool:
+    r"""Whether three digits follow after a thin space, as in ``1\,000``."""
+    following = "".join(piece.text for piece in cursor.pieces[cursor.index + 1 : cursor.index + 5])
+    return cursor.text in (r"\,", r"\;", r"\:", "~") and digits.isdigit() and bool(re.match(r"\d{3}(?!\d)", following))

@@ -1,0 +1,1 @@
+"""Reporting: a document as a derivation folder."""

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
 from typing import Any
 
 import sympy
 
+from algebroproj_sym.expressions import NotRationalError
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.prove import Proof
 from algebroproj_sym.proving.reals.integrals import integrated
+from algebroproj_sym.proving.reals.matrices import together
 from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
 from algebroproj_sym.proving.reals.reading import (
     assumed_of,
@@ -25,6 +27,7 @@ from algebroproj_sym.proving.reals.samples import samples_at
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.reals import require_real
+from algebroproj_sym.replaying.reals.complex_numbers import real_statements
 from algebroproj_sym.replaying.reals.integrals import with_ends
 from algebroproj_sym.replaying.reals.statement import Statement, functions_of, statement_of
 from algebroproj_sym.replaying.reals.terms import written
@@ -58,6 +61,52 @@ def proof_of(
         "constraints": [zero_of(value, f"constraints[{place}]") for place, value in enumerate(constraints)],
         "nonzero": [written(term_of(value, f"nonzero[{place}]")) for place, value in enumerate(nonzero)],
     }
+    return _proof(record, witness)
+
+
+def proof_of_complex(
+    lhs: Any,
+    rhs: Any,
+    constraints: Sequence[Any],
+    nonzero: Sequence[Any],
+    assumptions: Sequence[Any],
+    witness: Mapping[Any, Any] | None,
+    relation: str,
+    variables: Collection[str],
+) -> Proof:
+    """Decide a statement about complex numbers, as statements about their parts.
+
+    Raises
+    ------
+    NotRationalError
+        If a function of complex numbers is not known here.
+    """
+
+    def text(value: Any, argument: str) -> str:
+        return written(term_of(value, argument, is_complex=True))
+
+    symbols = symbols_in([lhs, rhs, *constraints, *nonzero, *assumptions])
+    conditions = [condition_of(value, f"assumptions[{place}]") for place, value in enumerate(assumptions)]
+    record = {
+        "lhs": text(lhs, "lhs"),
+        "rhs": text(rhs, "rhs"),
+        "relation": relation,
+        "assumptions": [*conditions, *assumed_of(symbol for symbol in symbols if symbol.name not in variables)],
+        "constraints": [
+            value if isinstance(value, str) else f"{text(value, f'constraints[{place}]')} = 0"
+            for place, value in enumerate(constraints)
+        ],
+        "nonzero": [text(value, f"nonzero[{place}]") for place, value in enumerate(nonzero)],
+        "complex": sorted(variables),
+    }
+    try:
+        statements = real_statements(record)
+        return together(_proof(statement, witness) for statement in statements)
+    except Rejected as error:
+        raise NotRationalError(f"prove: {error}") from None
+
+
+def _proof(record: Mapping[str, Any], witness: Mapping[Any, Any] | None) -> Proof:
     found = decided(record, None if witness is None else witness_of(witness, statement_of(record).symbols()))
     point = found["counterexample"]
     return Proof(

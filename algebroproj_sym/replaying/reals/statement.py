@@ -20,7 +20,7 @@ from algebroproj_sym.replaying.reals.integrals import (
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import MOST_BITS
 from algebroproj_sym.replaying.reals.proofs import require_proof
-from algebroproj_sym.replaying.reals.terms import Term, UnreadableError, read, written
+from algebroproj_sym.replaying.reals.terms import COMPLEX, Term, UnreadableError, read, written
 from algebroproj_sym.replaying.reals.theory import RESERVED, Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require, require_keys
@@ -132,6 +132,8 @@ def statement_of(record: Mapping[str, Any]) -> Statement:
     domain += [pair for part in with_ends(sides) for end in part.args[1:] for pair in conditions(end)]
     left, right = sides
     statement = Statement(left, right, given, record["relation"], tuple(domain))
+    forms = (*sides, *(term for _, term in given))
+    require(not any(part.kind in COMPLEX for form in forms for part in form.parts()), "a real number has no parts")
     require(not any(map(RESERVED.fullmatch, statement.symbols())), "a symbol has a reserved name")
     return statement
 

@@ -198,7 +198,7 @@ def test_a_symbol_in_a_formula_opens_its_card(site, browser):
     page.locator("figure .known").first.click()
     card = page.locator("[popover]:popover-open")
     card.wait_for()
-    assert "printed as" in card.inner_text()
+    assert "First in" in card.inner_text()
     box = card.bounding_box()
     assert box["x"] >= 0
     assert box["x"] + box["width"] <= PHONE["width"]

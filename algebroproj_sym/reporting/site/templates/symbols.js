@@ -18,7 +18,7 @@ const loaded = () => (loading ??= new Promise((resolve) => {
 
 async function open(name, anchor) {
   card.innerHTML = (await loaded())[name];
-  if (!card.matches(":popover-open")) card.showPopover({ source: anchor });
+  if (!card.matches(":popover-open")) card.showPopover();
   const { left, bottom } = anchor.getBoundingClientRect();
   card.style.margin = 0;
   card.style.left = `${Math.max(8, Math.min(left, innerWidth - card.offsetWidth - 8))}px`;

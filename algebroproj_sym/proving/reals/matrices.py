@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import NotRationalError
-from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.proof import Proof
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.replaying.reals.matrices import END, START, entries_of, is_matrix, rows_of
 from algebroproj_sym.replaying.reals.terms import written
@@ -61,10 +61,15 @@ def together(found: Iterable[Proof]) -> Proof:
     proofs = list[Proof]()
     for place, proof in enumerate(found):
         if proof.verdict == "refuted":
-            return replace(proof, certificate={**_evidence(proof), "entry": place})
+            return in_part(proof, place)
         proofs.append(proof)
     undecided = next((proof for proof in proofs if proof.verdict == "open"), None)
     return undecided or replace(proofs[0], certificate={"method": "real laws", "entries": [*map(_evidence, proofs)]})
+
+
+def in_part(refutation: Proof, place: int) -> Proof:
+    """Return the refutation of one of several statements as one of all."""
+    return replace(refutation, certificate={**_evidence(refutation), "entry": place})
 
 
 def _evidence(proof: Proof) -> Mapping[str, Any]:

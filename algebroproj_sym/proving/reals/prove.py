@@ -11,9 +11,9 @@ import sympy
 
 from algebroproj_sym.expressions import NotRationalError
 from algebroproj_sym.proving.polynomials import EffortExceededError
-from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.proof import Proof
 from algebroproj_sym.proving.reals.integrals import integrated
-from algebroproj_sym.proving.reals.matrices import together
+from algebroproj_sym.proving.reals.matrices import in_part, together
 from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
 from algebroproj_sym.proving.reals.reading import (
     assumed_of,
@@ -37,6 +37,8 @@ FIRST_TRIES = 60
 ENOUGH = 12
 FEW = 4
 ALL_TRIES = 1_500
+ON_CUT, OFF_CUT = (Fraction(-2), Fraction(0)), (Fraction(1, 3), Fraction(2, 5))
+MOST_ON_CUTS = 3
 
 NOWHERE = "no point was found at which both sides are defined and real and the assumptions hold"
 UNDECIDED = "no proof was found, and no rational point at which it fails"
@@ -101,9 +103,27 @@ def proof_of_complex(
     }
     try:
         statements = real_statements(record)
-        return together(_proof(statement, witness) for statement in statements)
+        for place, statement in enumerate(statements):
+            if cut := _on_a_cut(statement_of(statement), variables):
+                return in_part(_proof(statement, cut), place)
+        return together(_proof(each, witness) for each in statements)
     except Rejected as error:
         raise NotRationalError(f"prove: {error}") from None
+
+
+def _on_a_cut(statement: Statement, variables: Collection[str]) -> dict[str, Fraction] | None:
+    """Return a point where a statement fails with variables on the negative real axis, where logarithms jump."""
+    names = statement.symbols()
+    met = [name for name in sorted(variables) if names & {f"{name}_re", f"{name}_im"}]
+    for count in range(1, 2 ** len(met[:MOST_ON_CUTS])):
+        parts: dict[str, Fraction] = {}
+        for place, name in enumerate(met):
+            parts |= dict(zip((f"{name}_re", f"{name}_im"), ON_CUT if count >> place & 1 else OFF_CUT, strict=True))
+        point = {name: parts.get(name, OFF_CUT[0]) for name in names}
+        found = judged(statement, point, ALL)
+        if found is not None and found.fails:
+            return point
+    return None
 
 
 def _proof(record: Mapping[str, Any], witness: Mapping[Any, Any] | None) -> Proof:

@@ -6,6 +6,7 @@ A complex variable ``z`` has the parts ``z_re`` and ``z_im``; other variables ar
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from typing import Any, TypeAlias
 
 from algebroproj_sym.replaying.reals.comparisons import comparisons, equations
@@ -35,7 +36,8 @@ Parts: TypeAlias = tuple[Term, Term | None]
 _ZERO, _ONE = constant(0), constant(1)
 _REAL_ONE: Parts = (_ONE, None)
 _I: Parts = (_ZERO, _ONE)
-_OF_ONE_VARIABLE = {"conjugate", "re", "im", "abs", "arg", "log"}
+_WITH_CUTS = {"log", "sqrt", "diff", "integrate", "taylor"}
+_NOWHERE_SMOOTH = {"conjugate", "re", "im", "abs", "arg", "sign"}
 
 
 def real_statements(record: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -97,17 +99,13 @@ def _parts(term: Term, names: frozenset[str]) -> Parts:
     inner = [_parts(part, names) for part in term.args]
     if term.kind in _OPERATIONS:
         return _OPERATIONS[term.kind](*inner)
-    if term.kind == "^" and term.value.denominator == 1 and inner[0][1] is not None:
-        return _power(inner[0], int(term.value))
+    if term.kind == "^" and inner[0][1] is not None:
+        return _power(inner[0], int(term.value)) if term.value.denominator == 1 else _root(inner[0], term.value)
     if term.kind in _FUNCTIONS and (term.kind in COMPLEX or inner[0][1] is not None):
         return _FUNCTIONS[term.kind](inner[0])
     if any(imaginary is not None for _, imaginary in inner):
-        raise Rejected(f"{_named(term)} is known here of real numbers alone, got {written(term):.80}")
+        raise Rejected(f"{term.kind} is known here of real numbers alone, got {written(term):.80}")
     return term._replace(args=tuple(real for real, _ in inner)), None
-
-
-def _named(term: Term) -> str:
-    return "a power with a fraction" if term.kind == "^" else term.kind
 
 
 def _symbol(term: Term, names: frozenset[str]) -> Parts:
@@ -129,14 +127,19 @@ def _of_calculus(term: Term, names: frozenset[str]) -> Parts:
     require(term.kind != "taylor" or imaginary is None, "taylor is known here of real numbers alone")
     value = term.value
     if names & {*variables}:
-        kinds = {part.kind for part in term.args[0].parts()}
         require(term.kind == "diff", f"{term.kind} is known here of real variables alone")
-        require(not kinds & {*_OF_ONE_VARIABLE, "diff"}, "a derivative by a complex variable of what may have none")
+        require(all(map(_is_smooth, term.args[0].parts())), "a derivative by a complex variable of what may have none")
         value = f"{term.value}_re"
     limits = tuple(end for end, _ in ends)
     whole, part = (each and Term(term.kind, value, (each, *limits)) for each in (real, imaginary))
     assert whole is not None
     return whole, part
+
+
+def _is_smooth(part: Term) -> bool:
+    """Whether a function has a derivative by a complex variable wherever it is defined."""
+    is_root = part.kind == "^" and part.value.denominator > 1
+    return not is_root and part.kind not in _WITH_CUTS | _NOWHERE_SMOOTH
 
 
 def _sum(*terms: Parts) -> Parts:
@@ -188,6 +191,12 @@ def _power(base: Parts, exponent: int) -> Parts:
     for count in range(abs(exponent)):
         found = _product(found, base) if count else base
     return found if exponent >= 0 else _quotient(_REAL_ONE, found)
+
+
+def _root(term: Parts, exponent: Fraction) -> Parts:
+    """Return the principal power of a number that is not zero."""
+    length, angle = power(_absolute(term), exponent), times(constant(exponent), _angle(term))
+    return times(length, function("cos", angle)), times(length, function("sin", angle))
 
 
 def _with(kept: Term, other: Term | None) -> Term:
@@ -245,6 +254,7 @@ _FUNCTIONS: Mapping[str, Callable[[Parts], Parts]] = {
     "conjugate": lambda term: (term[0], None if term[1] is None else negative(term[1])),
     "arg": lambda term: (_angle(term), None),
     "abs": lambda term: (_absolute(term), None),
+    "sqrt": lambda term: _root(term, Fraction(1, 2)),
     "exp": _exp,
     "log": _log,
     "sin": _sin,

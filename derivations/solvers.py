@@ -129,13 +129,8 @@ def seven_pairs(x_left: ArrayLike, x_right: ArrayLike) -> SevenPairs:
     >>> bool(found.error.max() < 1e-15)
     True
     """
-    left, right = (_points(value, name, 7) for value, name in ((x_left, "x_left"), (x_right, "x_right")))
-    try:
-        batch = np.broadcast_shapes(left.shape[:-2], right.shape[:-2])
-    except ValueError:
-        raise ValueError(
-            f"seven_pairs: expected leading shapes that broadcast, got {left.shape} and {right.shape}"
-        ) from None
+    left, right = (points_of(value, name, 7) for value, name in ((x_left, "x_left"), (x_right, "x_right")))
+    batch = broadcast("seven_pairs", left.shape[:-2], right.shape[:-2])
     left, right = (np.broadcast_to(points, (*batch, 7, 2)).reshape(-1, 7, 2) for points in (left, right))
     total = len(left)
     found = SevenPairs(
@@ -198,16 +193,9 @@ def orientations(x_left: ArrayLike, x_right: ArrayLike, X: ArrayLike) -> Orienta
     from ._runtime.error_bounds import Bounded, guaranteed
     from ._runtime.evaluation import parts_of
 
-    points = _points(X, "X", 5, 3)
+    points = points_of(X, "X", 5, 3)
     conditions = seven_pairs(x_left, x_right)
-    shapes = [conditions.count.shape, points.shape[:-2]]
-    try:
-        batch = np.broadcast_shapes(*shapes)
-    except ValueError:
-        raise ValueError(
-            f"orientations: expected leading shapes that broadcast, got {shapes[0]} and {shapes[1]}"
-        ) from None
-
+    batch = broadcast("orientations", conditions.count.shape, points.shape[:-2])
     depth, collineation, photographs = (
         parts_of(function, "orientations")[1]
         for function in (minimal.model_depth, minimal.collineation, minimal.photographs)
@@ -223,7 +211,7 @@ def orientations(x_left: ArrayLike, x_right: ArrayLike, X: ArrayLike) -> Orienta
     with np.errstate(all="ignore"):
         form = [Bounded(conditions.F[..., i, j], conditions.error[..., i, j]) for i in range(3) for j in range(3)]
         epipole = _epipole(form)
-        images = (_points(value, name, 7) for value, name in ((x_left, "x_left"), (x_right, "x_right")))
+        images = (points_of(value, name, 7) for value, name in ((x_left, "x_left"), (x_right, "x_right")))
         pairs = zip(*map(coordinates, images), strict=True)
         one = Bounded(np.float64(1.0), 0.0)
         model = [[*left, one, *depth(*form, *epipole, *left, *right)] for left, right in pairs]
@@ -254,7 +242,17 @@ def _epipole(form: Sequence[Any]) -> list[Any]:
     ]
 
 
-def _points(value: ArrayLike, name: str, count: int, size: int = 2) -> NDArray[Any]:
+def broadcast(function: str, *shapes: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the common leading shape of arguments."""
+    try:
+        return np.broadcast_shapes(*shapes)
+    except ValueError:
+        got = " and ".join(map(str, shapes))
+        raise ValueError(f"{function}: expected leading shapes that broadcast, got {got}") from None
+
+
+def points_of(value: ArrayLike, name: str, count: int, size: int = 2) -> NDArray[Any]:
+    """Return an argument as an array of finite real numbers, integers as objects."""
     if isinstance(value, np.ma.MaskedArray):
         raise TypeError(f"{name}: expected an array without a mask, got a masked array")
     points = np.asarray(value)
@@ -529,14 +527,17 @@ def _exact_roots(first: list[int], second: list[int]) -> list[Root] | None:
     from . import minimal
     from ._runtime.evaluation import parts_of
 
-    cubic, discriminant = (parts_of(function, "seven_pairs")[1] for function in (minimal.cubic, minimal.discriminant))
+    cubic, discriminant, hessian = (
+        parts_of(function, "seven_pairs")[1] for function in (minimal.cubic, minimal.discriminant, minimal.hessian)
+    )
     a, b = _orthogonal(first, second)
     c = list(cubic(*a, *b))
     if not any(c):
         return None
     c = _primitive(c)
     if not any(discriminant(*c)):
-        parameters = [(multiplicity, s, t, Fraction(0), Fraction(0)) for multiplicity, s, t in _with_double_root(c)]
+        found = _with_double_root(c, hessian(*c))
+        parameters = [(multiplicity, s, t, Fraction(0), Fraction(0)) for multiplicity, s, t in found]
     else:
         parameters = [(1, *root) for root in _simple_roots(c)]
     return [
@@ -549,13 +550,11 @@ def _exact_roots(first: list[int], second: list[int]) -> list[Root] | None:
     ]
 
 
-def _with_double_root(c: list[int]) -> list[tuple[int, Fraction, Fraction]]:
+def _with_double_root(c: list[int], hessian: Sequence[int]) -> list[tuple[int, Fraction, Fraction]]:
     """Return multiplicity, s and t of the roots of a cubic form with a multiple root.
 
-    They are rational: a double root is that of the Hessian, okamoto1981 (3/beyond/hessian).  For a triple one that is
-    zero.
+    They are rational: a double root is that of the Hessian.  For a triple one that is zero.
     """
-    hessian = [c[1] ** 2 - 3 * c[0] * c[2], c[1] * c[2] - 9 * c[0] * c[3], c[2] ** 2 - 3 * c[1] * c[3]]
     double = any(hessian)
     p, q = (2 * hessian[0], hessian[1]) if double else (3 * c[0], c[1])
     s, t = _primitive([q, -p] if p else [1, 0])

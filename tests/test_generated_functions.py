@@ -74,9 +74,11 @@ CONTRACT = {
     collinearity.similarity: ([(3,), (3,), (), (3,)], [(3,)]),
     minimal.cubic: ([(3, 3), (3, 3)], [(4,)]),
     minimal.discriminant: ([(4,)], [()]),
+    minimal.hessian: ([(4,)], [(3,)]),
     minimal.model_depth: ([(3, 3), (3,), (2,), (2,)], [()]),
     minimal.collineation: ([(5, 4), (5, 4)], [(4, 4)]),
     minimal.photographs: ([(3, 3), (3,), (4, 4)], [(11,), (11,)]),
+    minimal.essential_matrix: ([(3,), (4,)], [(3, 3)]),
     critical.determinant: ([(5, 2), (5, 2)], [()]),
     critical.algebraic_distance: ([(4, 4), (3,)], [()]),
     critical.quadric: ([(3,), (2,), (3,), (2,), (4, 3)], [(4, 4)]),
@@ -109,7 +111,7 @@ CONTRACT = {
 }
 FUNCTIONS = {function: arguments for function, (arguments, _) in CONTRACT.items()}
 RESULTS = {function: results for function, (_, results) in CONTRACT.items()}
-DRIVERS = {critical.classify, metric.adjust, minimal.orientations, minimal.seven_pairs}
+DRIVERS = {critical.classify, metric.adjust, minimal.five_pairs, minimal.orientations, minimal.seven_pairs}
 TRIGONOMETRIC = {
     collinearity.coefficients,
     collinearity.similarity,

@@ -8,13 +8,16 @@ Two kinds of facts lead there.  Of a pair, first + second is near the exact valu
 times u^2 times a magnitude, its second part is a coefficient times u times that magnitude.  A result is the exact one
 times a factor, the product of few numbers 1 + d or 1/(1 + d).  The facts, in the order in which they follow from each
 other, are a certificate that a verified checker follows.  Coefficients are multiples of 2^-20, rounded upwards.
+
+Where a pair is divided by a pair, the first part of the divisor must be within 2^-10 of its exact value.  Before, its
+parts are separated: the rounded sum of both, which is "joined", and what rounding took from it.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any, TypeAlias
 
@@ -22,6 +25,9 @@ from algebroproj_sym.verifying.straight_line import StraightLine
 
 ONE = 2**20
 """The coefficient 1."""
+
+SLACK = ONE + 2**12
+"""More than the third power of the inverse of a factor that is within 2^-10 of 1."""
 
 Terms: TypeAlias = "tuple[tuple[int, int], ...]"
 """Coefficients of u^2 times the kappa of a sum, by the number of the sum."""
@@ -80,11 +86,11 @@ class Analysis:
     Attributes
     ----------
     line : StraightLine
-        What the function computes.
+        What the function computes; sums are called ``join`` where the second number was rounded off the first.
     bounds : tuple of Bound or None
         For each result; None where no rule leads to one.
     divisors : tuple of Bound or None
-        The same for what is divided by.
+        The same for what is divided by, 2^10 times as large where a pair is divided by a pair.
     certificate : tuple of Fact
         The facts in order.
     """
@@ -124,13 +130,20 @@ def analysis(line: StraightLine) -> Analysis:
     for number in line.operations:
         search.visit(number)
     below = sorted({operands[1] for operator, operands in line.operations.values() if operator == "/"})
-    found = [search.factor(number) for number in (*line.outputs, *below)]
-    bounds = tuple(
-        None if fact is None else Bound(number, fact.roundings, fact.terms)
-        for number, fact in zip((*line.outputs, *below), found, strict=True)
+    bounds = tuple(_bound(number, search.factor(number)) for number in line.outputs)
+    divisors = tuple(_bound(number, search.factor(number), 2**10 * (number in search.divided) or 1) for number in below)
+    facts = (search.factor(number) for number in (*line.outputs, *below))
+    certificate = tuple(_in_order([fact for fact in facts if fact is not None]))
+    joined = {number: ("join", line.operations[number][1]) for number in search.joined}
+    return Analysis(replace(line, operations={**line.operations, **joined}), bounds, divisors, certificate)
+
+
+def _bound(number: int, fact: FactorFact | None, times: int = 1) -> Bound | None:
+    if fact is None:
+        return None
+    return Bound(
+        number, times * fact.roundings, tuple((place, times * coefficient) for place, coefficient in fact.terms)
     )
-    certificate = tuple(_in_order([fact for fact in found if fact is not None]))
-    return Analysis(line, bounds[: len(line.outputs)], bounds[len(line.outputs) :], certificate)
 
 
 def _in_order(wanted: Sequence[Fact]) -> Iterator[Fact]:
@@ -174,6 +187,27 @@ def _product_error(a: PairFact, b: PairFact) -> int:
     return a.error + b.error + _tiny(_times(a.error, b.error))
 
 
+def _whole(pair: PairFact) -> int:
+    """Return the size of the sum of both parts."""
+    return ONE + _tiny(pair.error)
+
+
+def _quotient(a: PairFact, b: PairFact, roundings: int, coefficient: int) -> tuple[int, int]:
+    """Return the error and the size of the second part of a quotient, whose divisor has a factor."""
+    head = _head(a)
+    quotient = _times(_bump(head), SLACK)
+    remainder = [head + _bump(head)]
+    remainder.append(head + _tiny(remainder[0]))
+    product = _times(quotient, b.rest)
+    remainder.append(_bump(remainder[1]) + _bump(product))
+    remainder.append(_bump(remainder[2]) + a.rest)
+    missing = _times(quotient, b.error)
+    first = _times(_times(a.rest + _tiny(a.error) + head, SLACK), roundings * ONE + _tiny(coefficient))
+    square = _times(SLACK, roundings**2 * ONE + _times(coefficient, 2**11))
+    size = _times(SLACK, _bump(remainder[3]))
+    return _times(SLACK, a.error + sum(remainder) + product + missing + first + square) + size, _bump(size)
+
+
 def _single(place: int, coefficient: int) -> Terms:
     return ((place, coefficient),) if coefficient else ()
 
@@ -195,6 +229,8 @@ class _Search:
     zeros: dict[int, Fact] = field(default_factory=dict)
     signs: dict[int, Fact] = field(default_factory=dict)
     negatives: dict[int, int] = field(default_factory=dict)
+    joined: set[int] = field(default_factory=set)
+    divided: set[int] = field(default_factory=set)
 
     def operation(self, number: int) -> tuple[Any, ...]:
         operator, operands = self.line.operations[number]
@@ -207,6 +243,11 @@ class _Search:
         self._error(number, operator, operands)
         if number in self.errors:
             self._low_of_one(number)
+            self._separated(number, self.errors[number][0], None)
+        if operator == "-":
+            self._separated(number, self._joined_fast(*operands), operands[1])
+        if operator == "/":
+            self._divided(number, *operands)
         if operator == "+":
             for first, second in (operands, operands[::-1]):
                 if second in self.errors:
@@ -226,7 +267,10 @@ class _Search:
         return FactorFact("", ()) if self.is_exact(number) else self.factors.get(number)
 
     def pairs_of(self, number: int) -> list[PairFact]:
-        return [*self.pairs[number], *([PairFact("", (), (), number)] if self.is_exact(number) else [])]
+        known = self.pairs[number]
+        if self.is_exact(number):
+            return [*known, PairFact("", (), (), number)]
+        return [*known, PairFact("", (), (self.zeros[number],), number)] if number in self.zeros else known
 
     def _remember(self, pair: PairFact) -> None:
         assert pair.second is not None
@@ -355,6 +399,68 @@ class _Search:
         both = {("+", b.first, b.second), ("+", b.second, b.first)}
         return other if other == b.first or self.operation(other) in both else None
 
+    def _separated(self, low: int, total: int | None, difference: int | None) -> None:
+        """Conclude that a sum of both parts of a pair, and what it is short of them, are a pair too."""
+        operator, *parts = self.operation(total) if total is not None else ("", 0, 0)
+        if total is None or operator != "+":
+            return
+        for pair in list(self.pairs[parts[0]]):
+            if pair.second != parts[1]:
+                continue
+            uses: tuple[Fact, ...] = (pair,)
+            error, rest = pair.error, _whole(pair)
+            if difference is not None:
+                large = pair.rest + rest
+                small = rest + _tiny(large)
+                error, rest = error + large + small, _bump(small)
+            else:
+                uses = pair, self.errors[low][1]
+            found = PairFact("Separated", (pair, total, low, difference), uses, total, low, error, rest)
+            self._remember(found)
+            self.joined.add(total)
+            self.factors[total] = FactorFact("", (), (found,), 1, _single(total, pair.error))
+
+    def _joined_fast(self, left: int, right: int) -> int | None:
+        """Return the sum a + b of b - (sum - a)."""
+        match self.operation(right):
+            case ("-", total, a) if self.operation(total) == ("+", a, left):
+                return int(total)
+        return None
+
+    def _divided(self, low: int, last: int, below: int) -> None:
+        """Conclude that a quotient of first parts, and the quotient of what it leaves of the dividend, are a pair."""
+        operator, *parts = self.operation(last)
+        before, dividend = parts if operator == "+" else (last, None)
+        divisor: tuple[int, int] | None
+        match self.operation(before):
+            case ("-", left, cross) if self.operation(cross)[0] == "*":
+                left_over, divisor, (quotient, second) = left, (cross, before), self.operation(cross)[1:]
+            case _:
+                left_over, divisor, quotient, second = before, None, None, None
+        match self.operation(left_over):
+            case ("-", difference, error) if error in self.errors:
+                rounded, exact = self.errors[error]
+            case _:
+                return
+        operator, of, by = self.operation(rounded)[:3] if self.operation(rounded)[0] == "*" else ("", 0, 0)
+        if operator != "*" or by != below or quotient not in (None, of):
+            return
+        operator, first, by = self.operation(of)
+        if (operator, by) != ("/", below) or self.operation(difference) != ("-", first, rounded):
+            return
+        factor = self.factor(below)
+        if factor is None or not {place for place, _ in factor.terms} <= {below}:
+            return
+        coefficient = dict(factor.terms).get(below, 0)
+        for a, b in product(self.pairs_of(first), self.pairs_of(below)):
+            if (a.second, b.second) == (dividend, second):
+                error_size, rest = _quotient(a, b, factor.roundings, coefficient)
+                added = None if dividend is None else last
+                given = (of, a, b, rounded, error, difference, left_over, divisor, added, low)
+                uses = (a, b, exact, factor)
+                self.divided.add(below)
+                self._remember(PairFact("QuotientOf", given, uses, of, low, error_size, rest))
+
     def _negative(self, number: int, operand: int) -> None:
         """Conclude from the negatives of both parts of a pair, the second of which is met last."""
         self.negatives[operand] = number
@@ -386,9 +492,12 @@ class _Search:
             for first, second in (operands, operands[::-1]):
                 factor = self.factor(first)
                 if second in self.zeros and factor is not None:
-                    uses = (factor, self.zeros[second])
-                    yield FactorFact("PlusZero", (number, first, second), uses, factor.roundings, factor.terms)
+                    yield self._plus_zero(number, first, second, factor)
             yield from self._mean(number, *operands)
+            if all(operand in self.zeros for operand in operands):
+                self.zeros[number] = Fact("ZeroOf", (number,), tuple(self.zeros[operand] for operand in operands))
+        if operator == "-" and operands[0] in self.zeros and (factor := self.factor(operands[1])) is not None:
+            yield self._plus_zero(number, operands[1], operands[0], factor)
         if operator in ("/", "*") and self.operation(operands[0]) == ("constant", 0):
             self.zeros[number] = Fact("ZeroOf", (number,))
         if operator == "neg" and (factor := self.factor(operands[0])) is not None:
@@ -398,6 +507,10 @@ class _Search:
             if a is not None and b is not None:
                 terms = _merged(a.terms, b.terms, lambda x, y: x + y)
                 yield FactorFact("FactorOf", (number,), (a, b), a.roundings + b.roundings + 1, terms)
+
+    def _plus_zero(self, number: int, other: int, zero: int, factor: FactorFact) -> FactorFact:
+        uses = (factor, self.zeros[zero])
+        return FactorFact("PlusZero", (number, other, zero), uses, factor.roundings, factor.terms)
 
     def _rounded(self, number: int, first: int, second: int) -> Iterator[FactorFact]:
         for pair in self.pairs[first]:

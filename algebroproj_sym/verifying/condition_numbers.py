@@ -39,12 +39,13 @@ def conditions(found: Analysis) -> tuple[Mapping[int, str], Mapping[str, str]]:
     """
     places = sorted({place for bound in found.bounds if bound is not None for place, _ in bound.terms})
     line = found.line
-    roots = [(kind, place) for place in places for kind in ("m", "s")]
+    roots = [(kind, _first(line, place)) for place in places for kind in ("m", "s")]
     uses: Counter[_Node] = Counter(roots)
     ordered = list(_below(line, roots, uses))
     shared = {node for node in ordered if uses[node] > 1 and _children(line, node)}
     writer = _Writer(line, shared)
-    kappas = {place: f"{writer.text(('m', place), _ATOM)}/|{writer.text(('s', place), _SUM)}|" for place in places}
+    first = {place: _first(line, place) for place in places}
+    kappas = {place: f"{writer.text(('m', of), _ATOM)}/|{writer.text(('s', of), _SUM)}|" for place, of in first.items()}
     where = {f"{kind}{place}": writer.written((kind, place))[0] for kind, place in ordered if (kind, place) in shared}
     return kappas, where
 
@@ -77,9 +78,21 @@ def _children(line: StraightLine, node: _Node) -> list[_Node]:
     operator, operands = line.operations[place]
     if operator in ("input", "constant"):
         return []
+    operands = tuple(_first(line, operand) for operand in operands)
     if operator == "/":
-        return [(kind, operands[0]), ("s", operands[1])]
+        above = [(kind, operands[0]), ("s", operands[1])]
+        return above if kind == "s" or _is_given(line, operands[1]) else [*above, ("m", operands[1])]
     return [(kind, operand) for operand in operands]
+
+
+def _first(line: StraightLine, place: int) -> int:
+    """Return the number to which only what was rounded off was added."""
+    operator, operands = line.operations[place]
+    return _first(line, operands[0]) if operator == "join" else place
+
+
+def _is_given(line: StraightLine, place: int) -> bool:
+    return line.operations[place][0] in ("input", "constant")
 
 
 def _below(line: StraightLine, roots: Sequence[_Node], uses: Counter[_Node]) -> Iterator[_Node]:
@@ -120,11 +133,16 @@ class _Writer:
         children = _children(self.line, node)
         if operator == "neg":
             return (f"-{self.text(children[0], _PRODUCT)}", _SUM) if kind == "s" else self.written(children[0])
-        left, right = children
+        left, right, *others = children
         if operator in ("+", "-"):
             sign = operator if kind == "s" else "+"
             return f"{self.text(left, _SUM)} {sign} {self.text(right, _SUM if sign == '+' else _PRODUCT)}", _SUM
         divisor = f"|{self.text(right, _SUM)}|" if operator == "/" and kind == "m" else self.text(right, _ATOM)
+        if others:
+            above = self.text(others[0], _PRODUCT)
+            if self.line.operations[left[1]] != ("constant", (1,)):
+                above = f"{self.text(left, _PRODUCT)}*{above}"
+            return f"{above}/{self.text(right, _ATOM)}**2", _PRODUCT
         if operator == "*":
             return f"{self.text(left, _PRODUCT)}*{self.text(right, _PRODUCT)}", _PRODUCT
         return f"{self.text(left, _PRODUCT)}/{divisor}", _PRODUCT

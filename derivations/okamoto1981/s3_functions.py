@@ -15,6 +15,7 @@ from algebroproj_derivations.okamoto1981.s3_unique_determination import (
     depth_of,
     discriminant_of,
     epipole,
+    hessian_of,
     model_of,
     pencil_a,
     pencil_b,
@@ -50,6 +51,16 @@ section.kernel(
     describe={"c": "Coefficients of s^3, s^2 t, s t^2, t^3."},
     derived=discriminant_of(cubic),
     claims=["3/beyond/discriminant", "3/beyond/discriminant#one-root"],
+    example={"c": ("1", "-2", "-5", "6")},
+)
+
+section.kernel(
+    "minimal.hessian",
+    "Coefficients of s^2, s t, t^2 in the Hessian of a cubic form, but for a factor: it has a double root of the form.",
+    arguments={"c": cubic},
+    describe={"c": "Coefficients of s^3, s^2 t, s t^2, t^3."},
+    derived=hessian_of(cubic),
+    claims=["3/beyond/hessian", "3/beyond/hessian#double-root"],
     example={"c": ("1", "-2", "-5", "6")},
 )
 

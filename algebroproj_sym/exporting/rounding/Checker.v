@@ -14,6 +14,7 @@ Inductive operation :=
 | Constant (z : Z)
 | Neg (a : positive)
 | Add (a b : positive)
+| Join (a b : positive)
 | Sub (a b : positive)
 | Mul (a b : positive)
 | Div (a b : positive)
@@ -28,22 +29,24 @@ Definition value (input e : values) (o : operation) : R :=
   | Input k => input k
   | Constant z => IZR z
   | Neg a => - e a
-  | Add a b => e a + e b
+  | Add a b | Join a b => e a + e b
   | Sub a b => e a - e b
   | Mul a b => e a * e b
   | Div a b => e a / e b
   | ProductError a b p => e a * e b - e p
   end.
 
-(** The same with absolute values: sums of absolute values, which may be much larger than the sums. *)
+(** The same with absolute values: sums of absolute values, which may be much larger than the sums.  A quotient has the
+    condition numbers of both numbers.  The second number of [Join] is what was rounded off the first: it adds nothing. *)
 Definition size (input x e : values) (o : operation) : R :=
   match o with
   | Input k => Rabs (input k)
   | Constant z => Rabs (IZR z)
   | Neg a => e a
   | Add a b | Sub a b => e a + e b
+  | Join a _ => e a
   | Mul a b => e a * e b
-  | Div a b => e a / Rabs (x b)
+  | Div a b => e a * e b / (x b * x b)
   | ProductError a b p => e a * e b + e p
   end.
 
@@ -60,17 +63,17 @@ Definition computed (input : values) (p : program) := run (fun e o => RN (value 
 Definition exact (input : values) (p : program) := run (value input) p nothing.
 Definition magnitude (input : values) (p : program) := run (size input (exact input p)) p nothing.
 
-(** No product or quotient underflows, and nothing is divided by zero where nothing is rounded. *)
-Definition regular (f x : values) (o : operation) : Prop :=
+(** No product or quotient underflows. *)
+Definition regular (f : values) (o : operation) : Prop :=
   match o with
   | Mul a b => normal_or_float (f a * f b)
-  | Div a b => x b <> 0 /\ normal_or_float (f a / f b)
+  | Div a b => normal_or_float (f a / f b)
   | ProductError a b _ => f a * f b = 0 \/ smallest_exact_product <= Rabs (f a * f b)
   | _ => True
   end.
 
 Definition all_regular (input : values) (p : program) : Prop :=
-  Forall (fun named => regular (computed input p) (exact input p) (snd named)) p.
+  Forall (fun named => regular (computed input p) (snd named)) p.
 
 (** ** Well-formed programs: each name is greater than those before it *)
 
@@ -78,7 +81,7 @@ Definition operands (o : operation) : list positive :=
   match o with
   | Input _ | Constant _ => []
   | Neg a => [a]
-  | Add a b | Sub a b | Mul a b | Div a b => [a; b]
+  | Add a b | Join a b | Sub a b | Mul a b | Div a b => [a; b]
   | ProductError a b p => [a; b; p]
   end.
 
@@ -260,6 +263,21 @@ Proof. intros H. apply IZR_le. lia. Qed.
 Lemma roundings_add k n : roundings (k + n) = roundings k + roundings n.
 Proof. unfold roundings. rewrite N2Z.inj_add. apply plus_IZR. Qed.
 
+(** ** Bounds *)
+
+(** The name of a result, the number of roundings, and coefficients of [u^2] times a condition number. *)
+Definition bound := (positive * (N * terms))%type.
+
+(** The exact result is not so near a zero of a sum that the bound says nothing. *)
+Definition applicable (x m : values) (b : bound) : Prop :=
+  not_zero x (snd (snd b)) /\ deviation x m (fst (snd b)) (snd (snd b)) < 1.
+
+Definition applies (input : values) (p : program) : bound -> Prop := applicable (exact input p) (magnitude input p).
+
+(** A divisor is not zero, and not so near zero that rounding could make it so. *)
+Definition determined (input : values) (p : program) (b : bound) : Prop :=
+  exact input p (fst b) <> 0 /\ applies input p b.
+
 (** ** Certificates *)
 
 (** A pair by its number, or an exact value, which is a pair without a second part. *)
@@ -275,6 +293,9 @@ Inductive command :=
 | ProductOf (id h : positive) (a b : name) (e : positive)
 | ProductWithOne (id h : positive) (a b : name) (e k l : positive)
 | ProductWithBoth (id h : positive) (a b : name) (partner : option positive) (e c1 c2 k l : positive)
+| Separated (id pair y l : positive) (v : option positive)
+| QuotientOf (id q : positive) (a b : name) (p e s1 s2 : positive) (divisor : option (positive * positive))
+    (dividend : option positive) (l : positive)
 | NegativeOf (id : positive) (a : positive) (h l : positive)
 | RoundedPair (v id : positive)
 | RoundedSum (v id : positive)
@@ -300,6 +321,7 @@ Definition no_facts : facts :=
 Section Checking.
 
 Variable operations : PositiveMap.t operation.
+Variable divisors : list bound.
 
 Definition operation_of (i : positive) : option operation := PositiveMap.find i operations.
 
@@ -312,9 +334,17 @@ Definition is_exact (i : positive) : bool :=
 
 Definition adds (t a b : positive) : bool :=
   match operation_of t with
-  | Some (Add i j) => (Pos.eqb i a && Pos.eqb j b) || (Pos.eqb i b && Pos.eqb j a)
+  | Some (Add i j) | Some (Join i j) => (Pos.eqb i a && Pos.eqb j b) || (Pos.eqb i b && Pos.eqb j a)
   | _ => false
   end.
+
+Definition is_joined (t : positive) : bool := match operation_of t with Some (Join _ _) => true | _ => false end.
+
+Definition joins (t a b : positive) : bool :=
+  match operation_of t with Some (Join i j) => Pos.eqb i a && Pos.eqb j b | _ => false end.
+
+Definition divides (t a b : positive) : bool :=
+  match operation_of t with Some (Div i j) => Pos.eqb i a && Pos.eqb j b | _ => false end.
 
 Definition subtracts (t a b : positive) : bool :=
   match operation_of t with Some (Sub i j) => Pos.eqb i a && Pos.eqb j b | _ => false end.
@@ -334,10 +364,12 @@ Definition takes_error (e a b t : positive) : bool :=
 Definition is_zero_constant (a : positive) : bool :=
   match operation_of a with Some (Constant 0) => true | _ => false end.
 
+Definition is_zero (s : facts) (i : positive) : bool := PositiveMap.mem i (zeros s).
+
 Definition pair_of (s : facts) (n : name) : option pair :=
   match n with
   | Known id => PositiveMap.find id (pairs s)
-  | Exactly i => if is_exact i then Some (Pair i None 0 0) else None
+  | Exactly i => if is_exact i || is_zero s i then Some (Pair i None 0 0) else None
   end.
 
 Definition factor_of (s : facts) (i : positive) : option (N * terms) :=
@@ -389,6 +421,17 @@ Definition zero_or (s : facts) (i : positive) : bool :=
   | None => match operation_of i with Some (Constant z) => (0 <=? z)%Z | _ => false end
   end.
 
+(** A divisor is a factor of at most 2^-10 times the exact value: roundings, and the coefficient of its own [u^2 * kappa]. *)
+Definition divisor_of (s : facts) (y : positive) : option (N * N) :=
+  let bounded k g :=
+    guard (existsb (fun d => Pos.eqb (fst d) y && (1024 * k <=? fst (snd d))%N
+      && contained (single y (1024 * g)) (snd (snd d))) divisors) (k, g) in
+  match factor_of s y with
+  | Some (k, []) => bounded k 0%N
+  | Some (k, [(j, g)]) => if Pos.eqb j y then bounded k g else None
+  | _ => None
+  end.
+
 Definition step (s : facts) (k : command) : option facts :=
   match k with
   | ErrorOfSum e p q w d t a b =>
@@ -401,7 +444,7 @@ Definition step (s : facts) (k : command) : option facts :=
   | SumOf id h na nb r =>
       match pair_of s na, pair_of s nb with
       | Some a, Some b =>
-          if adds h (first a) (first b)
+          if adds h (first a) (first b) && negb (is_joined h)
           then option_map (with_sum s id) (rest_of_sum adds (fun i l => Pos.eqb i l) h a b r)
           else None
       | _, _ => None
@@ -464,6 +507,38 @@ Definition step (s : facts) (k : command) : option facts :=
             (with_pair s id (Pair h (Some l) (product_error n1 n2 + missing + s1 + s2 + s3 + t) (bump t)))
       | _, _ => None
       end
+  | Separated id p y l v =>
+      match PositiveMap.find p (pairs s) with
+      | Some (Pair h (Some r) n k) =>
+          let '(test, n', k') :=
+            match v with
+            | None => (is_error s l y, n, (one + tiny n)%N)
+            | Some v => (subtracts v y h && subtracts l r v, separated_error k n, separated_rest k n)
+            end in
+          guard (joins y h r && test) (with_factor (with_pair s id (Pair y (Some l) n' k')) y 1 (single y n))
+      | _ => None
+      end
+  | QuotientOf id q na nb p e s1 s2 divisor dividend l =>
+      match pair_of s na, pair_of s nb with
+      | Some (Pair a la n1 k1), Some (Pair b lb n2 k2) =>
+          let s3 := match divisor with Some (_, i) => i | None => s2 end in
+          let s4 := match dividend with Some i => i | None => s3 end in
+          match divisor_of s b with
+          | Some (k, g) =>
+              guard
+                (divides q a b && multiplies p q b && is_error s e p && subtracts s1 a p && subtracts s2 s1 e
+                 && match lb, divisor with
+                    | Some lb, Some (w, i) => multiplies w q lb && subtracts i s2 w
+                    | None, None => true
+                    | _, _ => false
+                    end
+                 && match la, dividend with Some la, Some i => adds i s3 la | None, None => true | _, _ => false end
+                 && divides l s4 b)
+                (with_pair s id (Pair q (Some l) (quotient_error n1 k1 n2 k2 k g) (quotient_rest n1 k1 k2)))
+          | None => None
+          end
+      | _, _ => None
+      end
   | NegativeOf id p h l =>
       match PositiveMap.find p (pairs s) with
       | Some (Pair a (Some la) n k) => guard (negates h a && negates l la) (with_pair s id (Pair h (Some l) n k))
@@ -504,11 +579,12 @@ Definition step (s : facts) (k : command) : option facts :=
   | ZeroOf v =>
       match operation_of v with
       | Some (Mul a b) | Some (Div a b) => guard (is_zero_constant a) (with_zero s v)
+      | Some (Add a b) => guard (is_zero s a && is_zero s b) (with_zero s v)
       | _ => None
       end
   | PlusZero v a z =>
       match PositiveMap.find z (zeros s), factor_of s a with
-      | Some _, Some (k, t) => guard (adds v a z) (with_factor s v k t)
+      | Some _, Some (k, t) => guard (adds v a z || subtracts v z a) (with_factor s v k t)
       | _, _ => None
       end
   | NotNegative v =>
@@ -535,7 +611,9 @@ Hypothesis m_value : forall i o, operation_of i = Some o -> m i = size input x m
 Hypothesis f_float : forall i, is_float (f i).
 Hypothesis input_float : forall k, is_float (input k).
 Hypothesis constant_float : forall i z, operation_of i = Some (Constant z) -> is_float (IZR z).
-Hypothesis f_regular : forall i o, operation_of i = Some o -> regular f x o.
+Hypothesis f_regular : forall i o, operation_of i = Some o -> regular f o.
+Hypothesis x_divisor : forall i a b, operation_of i = Some (Div a b) -> x b <> 0.
+Hypothesis x_determined : Forall (fun d => x (fst d) <> 0 /\ applicable x m d) divisors.
 
 Definition before_rounding (i : positive) : R :=
   match operation_of i with Some o => value input f o | None => 0 end.
@@ -563,7 +641,7 @@ Record sound (s : facts) : Prop := {
   sound_sums : forall id p, PositiveMap.find id (sums s) = Some p -> sum_holds p;
   sound_errors : forall e t, PositiveMap.find e (errors s) = Some t -> error_holds e t;
   sound_factors : forall v k t, PositiveMap.find v (factors s) = Some (k, t) -> factor_holds v k t;
-  sound_zeros : forall v y, PositiveMap.find v (zeros s) = Some y -> f v = 0 /\ x v = 0;
+  sound_zeros : forall v y, PositiveMap.find v (zeros s) = Some y -> f v = 0 /\ x v = 0 /\ m v = 0;
   sound_not_negative : forall v y, PositiveMap.find v (not_negative s) = Some y -> 0 <= x v
 }.
 
@@ -578,17 +656,35 @@ Proof. intros H. apply orb_prop in H as [H | H]; apply andb_prop in H as [H1 H2]
 
 Lemma adds_true t a b :
   adds t a b = true ->
-  before_rounding t = f a + f b /\ f t = RN (f a + f b) /\ x t = x a + x b /\ m t = m a + m b
-  /\ rounds (f a + f b) (f t).
+  before_rounding t = f a + f b /\ f t = RN (f a + f b) /\ x t = x a + x b
+  /\ (is_joined t = false -> m t = m a + m b) /\ rounds (f a + f b) (f t).
 Proof.
-  unfold adds. destruct (operation_of t) as [[]|] eqn:E; try discriminate. intros H.
+  unfold adds, is_joined. destruct (operation_of t) as [[]|] eqn:E; try discriminate; intros H;
+    assert (F := f_value _ _ E); assert (X := x_value _ _ E); assert (M := m_value _ _ E); simpl in F, X, M;
+    rewrite (before _ _ E); simpl; assert (S := rounds_sum (f a) (f b) (f_float a) (f_float b));
+    (apply pair_test in H as [[-> ->] | [-> ->]];
+      [|rewrite (Rplus_comm (f b)) in F; rewrite (Rplus_comm (f b))]);
+    rewrite F, X, ?M; repeat split; try assumption; try discriminate; intros; ring.
+Qed.
+
+Lemma joins_true t a b : joins t a b = true -> x t = x a + x b /\ m t = m a /\ rounds (f a + f b) (f t).
+Proof.
+  unfold joins. destruct (operation_of t) as [[]|] eqn:E; try discriminate. intros H.
+  apply andb_prop in H as [H1 H2]. apply Pos.eqb_eq in H1, H2. subst.
   assert (F := f_value _ _ E). assert (X := x_value _ _ E). assert (M := m_value _ _ E). simpl in F, X, M.
-  rewrite (before _ _ E). simpl.
-  assert (S := rounds_sum (f a) (f b) (f_float a) (f_float b)).
-  apply pair_test in H as [[-> ->] | [-> ->]].
-  - rewrite F. auto.
-  - rewrite (Rplus_comm (f b)) in F. rewrite F, (Rplus_comm (f b)), X, M.
-    repeat split; try ring; assumption.
+  rewrite F. repeat split; try assumption. now apply rounds_sum.
+Qed.
+
+Lemma divides_true t a b :
+  divides t a b = true ->
+  x b <> 0 /\ x t = x a / x b /\ m t = m a * m b / (x b * x b) /\ rounds (f a / f b) (f t).
+Proof.
+  unfold divides. destruct (operation_of t) as [[]|] eqn:E; try discriminate. intros H.
+  apply andb_prop in H as [H1 H2]. apply Pos.eqb_eq in H1, H2. subst.
+  assert (F := f_value _ _ E). assert (X := x_value _ _ E). assert (M := m_value _ _ E).
+  assert (G := f_regular _ _ E). simpl in F, X, M, G. rewrite F. repeat split; try assumption.
+  - exact (x_divisor _ _ _ E).
+  - now apply rounds_normal.
 Qed.
 
 Lemma subtracts_true t a b :
@@ -647,10 +743,19 @@ Proof.
     destruct (Base a H) as (Fa & Ma). rewrite F, X, M, Fa, Ma, Rabs_Ropp. auto.
 Qed.
 
+Lemma is_zero_true s i : sound s -> is_zero s i = true -> f i = 0 /\ x i = 0 /\ m i = 0.
+Proof.
+  intros S E. unfold is_zero in E. rewrite PositiveMap.mem_find in E.
+  destruct (PositiveMap.find i (zeros s)) as [y|] eqn:Z; [|discriminate]. exact (sound_zeros _ S i y Z).
+Qed.
+
 Lemma pair_of_holds s n p : sound s -> pair_of s n = Some p -> pair_holds p.
 Proof.
   intros S H. destruct n as [id | i]; simpl in H; [now apply (sound_pairs _ S id)|].
-  destruct (is_exact i) eqn:E; [|discriminate]. injection H as <-. destruct (is_exact_true i E) as (F & M).
+  destruct (is_exact i || is_zero s i)%bool eqn:E; [|discriminate]. injection H as <-.
+  assert (f i = x i /\ m i = Rabs (x i)) as (F & M).
+  { apply orb_prop in E as [E | E]; [now apply is_exact_true|]. destruct (is_zero_true s i S E) as (-> & -> & ->).
+    now rewrite Rabs_R0. }
   assert (P : 0 <= m i) by (rewrite M; apply Rabs_pos).
   repeat split; simpl.
   - rewrite F. replace (x i + 0 - x i) with 0 by ring. now apply near_0.
@@ -701,7 +806,7 @@ Lemma add_error s e t : sound s -> error_holds e t -> sound (with_error s e t).
 Proof. add_fact. assumption. Qed.
 Lemma add_factor s v k t : sound s -> factor_holds v k t -> sound (with_factor s v k t).
 Proof. add_fact. match goal with G : (_, _) = (_, _) |- _ => injection G as -> -> end. assumption. Qed.
-Lemma add_zero s v : sound s -> f v = 0 /\ x v = 0 -> sound (with_zero s v).
+Lemma add_zero s v : sound s -> f v = 0 /\ x v = 0 /\ m v = 0 -> sound (with_zero s v).
 Proof. add_fact. assumption. Qed.
 Lemma add_not_negative s v : sound s -> 0 <= x v -> sound (with_not_negative s v).
 Proof. add_fact. assumption. Qed.
@@ -982,7 +1087,7 @@ Lemma factor_of_quotient v a b k1 t1 k2 t2 :
   factor_holds v (k1 + k2 + 1) (merge t1 t2).
 Proof.
   intros O A B. assert (F := f_value _ _ O). assert (X := x_value _ _ O).
-  destruct (f_regular _ _ O) as (Xb & G). simpl in *.
+  assert (G := f_regular _ _ O). assert (Xb := x_divisor _ _ _ O). simpl in *.
   apply (round_factor v _ _ (x a / x b) (f a / f b)); [|rewrite F; now apply rounds_normal | exact X].
   intros Z D. apply not_zero_merge in Z as (Z1 & Z2). rewrite deviation_merge in *.
   assert (P1 := deviation_pos x m k1 t1). assert (P2 := deviation_pos x m k2 t2).
@@ -1021,21 +1126,152 @@ Proof.
 Qed.
 
 Lemma zero_of v a b :
-  operation_of v = Some (Mul a b) \/ operation_of v = Some (Div a b) -> is_zero_constant a = true -> f v = 0 /\ x v = 0.
+  operation_of v = Some (Mul a b) \/ operation_of v = Some (Div a b) -> is_zero_constant a = true ->
+  f v = 0 /\ x v = 0 /\ m v = 0.
 Proof.
-  intros O H. unfold is_zero_constant in H. destruct (operation_of a) as [[| [] | | | | | |]|] eqn:E; try discriminate.
-  assert (Fa := f_value _ _ E). assert (Xa := x_value _ _ E). simpl in *.
-  rewrite RN_float in Fa by apply float_0.
-  destruct O as [O | O]; assert (F := f_value _ _ O); assert (X := x_value _ _ O); simpl in *;
-    rewrite F, X, Fa, Xa; unfold Rdiv; rewrite !Rmult_0_l; (split; [apply RN_float, float_0 | reflexivity]).
+  intros O H. unfold is_zero_constant in H. destruct (operation_of a) as [[| [] | | | | | | |]|] eqn:E; try discriminate.
+  assert (Fa := f_value _ _ E). assert (Xa := x_value _ _ E). assert (Ma := m_value _ _ E). simpl in *.
+  rewrite RN_float in Fa by apply float_0. rewrite Rabs_R0 in Ma.
+  destruct O as [O | O]; assert (F := f_value _ _ O); assert (X := x_value _ _ O); assert (M := m_value _ _ O); simpl in *;
+    rewrite F, X, M, Fa, Xa, Ma; unfold Rdiv; rewrite !Rmult_0_l; (split; [apply RN_float, float_0 | now split]).
+Qed.
+
+Lemma zero_sum s v a b :
+  sound s -> operation_of v = Some (Add a b) -> is_zero s a && is_zero s b = true -> f v = 0 /\ x v = 0 /\ m v = 0.
+Proof.
+  intros S O H. apply andb_prop in H as [A B]. apply is_zero_true in A as (Fa & Xa & Ma), B as (Fb & Xb & Mb); try exact S.
+  assert (F := f_value _ _ O). assert (X := x_value _ _ O). assert (M := m_value _ _ O). simpl in *.
+  rewrite F, X, M, Fa, Fb, Xa, Xb, Ma, Mb, Rplus_0_r. split; [apply RN_float, float_0 | now split].
 Qed.
 
 Lemma plus_zero v a z k t :
-  f z = 0 /\ x z = 0 -> factor_holds a k t -> adds v a z = true -> factor_holds v k t.
+  f z = 0 /\ x z = 0 /\ m z = 0 -> factor_holds a k t -> adds v a z || subtracts v z a = true -> factor_holds v k t.
 Proof.
-  intros (Fz & Xz) A T Z D. apply adds_true in T as (_ & F & X & _ & _). rewrite Fz, Rplus_0_r in F.
-  rewrite RN_float in F by apply f_float. destruct (A Z D) as (p & E & P). exists p. split; [|exact P].
-  rewrite F, X, Xz, Rplus_0_r. exact E.
+  intros (Fz & Xz & _) A T Z D. destruct (A Z D) as (p & E & P). exists p. split; [|exact P].
+  apply orb_prop in T as [T | T]; [apply adds_true in T as (_ & F & X & _) | apply subtracts_true in T as (_ & F & X & _)].
+  - rewrite F, X, Fz, Xz, !Rplus_0_r, RN_float by apply f_float. exact E.
+  - rewrite F, X, Fz, Xz, E. replace (0 - x a * p) with (- f a) by (rewrite E; ring).
+    rewrite RN_opp, RN_float, E by apply f_float. ring.
+Qed.
+
+(** *** Quotients *)
+
+Lemma rounds_exact v : rounds v v.
+Proof.
+  exists 0. rewrite Rabs_R0. positive_u. split; [|ring]. apply Rmult_le_pos; [lra|].
+  apply Rlt_le, Rinv_0_lt_compat. lra.
+Qed.
+
+Lemma separated s y l v h r n k :
+  sound s -> pair_holds (Pair h (Some r) n k) -> joins y h r = true ->
+  match v with
+  | None => is_error s l y = true -> pair_holds (Pair y (Some l) n (one + tiny n))
+  | Some v => subtracts v y h && subtracts l r v = true ->
+      pair_holds (Pair y (Some l) (separated_error k n) (separated_rest k n))
+  end /\ factor_holds y 1 (single y n).
+Proof.
+  intros S (Zr & N & L & X) J. simpl in *. assert (M : 0 <= m h) by (assert (P := Rabs_pos (x h)); lra).
+  destruct (joins_true _ _ _ J) as (Xy & My & R). rewrite Zr, Rplus_0_r in Xy.
+  assert (B : before_rounding y = f h + f r).
+  { unfold joins in J. destruct (operation_of y) as [[]|] eqn:E; try discriminate. apply andb_prop in J as [J1 J2].
+    apply Pos.eqb_eq in J1, J2. subst. now rewrite (before _ _ E). }
+  split.
+  - destruct v as [v|]; intros T.
+    + apply andb_prop in T as [T1 T2]. apply subtracts_true in T1 as (_ & _ & Xv & _ & Rv).
+      apply subtracts_true in T2 as (_ & _ & Xl & _ & Rl).
+      destruct (separated_fast _ _ _ _ _ _ _ _ _ M X N L R Rv Rl) as (A & C).
+      repeat split; simpl; rewrite ?My, ?Xy; try assumption. lra.
+    + apply is_error_true in T as (Fl & Xl); [|exact S]. rewrite B in Fl.
+      destruct (separated_exact _ _ _ _ _ _ _ M X N R Fl) as (A & C).
+      repeat split; simpl; rewrite ?My, ?Xy; assumption.
+  - apply (round_factor y 0 _ (x y) (f h + f r)); try assumption; [|reflexivity].
+    intros H D. unfold deviation in *. rewrite total_single in *. change (roundings 0) with 0 in *.
+    rewrite Rmult_0_l, Rplus_0_l in *. unfold kappa in *. apply pair_factor; try assumption.
+    + now apply not_zero_single.
+    + now rewrite Xy, My.
+Qed.
+
+Lemma divisor_holds s y k g :
+  sound s -> 0 <= m y -> divisor_of s y = Some (k, g) ->
+  let t := c g * (u * u) * kappa x m y in
+  0 <= t /\ t * Rabs (x y) <= c g * (u * u) * m y /\ roundings k * u + t <= 1 / 1024
+  /\ exists r, f y = x y * r /\ factor (roundings k * u + t) r.
+Proof.
+  intros S M H t. positive_u. assert (P := c_pos g). assert (K : 0 <= kappa x m y) by apply Rabs_pos.
+  assert (T0 : 0 <= t) by (apply Rmult_le_pos; [nra | exact K]).
+  assert (exists ts, factor_of s y = Some (k, ts) /\ total x m ts = t /\ (not_zero x [(y, g)] -> not_zero x ts) /\
+    existsb (fun d => Pos.eqb (fst d) y && (1024 * k <=? fst (snd d))%N && contained (single y (1024 * g)) (snd (snd d)))
+      divisors = true) as (ts & F & E & Z & G).
+  { unfold divisor_of in H. destruct (factor_of s y) as [[k' [|[j g'] [|]]]|] eqn:F; try discriminate.
+    - apply guard_true in H as [H E]. injection E as -> <-. exists []. split; [reflexivity|]. split; [|split; [constructor | exact H]].
+      unfold t. rewrite c_0. simpl. ring.
+    - destruct (Pos.eqb_spec j y) as [-> | _]; [|discriminate]. apply guard_true in H as [H E]. injection E as -> ->.
+      exists [(y, g)]. split; [reflexivity|]. split; [simpl; unfold t; ring | split; [auto | exact H]]. }
+  apply existsb_exists in G as (d & I & G). apply andb_prop in G as [G G3]. apply andb_prop in G as [G1 G2].
+  apply Pos.eqb_eq in G1. apply N.leb_le, roundings_le in G2. assert (W := x_determined).
+  rewrite Forall_forall in W. destruct (W d I) as (X & _ & D). rewrite G1 in X.
+  apply (contained_total x m) in G3. rewrite total_single in G3. unfold deviation in D.
+  assert (K1 : roundings (1024 * k) = 1024 * roundings k) by (unfold roundings; rewrite N2Z.inj_mul, mult_IZR; reflexivity).
+  assert (K2 : c (1024 * g) = 1024 * c g) by (rewrite !c_value, N2Z.inj_mul, mult_IZR; simpl; lra).
+  rewrite K1 in G2. rewrite K2 in G3.
+  assert (D' : roundings k * u + t <= 1 / 1024).
+  { unfold t. assert (1024 * roundings k * u <= roundings (fst (snd d)) * u) by (apply Rmult_le_compat_r; lra). lra. }
+  split; [exact T0|]. split; [|split; [exact D'|]].
+  - assert (O : kappa x m y * Rabs (x y) = m y).
+    { unfold kappa. rewrite <- Rabs_mult. replace (m y / x y * x y) with (m y) by (field; exact X). apply Rabs_right. lra. }
+    right. unfold t. now rewrite Rmult_assoc, O.
+  - assert (Q := factor_of_holds _ _ _ _ S F). unfold factor_holds, deviation in Q. rewrite E in Q. apply Q; [|lra].
+    apply Z. constructor; [exact X | constructor].
+Qed.
+
+Lemma quotient_magnitude a b ma mb : Rabs a <= ma -> Rabs b <= mb -> b <> 0 -> Rabs (a / b) <= ma * mb / (b * b).
+Proof.
+  intros A B Z. assert (P := Rabs_pos_lt b Z). assert (I := Rinv_0_lt_compat _ P). unfold Rdiv. rewrite Rabs_mult, Rabs_inv.
+  assert (b * b = Rabs b * Rabs b) as -> by (rewrite <- Rabs_mult, Rabs_right; [reflexivity | nra]).
+  replace (ma * mb * / (Rabs b * Rabs b)) with (ma * / Rabs b * (mb * / Rabs b)) by (field; lra).
+  assert (1 <= mb * / Rabs b) by (apply Rmult_le_reg_r with (Rabs b); [exact P | rewrite Rmult_assoc, Rinv_l; lra]).
+  assert (0 <= Rabs a) by apply Rabs_pos. apply Rle_trans with (ma * / Rabs b * 1); [nra|]. apply Rmult_le_compat_l; nra.
+Qed.
+
+Lemma quotient s q a la n1 k1 b lb n2 k2 p e s1 s2 divisor dividend l k g :
+  sound s -> pair_holds (Pair a la n1 k1) -> pair_holds (Pair b lb n2 k2) -> divisor_of s b = Some (k, g) ->
+  divides q a b = true -> multiplies p q b = true -> is_error s e p = true -> subtracts s1 a p = true ->
+  subtracts s2 s1 e = true ->
+  let s3 := match divisor with Some (_, i) => i | None => s2 end in
+  let s4 := match dividend with Some i => i | None => s3 end in
+  match lb, divisor with
+  | Some lb, Some (w, i) => multiplies w q lb && subtracts i s2 w
+  | None, None => true
+  | _, _ => false
+  end = true ->
+  match la, dividend with Some la, Some i => adds i s3 la | None, None => true | _, _ => false end = true ->
+  divides l s4 b = true ->
+  pair_holds (Pair q (Some l) (quotient_error n1 k1 n2 k2 k g) (quotient_rest n1 k1 k2)).
+Proof.
+  intros S A B G Q P E T1 T2 s3 s4 T3 T4 T5.
+  assert (Mb := magnitude_pos _ B). simpl in Mb. destruct (divisor_holds _ _ _ _ S Mb G) as (G1 & G2 & G3 & r & G4 & G5).
+  destruct A as (Za & Na & La & Xa). destruct B as (Zb & Nb & Lb & Xb). simpl in *.
+  apply divides_true in Q as (Z & Xq & Mq & Rq). apply multiplies_true in P as (Bp & _ & Xp & _ & Rp).
+  apply is_error_true in E as (Fe & Xe); [|exact S]. rewrite Bp in Fe.
+  apply subtracts_true in T1 as (_ & _ & X1 & _ & R1). apply subtracts_true in T2 as (_ & _ & X2 & _ & R2).
+  rewrite Fe in R2. apply divides_true in T5 as (_ & Xl & _ & Rl).
+  assert (W : exists w, rounds (f q * partial f lb) w /\ rounds (f s2 - w) (f s3) /\ x s3 = x s2).
+  { unfold s3. destruct lb as [lb|], divisor as [[w i]|]; try discriminate; simpl in *.
+    - apply andb_prop in T3 as [T3 T6]. apply multiplies_true in T3 as (_ & _ & Xw & _ & Rw).
+      apply subtracts_true in T6 as (_ & _ & Xi & _ & Ri). exists (f w). repeat split; try assumption.
+      rewrite Xi, Xw, Zb. ring.
+    - exists 0. rewrite Rmult_0_r, Rminus_0_r. repeat split; apply rounds_exact. }
+  destruct W as (w & W1 & W2 & W3).
+  assert (V : rounds (f s3 + partial f la) (f s4) /\ x s4 = x s3).
+  { unfold s4. destruct la as [la|], dividend as [i|]; try discriminate; simpl in *.
+    - apply adds_true in T4 as (_ & _ & Xi & _ & Ri). split; [exact Ri | rewrite Xi, Za; ring].
+    - rewrite Rplus_0_r. split; [apply rounds_exact | reflexivity]. }
+  destruct V as (V1 & V2).
+  destruct (quotient_holds n1 k1 n2 k2 k g _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ Xa Xb Z Na La Nb Lb G1 G2 G3 r G4 G5
+    Rq Rp R1 R2 W1 W2 V1 Rl) as (H1 & H2).
+  rewrite <- Xq, <- Mq in *. repeat split; simpl; try assumption.
+  - rewrite Xl, V2, W3, X2, X1, Xp, Xe, Xq. field. exact Z.
+  - rewrite Mq, Xq. now apply quotient_magnitude.
 Qed.
 
 (** *** Every step keeps what is known true *)
@@ -1052,9 +1288,10 @@ Proof.
   - apply guard_true in H as [T <-]. apply add_error; [exact S|]. now apply error_of_difference in T.
   - apply guard_true in H as [T <-]. apply add_error; [exact S|]. now apply error_of_product in T.
   - destruct (pair_of s a) as [p|] eqn:A; [|discriminate]. destruct (pair_of s b) as [q|] eqn:B; [|discriminate].
-    destruct (adds h (first p) (first q)) eqn:T; [|discriminate].
+    destruct (adds h (first p) (first q) && negb (is_joined h)) eqn:T; [|discriminate].
     destruct (rest_of_sum _ _ h p q r) as [sum|] eqn:R; [|discriminate]. injection H as <-.
-    apply add_sum; [exact S|]. apply adds_true in T as (Bh & _ & X & M & Rh).
+    apply andb_prop in T as [T J]. apply negb_true_iff in J.
+    apply add_sum; [exact S|]. apply adds_true in T as (Bh & _ & X & M & Rh). specialize (M J).
     refine (signed_sum 1 h p q r sum _ _ (or_introl eq_refl) (pair_of_holds _ _ _ S A) (pair_of_holds _ _ _ S B)
       _ _ M _ _ _ R).
     + now rewrite Rmult_1_l.
@@ -1116,6 +1353,17 @@ Proof.
       * destruct (product_of _ _ _ _ A B T T5) as (_ & _ & _ & _ & _ & _ & Mh). simpl in Mh. rewrite Mh.
         destruct A as (_ & _ & La & _). destruct B as (_ & _ & Lb & _). simpl in La, Lb. apply low_low; try assumption.
         replace (f b' - (f b' + f lb)) with (- f lb) by ring. now apply low_opp.
+  - destruct (PositiveMap.find pair0 (pairs s)) as [[h [r|] n k]|] eqn:E; try discriminate.
+    apply (sound_pairs _ S) in E. destruct v as [v|]; apply guard_true in H as [T <-]; apply andb_prop in T as [J T].
+    + destruct (separated s y l (Some v) h r n k S E J) as (A & B). apply add_factor; [|exact B].
+      apply add_pair; [exact S | now apply A].
+    + destruct (separated s y l None h r n k S E J) as (A & B). apply add_factor; [|exact B].
+      apply add_pair; [exact S | now apply A].
+  - destruct (pair_of s a) as [[a' la n1 k1]|] eqn:A; [|discriminate].
+    destruct (pair_of s b) as [[b' lb n2 k2]|] eqn:B; [|discriminate].
+    destruct (divisor_of s b') as [[k g]|] eqn:G; [|discriminate].
+    apply guard_true in H as [T <-]. tests T. apply add_pair; [exact S|]. apply pair_of_holds in A, B; try assumption.
+    now apply quotient with s a' la b' lb p e s1 s2 divisor dividend.
   - destruct (PositiveMap.find a (pairs s)) as [[p [la|] n k]|] eqn:E; try discriminate.
     apply guard_true in H as [T <-]. apply andb_prop in T as [T1 T2]. apply add_pair; [exact S|].
     apply (sound_pairs _ S) in E. destruct E as (Z & N & L & X). simpl in *.
@@ -1132,7 +1380,7 @@ Proof.
     apply guard_true in H as [T <-]; (apply add_factor; [exact S|]); apply (sound_sums _ S) in E.
     + now apply rounded_sum with r.
     + apply Pos.eqb_eq in T. subst. now apply rounded_exact_sum.
-  - destruct (operation_of v) as [[| | a | | | a b | a b |]|] eqn:O; try discriminate.
+  - destruct (operation_of v) as [[| | a | | | | a b | a b |]|] eqn:O; try discriminate.
     + destruct (factor_of s a) as [[k t]|] eqn:A; [|discriminate]. injection H as <-. apply add_factor; [exact S|].
       apply factor_of_negative with a; [exact O|]. now apply factor_of_holds with s.
     + destruct (factor_of s a) as [[k1 t1]|] eqn:A; [|discriminate].
@@ -1141,20 +1389,21 @@ Proof.
     + destruct (factor_of s a) as [[k1 t1]|] eqn:A; [|discriminate].
       destruct (factor_of s b) as [[k2 t2]|] eqn:B; [|discriminate]. injection H as <-. apply add_factor; [exact S|].
       apply factor_of_quotient with a b; [exact O| |]; now apply factor_of_holds with s.
-  - destruct (operation_of v) as [[| | | a b | | | |]|] eqn:O; try discriminate.
+  - destruct (operation_of v) as [[| | | a b | | | | |]|] eqn:O; try discriminate.
     destruct (factor_of s a) as [[k1 t1]|] eqn:A; [|discriminate].
     destruct (factor_of s b) as [[k2 t2]|] eqn:B; [|discriminate].
     apply guard_true in H as [T <-]. tests T. apply add_factor; [exact S|].
     apply N.leb_le in T2, T3. apply zero_or_true in T, T4; try exact S.
     apply mean with a b k1 k2 t1 t2; try assumption; now apply factor_of_holds with s.
-  - destruct (operation_of v) as [[| | | | | a b | a b |]|] eqn:O; try discriminate; apply guard_true in H as [T <-];
-      (apply add_zero; [exact S|]); (apply zero_of with a b; [|exact T]); [left | right]; exact O.
+  - destruct (operation_of v) as [[| | | a b | | | a b | a b |]|] eqn:O; try discriminate; apply guard_true in H as [T <-];
+      (apply add_zero; [exact S|]); [now apply zero_sum with s a b | |];
+      (apply zero_of with a b; [|exact T]); [left | right]; exact O.
   - destruct (PositiveMap.find z (zeros s)) as [y|] eqn:Z; [|discriminate].
     destruct (factor_of s a) as [[k t]|] eqn:A; [|discriminate]. apply guard_true in H as [T <-].
     apply add_factor; [exact S|]. apply plus_zero with a z; try assumption.
     + now apply (sound_zeros _ S z y).
     + now apply factor_of_holds with s.
-  - destruct (operation_of v) as [[| | | a b | | a b | a b |]|] eqn:O; try discriminate;
+  - destruct (operation_of v) as [[| | | a b | | | a b | a b |]|] eqn:O; try discriminate;
     apply guard_true in H as [T <-]; (apply add_not_negative; [exact S|]); assert (X := x_value _ _ O); simpl in X;
     rewrite X.
     + apply andb_prop in T as [T1 T2]. apply zero_or_true in T1, T2; try exact S. lra.
@@ -1162,7 +1411,7 @@ Proof.
       * apply Pos.eqb_eq in T. subst. nra.
       * apply andb_prop in T as [T1 T2]. apply zero_or_true in T1, T2; try exact S. nra.
     + apply andb_prop in T as [T1 T2]. apply zero_or_true in T1, T2; try exact S.
-      destruct (f_regular _ _ O) as (Xb & _). apply Rmult_le_pos; [exact T1|].
+      assert (Xb := x_divisor _ _ _ O). apply Rmult_le_pos; [exact T1|].
       apply Rlt_le, Rinv_0_lt_compat. lra.
 Qed.
 
@@ -1197,18 +1446,21 @@ Proof.
   - apply find_add in H as [[-> ->] | H]; auto.
 Qed.
 
-(** A bound: the name of a result, the number of roundings, and coefficients of [u^2] times a condition number. *)
-Definition bound := (positive * (N * terms))%type.
-
 Definition claims (operations : PositiveMap.t operation) (s : facts) (b : bound) : bool :=
   match factor_of operations s (fst b) with
   | Some (k, t) => (k <=? fst (snd b))%N && contained t (snd (snd b))
   | None => false
   end.
 
-Definition check (p : program) (cert : list command) (bounds : list bound) : bool :=
-  well_formed 1 p
-  && match follow (table p) no_facts cert with Some s => forallb (claims (table p) s) bounds | None => false end.
+Definition has_bound (divisors : list bound) (o : operation) : bool :=
+  match o with Div _ b => existsb (fun d => Pos.eqb (fst d) b) divisors | _ => true end.
+
+Definition check (p : program) (cert : list command) (bounds divisors : list bound) : bool :=
+  well_formed 1 p && forallb (fun named => has_bound divisors (snd named)) p
+  && match follow (table p) divisors no_facts cert with
+     | Some s => forallb (claims (table p) s) (divisors ++ bounds)
+     | None => false
+     end.
 
 (** What a bound says of the program: the computed result differs from the exact one by at most [t / (1 - t)] of it,
     where [t] is [k * u] and the sum of all [c * u^2 * kappa]. *)
@@ -1216,10 +1468,17 @@ Definition bounded (input : values) (p : program) (b : bound) : Prop :=
   let f := computed input p in
   let x := exact input p in
   let t := deviation x (magnitude input p) (fst (snd b)) (snd (snd b)) in
-  not_zero x (snd (snd b)) -> t < 1 -> Rabs (f (fst b) - x (fst b)) <= t / (1 - t) * Rabs (x (fst b)).
+  applies input p b -> Rabs (f (fst b) - x (fst b)) <= t / (1 - t) * Rabs (x (fst b)).
 
-Lemma check_well_formed p cert bounds : check p cert bounds = true -> well_formed 1 p = true.
-Proof. unfold check. intros H. now apply andb_prop in H. Qed.
+Lemma check_well_formed p cert bounds divisors : check p cert bounds divisors = true -> well_formed 1 p = true.
+Proof. unfold check. intros H. apply andb_prop in H as [H _]. now apply andb_prop in H. Qed.
+
+Lemma check_divisors p cert bounds divisors :
+  check p cert bounds divisors = true -> forall i a b, In (i, Div a b) p -> exists d, In d divisors /\ fst d = b.
+Proof.
+  unfold check. intros H i a b O. apply andb_prop in H as [H _]. apply andb_prop in H as [_ H]. rewrite forallb_forall in H.
+  specialize (H _ O). apply existsb_exists in H as (d & I & E). apply Pos.eqb_eq in E. eauto.
+Qed.
 
 Lemma computed_value input p i o :
   well_formed 1 p = true -> In (i, o) p -> computed input p i = RN (value input (computed input p) o).
@@ -1228,21 +1487,22 @@ Proof. apply (run_value (fun e o => RN (value input e o)) p (local_rounded input
 Lemma float_computed input p i : is_float (computed input p i).
 Proof. apply run_float. intros j. apply float_0. Qed.
 
-Theorem check_factors p cert bounds :
-  check p cert bounds = true ->
-  forall input, (forall k, is_float (input k)) -> all_regular input p ->
+Theorem check_factors p cert bounds divisors :
+  check p cert bounds divisors = true ->
+  forall input, (forall k, is_float (input k)) -> all_regular input p -> Forall (determined input p) divisors ->
   Forall (fun b => factor_holds (computed input p) (exact input p) (magnitude input p) (fst b) (fst (snd b)) (snd (snd b)))
-    bounds.
+    (divisors ++ bounds).
 Proof.
-  intros H input I R. unfold check in H. apply andb_prop in H as [W H].
-  destruct (follow (table p) no_facts cert) as [s|] eqn:F; [|discriminate].
+  intros H input I R Dv. assert (Divides := check_divisors _ _ _ _ H).
+  unfold check in H. apply andb_prop in H as [H H']. apply andb_prop in H as [W _]. rename H' into H.
+  destruct (follow (table p) divisors no_facts cert) as [s|] eqn:F; [|discriminate].
   assert (Values : forall i o, PositiveMap.find i (table p) = Some o -> In (i, o) p) by apply table_in.
   rewrite forallb_forall in H. apply Forall_forall. intros [v [k t]] B. specialize (H _ B).
   unfold claims in H. simpl in *. destruct (factor_of (table p) s v) as [[k' t']|] eqn:E; [|discriminate].
   apply andb_prop in H as [K T]. apply N.leb_le in K. intros Z D.
   assert (G : factor_holds (computed input p) (exact input p) (magnitude input p) v k' t').
   { refine (factor_of_holds (table p) input _ _ _ _ _ _ _ _ _ s v k' t'
-      (follow_sound (table p) input _ _ _ _ _ _ _ _ _ _ cert no_facts s (no_facts_sound _ _ _ _ _) F) E).
+      (follow_sound (table p) divisors input _ _ _ _ _ _ _ _ _ _ _ _ cert no_facts s (no_facts_sound _ _ _ _ _) F) E).
     all: try (intros i o O; apply Values in O).
     all: try exact I.
     all: try now apply computed_value.
@@ -1250,16 +1510,20 @@ Proof.
     all: try now apply (run_value (size input (exact input p)) p (local_size input _) 1).
     all: try apply float_computed.
     all: try now apply float_constant, (well_formed_constant p 1 i o W).
+    all: try exact Dv.
+    all: try (intros i a b O; apply Values in O; destruct (Divides _ _ _ O) as (d & Id & <-);
+      rewrite Forall_forall in Dv; apply (Dv d Id)).
     all: unfold all_regular in R; rewrite Forall_forall in R; exact (R _ O). }
   assert (L := deviation_le (exact input p) (magnitude input p) _ _ _ _ K T).
   destruct (G (contained_not_zero _ _ _ T Z)) as (q & Fq & Q); [lra|]. exists q. split; [exact Fq|].
   apply (factor_le _ _ _ (deviation_pos _ _ _ _) L D Q).
 Qed.
 
-Theorem check_sound p cert bounds :
-  check p cert bounds = true ->
-  forall input, (forall k, is_float (input k)) -> all_regular input p -> Forall (bounded input p) bounds.
+Theorem check_sound p cert bounds divisors :
+  check p cert bounds divisors = true ->
+  forall input, (forall k, is_float (input k)) -> all_regular input p -> Forall (determined input p) divisors ->
+  Forall (bounded input p) bounds.
 Proof.
-  intros H input I R. apply (Forall_impl _ (fun b G Z D => factor_error _ _ _ _ _ _ G Z D)).
-  now apply check_factors with cert.
+  intros H input I R D. assert (F := check_factors _ _ _ _ H input I R D). apply Forall_app in F as [_ F].
+  refine (Forall_impl _ (fun b G A => _) F). destruct A as (Z & L). now apply factor_error.
 Qed.

@@ -3,6 +3,7 @@
 From Coq Require Import Reals ZArith NArith QArith Qreals Qabs PArith List Bool FMapPositive Lia Lra.
 From Flocq Require Import Core IEEE754.BinarySingleNaN.
 From Algebroproj Require Import Rounding Checker Ranges Machine.
+From Algebroproj Require Elimination Formulas.
 
 Import ListNotations.
 Open Scope R_scope.
@@ -22,9 +23,10 @@ Definition evaluated (input : positive -> Q) (known : quantities) (o : operation
   | Constant z => (inject_Z z, Qabs (inject_Z z))
   | Neg a => (Qopp (x a), m a)
   | Add a b => (Qred (x a + x b), Qred (m a + m b))
+  | Join a b => (Qred (x a + x b), m a)
   | Sub a b => (Qred (x a - x b), Qred (m a + m b))
   | Mul a b => (Qred (x a * x b), Qred (m a * m b))
-  | Div a b => (Qred (x a / x b), Qred (m a / Qabs (x b)))
+  | Div a b => (Qred (x a / x b), Qred (m a * m b / (x b * x b)))
   | ProductError a b p => (Qred (x a * x b - x p), Qred (m a * m b + m p))
   end.
 
@@ -41,17 +43,6 @@ Proof.
   destruct b as [[|n|n] d]; unfold Qeq in E; simpl in E; try discriminate. unfold Q2R; simpl. ring.
 Qed.
 
-Lemma Q2R_abs' a : Q2R (Qabs a) = Rabs (Q2R a).
-Proof.
-  destruct (Qlt_le_dec a 0) as [H | H].
-  - rewrite (Qeq_eqR _ _ (Qabs_neg a (Qlt_le_weak _ _ H))), Q2R_opp. apply Qlt_Rlt in H. unfold Q2R at 2 in H. simpl in H.
-    rewrite Rabs_left; lra.
-  - rewrite (Qeq_eqR _ _ (Qabs_pos a H)). apply Qle_Rle in H. unfold Q2R at 1 in H. simpl in H. rewrite Rabs_right; lra.
-Qed.
-
-Lemma Q2R_red a : Q2R (Qred a) = Q2R a.
-Proof. apply Qeq_eqR, Qred_correct. Qed.
-
 Definition represents (known : quantities) (x m : values) : Prop :=
   forall j, x j = Q2R (fst (quantity known j)) /\ m j = Q2R (snd (quantity known j)).
 
@@ -66,8 +57,8 @@ Lemma evaluated_represents point input full known x m o :
 Proof.
   intros I F H. assert (Hx := fun j => proj1 (H j)). assert (Hm := fun j => proj2 (H j)).
   assert (Integer : forall z, IZR z = Q2R (inject_Z z)) by (intros z; unfold Q2R; simpl; lra).
-  destruct o; cbn [value size evaluated fst snd]; rewrite ?Q2R_red, ?F by (simpl; auto);
-    rewrite ?Q2R_div', ?Q2R_abs', ?Q2R_minus, ?Q2R_plus, ?Q2R_mult, ?Q2R_opp, <- ?Hx, <- ?Hm, <- ?I, <- ?Integer;
+  destruct o; cbn [value size evaluated fst snd]; rewrite ?Elimination.Q2R_red, ?F by (simpl; auto);
+    rewrite ?Q2R_div', <- ?Formulas.Q2R_absolute, ?Q2R_minus, ?Q2R_plus, ?Q2R_mult, ?Q2R_opp, <- ?Hx, <- ?Hm, <- ?I, <- ?Integer;
     rewrite ?Q2R_plus, ?Q2R_mult, ?Q2R_opp, <- ?Hx, <- ?Hm; auto.
 Qed.
 
@@ -108,8 +99,8 @@ Definition is_instance (k : Z) (p : program) (bounds divisors : list bound) (int
 Lemma total_represents known x m t : represents known x m -> total x m t = Q2R (total_of known t).
 Proof.
   intros H. induction t as [|[j n] t IH]; cbn [total total_of fold_right]; [unfold Q2R; simpl; lra|].
-  rewrite Q2R_red, Q2R_plus. fold (total_of known t). rewrite <- IH. f_equal. unfold term_of. cbn [fst snd].
-  rewrite !Q2R_mult, Q2R_abs', Q2R_div', <- (proj1 (H j)), <- (proj2 (H j)), c_value, u_value. unfold kappa.
+  rewrite Elimination.Q2R_red, Q2R_plus. fold (total_of known t). rewrite <- IH. f_equal. unfold term_of. cbn [fst snd].
+  rewrite !Q2R_mult, <- Formulas.Q2R_absolute, Q2R_div', <- (proj1 (H j)), <- (proj2 (H j)), c_value, u_value. unfold kappa.
   f_equal. unfold Q2R; simpl. lra.
 Qed.
 
@@ -121,7 +112,7 @@ Proof.
     apply negb_true_iff, Qeq_bool_neq in A1. intros E. apply A1, eqR_Qeq. rewrite E. unfold Q2R; simpl; lra.
   - apply negb_true_iff in A2. unfold deviation. rewrite (total_represents known) by exact H.
     assert (E : roundings (fst (snd b)) * u + Q2R (total_of known (snd (snd b))) = Q2R (deviation_of known (fst (snd b)) (snd (snd b)))).
-    { unfold deviation_of. rewrite Q2R_red, Q2R_plus, Q2R_mult. f_equal. rewrite u_value.
+    { unfold deviation_of. rewrite Elimination.Q2R_red, Q2R_plus, Q2R_mult. f_equal. rewrite u_value.
       unfold roundings, Q2R; simpl. lra. }
     rewrite E. replace 1 with (Q2R 1) by (unfold Q2R; simpl; lra). apply Qlt_Rlt, Qnot_le_lt. intros L.
     apply Qle_bool_iff in L. congruence.

@@ -19,7 +19,7 @@ Definition machine_value (input e : positive -> binary64) (o : operation) : bina
   | Input k => input k
   | Constant z => binary_normalize 53 1024 _ _ mode_NE z 0 false
   | Neg a => Bopp (e a)
-  | Add a b => Bplus mode_NE (e a) (e b)
+  | Add a b | Join a b => Bplus mode_NE (e a) (e b)
   | Sub a b => Bminus mode_NE (e a) (e b)
   | Mul a b => Bmult mode_NE (e a) (e b)
   | Div a b => Bdiv mode_NE (e a) (e b)
@@ -49,13 +49,16 @@ Proof.
   assert (Both : forall a b, (forall c, In c [a; b] -> holds (f c) (e c)) ->
     (is_finite (e a) = true /\ B2R (e a) = f a) /\ is_finite (e b) = true /\ B2R (e b) = f b).
   { intros a b H. split; apply H; simpl; auto. }
-  destruct o as [j | z | a | a b | a b | a b | a b | a b p]; simpl operands in E; cbn [value] in S |- *; cbn [machine_value].
+  destruct o as [j | z | a | a b | a b | a b | a b | a b | a b p]; simpl operands in E; cbn [value] in S |- *; cbn [machine_value].
   - split; [apply I|]. symmetry. apply RN_float, float_B2R.
   - assert (H := binary_normalize_correct 53 1024 _ _ mode_NE z 0 false). cbv zeta in H.
     unfold F2R in H. simpl Fnum in H. simpl Fexp in H. change (bpow radix2 0) with 1 in H. rewrite Rmult_1_r in H.
     change (round _ _ _ (IZR z)) with (RN (IZR z)) in H. fold power in H. rewrite S in H. split; apply H.
   - destruct (E a) as (Fa & Va); [now left|]. split; [now rewrite is_finite_Bopp|].
     rewrite B2R_Bopp, Va, RN_opp, RN_float; [reflexivity|]. rewrite <- Va. apply float_B2R.
+  - destruct (Both a b E) as ((Fa & Va) & Fb & Vb). assert (H := Bplus_correct 53 1024 _ _ mode_NE _ _ Fa Fb).
+    rewrite Va, Vb in H. change (round _ _ _ (f a + f b)) with (RN (f a + f b)) in H. fold power in H. rewrite S in H.
+    split; apply H.
   - destruct (Both a b E) as ((Fa & Va) & Fb & Vb). assert (H := Bplus_correct 53 1024 _ _ mode_NE _ _ Fa Fb).
     rewrite Va, Vb in H. change (round _ _ _ (f a + f b)) with (RN (f a + f b)) in H. fold power in H. rewrite S in H.
     split; apply H.
@@ -126,15 +129,6 @@ Qed.
 
 (** ** Arguments in a range *)
 
-(** The exact result is not so near a zero of a sum that the bound says nothing. *)
-Definition applies (input : values) (p : program) (b : bound) : Prop :=
-  let x := exact input p in
-  not_zero x (snd (snd b)) /\ deviation x (magnitude input p) (fst (snd b)) (snd (snd b)) < 1.
-
-(** A divisor is not zero, and not so near zero that rounding could make it so. *)
-Definition determined (input : values) (p : program) (b : bound) : Prop :=
-  exact input p (fst b) <> 0 /\ applies input p b.
-
 Definition arguments (given : list binary64) : positive -> binary64 :=
   fun j => nth (Nat.pred (Pos.to_nat j)) given (B754_zero false).
 
@@ -147,12 +141,8 @@ Definition accurate (given : list binary64) (p : program) (b : bound) (y : R) : 
   let t := deviation (exact x p) (magnitude x p) (fst (snd b)) (snd (snd b)) in
   is_finite v = true /\ (applies x p b -> Rabs (B2R v - y) <= t / (1 - t) * Rabs y).
 
-Definition has_bound (divisors : list bound) (o : operation) : bool :=
-  match o with Div _ b => existsb (fun d => Pos.eqb (fst d) b) divisors | _ => true end.
-
 Definition check_range (k : Z) (p : program) (cert : list command) (bounds divisors : list bound) : bool :=
-  check p cert (divisors ++ bounds) && fits (table p) k (PositiveMap.empty _) p
-  && forallb (fun named => has_bound divisors (snd named)) p.
+  check p cert bounds divisors && fits (table p) k (PositiveMap.empty _) p.
 
 Definition argument (k : Z) (x : binary64) : Prop := is_finite x = true /\ in_range k (B2R x).
 
@@ -173,10 +163,10 @@ Theorem check_range_sound k p cert bounds divisors :
   Forall2 (accurate given p) bounds ys.
 Proof.
   intros H given ys G D <-. assert (A := arguments_in k given G). unfold accurate. rewrite <- real_arguments in *.
-  set (input := arguments given) in *. clearbody input. clear G. unfold check_range in H. apply andb_prop in H as [H Hd]. apply andb_prop in H as [Hc Hf].
-  assert (W := check_well_formed _ _ _ Hc). set (f := computed (real input) p).
+  set (input := arguments given) in *. clearbody input. clear G. unfold check_range in H. apply andb_prop in H as [Hc Hf].
+  assert (W := check_well_formed _ _ _ _ Hc). set (f := computed (real input) p).
   assert (T : forall i o, PositiveMap.find i (table p) = Some o -> In (i, o) p) by apply table_in.
-  assert (S : Forall (fun named => small (f (fst named)) /\ harmless f (snd named)) p).
+  assert (S : Forall (fun named => small (f (fst named)) /\ regular f (snd named)) p).
   { apply (fits_sound (table p) k (real input) f) with (known := PositiveMap.empty _).
     - intros i o O. now apply computed_value, T.
     - apply float_computed.
@@ -186,14 +176,10 @@ Proof.
     - intros j t E. rewrite PositiveMap.gempty in E. discriminate.
     - intros i o O. now apply (table_find p 1).
     - exact Hf. }
-  rewrite Forall_forall in S, D. rewrite forallb_forall in Hd.
-  assert (Q : forall i a b, In (i, Div a b) p -> exists d, In d divisors /\ fst d = b).
-  { intros i a b O. specialize (Hd _ O). apply existsb_exists in Hd as (d & Id & Ed). apply Pos.eqb_eq in Ed. eauto. }
-  assert (F := check_factors _ _ _ Hc (real input) (fun j => float_B2R (input j))).
-  assert (R : all_regular (real input) p).
-  { apply Forall_forall. intros [i o] O. destruct (S _ O) as (_ & G). destruct o; simpl in *; try exact G.
-    split; [|exact G]. destruct (Q _ _ _ O) as (d & Id & <-). apply D, Id. }
-  specialize (F R). apply Forall_app in F as [Fd Fb]. rewrite Forall_forall in Fd.
+  assert (Q := check_divisors _ _ _ _ Hc).
+  assert (R : all_regular (real input) p) by exact (Forall_impl _ (fun named => @proj2 _ _) S).
+  assert (F := check_factors _ _ _ _ Hc (real input) (fun j => float_B2R (input j)) R D).
+  rewrite Forall_forall in S, D. apply Forall_app in F as [Fd Fb]. rewrite Forall_forall in Fd.
   assert (M : forall i, holds (f i) (machine input p i)).
   { apply machine_computes; [exact W | intros j; apply A |]. intros i o O. split; [apply (S _ O)|].
     destruct o; try exact I. destruct (Q _ _ _ O) as (d & Id & <-). destruct (D _ Id) as (X & Z & L). cbv zeta in L.
@@ -206,8 +192,6 @@ Qed.
 (** The same certificate is one for all arguments without overflow and underflow. *)
 Theorem check_range_bounds k p cert bounds divisors :
   check_range k p cert bounds divisors = true ->
-  forall input, (forall j, is_float (input j)) -> all_regular input p -> Forall (bounded input p) bounds.
-Proof.
-  unfold check_range. intros H input I R. apply andb_prop in H as [H _]. apply andb_prop in H as [H _].
-  assert (B := check_sound _ _ _ H input I R). now apply Forall_app in B.
-Qed.
+  forall input, (forall j, is_float (input j)) -> all_regular input p -> Forall (determined input p) divisors ->
+  Forall (bounded input p) bounds.
+Proof. intros H. apply andb_prop in H as [H _]. now apply check_sound with cert. Qed.

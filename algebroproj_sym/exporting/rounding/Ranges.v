@@ -160,7 +160,7 @@ Definition found (known : PositiveMap.t exponents) (o : operation) : option expo
   | Input _ => limited (- k - 52) (- k) k
   | Constant z => Some (of_integer z)
   | Neg a => of a
-  | Add a b | Sub a b => both of_sum (of a) (of b)
+  | Add a b | Join a b | Sub a b => both of_sum (of a) (of b)
   | Mul a b => both of_product (of a) (of b)
   | Div a b => both of_quotient (of a) (of b)
   | ProductError a b p => if multiplies operations p a b then both of_product_error (of a) (of b) else None
@@ -180,15 +180,6 @@ Hypothesis f_value : forall i o, PositiveMap.find i operations = Some o -> f i =
 Hypothesis f_float : forall i, is_float (f i).
 Hypothesis input_float : forall j, is_float (input j).
 Hypothesis input_range : forall j, in_range (input j).
-
-(** What follows of an operation: it does not underflow, and its result does not overflow. *)
-Definition harmless (o : operation) : Prop :=
-  match o with
-  | Mul a b => normal_or_float (f a * f b)
-  | Div a b => normal_or_float (f a / f b)
-  | ProductError a b _ => f a * f b = 0 \/ smallest_exact_product <= Rabs (f a * f b)
-  | _ => True
-  end.
 
 Definition small (v : R) : Prop := Rabs v < power 1024.
 
@@ -309,20 +300,21 @@ Hypothesis constant_float : forall i z, PositiveMap.find i operations = Some (Co
 
 Lemma found_sound known i o s :
   (forall j t, PositiveMap.find j known = Some t -> within t (f j)) -> PositiveMap.find i operations = Some o ->
-  found known o = Some s -> within s (f i) /\ harmless o.
+  found known o = Some s -> within s (f i) /\ regular f o.
 Proof.
   intros K O H. assert (V := f_value _ _ O).
   assert (Two : forall step a b, both step (PositiveMap.find a known) (PositiveMap.find b known) = Some s ->
     exists x y, step x y = Some s /\ within x (f a) /\ within y (f b)).
   { intros step a b E. destruct (PositiveMap.find a known) as [x|] eqn:A; [|discriminate].
     destruct (PositiveMap.find b known) as [y|] eqn:B; [|discriminate]. exists x, y. auto. }
-  destruct o; simpl in H, V; simpl harmless; rewrite V.
+  destruct o; simpl in H, V; simpl regular; rewrite V.
   - apply limited_true in H as (-> & _). split; [|exact I]. rewrite RN_float by apply input_float.
     destruct (input_range k0) as [-> | (E1 & E2)].
     + split; [apply generic_format_0|]. split; [now left|]. rewrite Rabs_R0. apply bpow_ge_0.
     + assert (L : at_least (- k) (input k0)) by now right. split; [now apply float_multiple | now split].
   - injection H as <-. split; [|exact I]. rewrite RN_float by now apply (constant_float i). apply integer_within.
   - split; [|exact I]. rewrite RN_opp, RN_float by apply f_float. now apply within_opp, K.
+  - destruct (Two _ _ _ H) as (x & y & E & X & Y). split; [|exact I]. now apply sum_within with x y.
   - destruct (Two _ _ _ H) as (x & y & E & X & Y). split; [|exact I]. now apply sum_within with x y.
   - destruct (Two _ _ _ H) as (x & y & E & X & Y). split; [|exact I]. unfold Rminus.
     apply sum_within with x y; try assumption; [apply f_float | apply float_opp, f_float | now apply within_opp].
@@ -339,7 +331,7 @@ Qed.
 Lemma fits_sound p : forall known,
   (forall j t, PositiveMap.find j known = Some t -> within t (f j)) ->
   (forall i o, In (i, o) p -> PositiveMap.find i operations = Some o) ->
-  fits known p = true -> Forall (fun named => small (f (fst named)) /\ harmless (snd named)) p.
+  fits known p = true -> Forall (fun named => small (f (fst named)) /\ regular f (snd named)) p.
 Proof.
   induction p as [|[i o] p IH]; intros known K P H; [constructor|]. simpl in H.
   destruct (found known o) as [s|] eqn:E; [|discriminate]. apply andb_prop in H as [H1 H2].

@@ -164,14 +164,11 @@ Proof. unfold c; simpl; lra. Qed.
 Lemma c_one : c one = 1.
 Proof. unfold c, one; simpl; lra. Qed.
 
+Lemma c_whole n : c (n * one) = IZR (Z.of_N n).
+Proof. unfold c, one. rewrite N2Z.inj_mul, mult_IZR. simpl (IZR (Z.of_N 1048576)). lra. Qed.
+
 Lemma c_add a b : c (a + b) = c a + c b.
 Proof. unfold c. rewrite N2Z.inj_add, plus_IZR. lra. Qed.
-
-Lemma c_max_l a b : c a <= c (N.max a b).
-Proof. apply c_le; lia. Qed.
-
-Lemma c_max_r a b : c b <= c (N.max a b).
-Proof. apply c_le; lia. Qed.
 
 Lemma upwards_le a k : (a <= upwards a k * 2 ^ k)%N.
 Proof.

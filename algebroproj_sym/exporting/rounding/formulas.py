@@ -113,4 +113,4 @@ def _term(operation: Operation, inputs: tuple[str, ...]) -> Term:
         case "*":
             return product([left, others[0]])
         case _:
-            return total([left, others[0]]) if operator == "+" else difference(left, others[0])
+            return difference(left, others[0]) if operator == "-" else total([left, others[0]])

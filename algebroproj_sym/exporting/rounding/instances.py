@@ -5,15 +5,18 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from itertools import count
 from random import Random
 from typing import Any
 
 from algebroproj_sym.verifying.a_priori import Analysis
 from algebroproj_sym.verifying.straight_line import StraightLine
 
+TRIES = 10_000
+"""How many integers are tried."""
+
 _MEANING: Mapping[str, Callable[..., Any]] = {
     "+": operator.add,
+    "join": operator.add,
     "-": operator.sub,
     "*": operator.mul,
     "/": operator.truediv,
@@ -22,7 +25,7 @@ _MEANING: Mapping[str, Callable[..., Any]] = {
 }
 
 
-def instance(found: Analysis, most: int, is_regular: Callable[[tuple[int, ...]], bool] = bool) -> tuple[int, ...]:
+def instance(found: Analysis, most: int, is_regular: Callable[[tuple[int, ...]], bool]) -> tuple[int, ...]:
     """Return integers for which no divisor is zero, and no sum whose condition number a bound mentions.
 
     Parameters
@@ -31,21 +34,26 @@ def instance(found: Analysis, most: int, is_regular: Callable[[tuple[int, ...]],
         A function and its bounds.
     most : int
         How large the integers may be.
-    is_regular : callable, optional
+    is_regular : callable
         What else must hold of them.
+
+    Raises
+    ------
+    ValueError
+        If none is found: then the hypotheses may contradict each other.
 
     Examples
     --------
     >>> from algebroproj_sym.generating.program import recorded
     >>> from algebroproj_sym.verifying.a_priori import analysis
     >>> from algebroproj_sym.verifying.straight_line import numbered
-    >>> x, y = instance(analysis(numbered(recorded("xy", lambda x, y: (1 / (x - y),)))), 2)
+    >>> x, y = instance(analysis(numbered(recorded("xy", lambda x, y: (1 / (x - y),)))), 2, lambda point: True)
     >>> x == y, max(abs(x), abs(y)) <= 2
     (False, True)
     """
     required = [place for bound in (*found.bounds, *found.divisors) if bound is not None for place, _ in bound.terms]
     required += [bound.result for bound in found.divisors if bound is not None]
-    for seed in count():
+    for seed in range(TRIES):
         generator = Random(seed)
         chosen = tuple(generator.choice((-1, 1)) * generator.randint(1, most) for _ in found.line.inputs)
         try:
@@ -54,7 +62,7 @@ def instance(found: Analysis, most: int, is_regular: Callable[[tuple[int, ...]],
             continue
         if all(values[place] for place in required) and is_regular(chosen):
             return chosen
-    raise AssertionError("unreachable")
+    raise ValueError(f"expected integers up to {most} for which no divisor is zero, found none in {TRIES} tries")
 
 
 def _values(line: StraightLine, chosen: Sequence[int]) -> dict[int, Fraction]:

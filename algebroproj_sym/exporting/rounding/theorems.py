@@ -32,20 +32,25 @@ _OPERATORS = {
     "input": "Input",
     "neg": "Neg",
     "+": "Add",
+    "join": "Join",
     "-": "Sub",
     "*": "Mul",
     "/": "Div",
     "product_error": "ProductError",
 }
-_NUMBERED = ("SumOf", "DifferenceOf", "LowOfSum", "ProductOf", "ProductWithOne", "ProductWithBoth", "NegativeOf")
-"""The rules whose facts other rules refer to by numbers."""
-
-_OPTIONAL = {"SumOf": (3,), "DifferenceOf": (3,), "LowOfSum": (2,), "ProductWithBoth": (3,)}
+_OPTIONAL = {
+    "SumOf": (3,),
+    "DifferenceOf": (3,),
+    "LowOfSum": (2,),
+    "ProductWithBoth": (3,),
+    "Separated": (3,),
+    "QuotientOf": (7, 8),
+}
 """Which arguments of a rule may be absent."""
 
 _THEOREM = re.compile(r"^Theorem (\w+)", re.MULTILINE)
 
-_BY_NUMBER = ("LowOfSum", "NegativeOf", "RoundedPair", "RoundedSum")
+_BY_NUMBER = ("LowOfSum", "Separated", "NegativeOf", "RoundedPair", "RoundedSum")
 """The rules that refer to a fact that is not an exact value."""
 
 
@@ -67,7 +72,7 @@ class Accuracy:
     @property
     def reach(self) -> int | None:
         """The range of arguments, 2^-k to 2^k, in which nothing overflows or underflows; None if none was found."""
-        return None if None in self.analysis.divisors else reach(self.lowered.program)
+        return reach(self.lowered.program)
 
     @property
     def name(self) -> str:
@@ -106,10 +111,14 @@ def _source(name: str) -> str:
 
 def _file(found: Accuracy) -> str:
     line = found.analysis.line
-    about = f"{found.lowered.kernel.qualified_name}: {len(found.bounds)} of {len(line.outputs)} results have a bound"
+    kernel = found.lowered.kernel
+    about = f"{kernel.qualified_name}: {len(found.bounds)} of {len(line.outputs)} results have a bound"
+    claims = ", ".join(f"{kernel.paper}:{number}" for number in kernel.claims)
     inputs = ", ".join(f"Input {place} is {name}" for place, name in enumerate(line.inputs, start=1))
     results = ", ".join(f"entry {place} is {number}" for place, number in enumerate(line.outputs, start=1))
     return f"""(** {comment(about)}.
+
+    The formula is that of these claims of the ledger: {comment(claims)}.
 
     {comment(inputs)}.
 
@@ -123,15 +132,18 @@ Import ListNotations.
 Open Scope positive_scope.
 
 {definitions("", found.analysis)}
-{_unlimited(found) if found.reach is None else _in_range(found, found.reach)}"""
+{_unlimited(found, "check_sound") if found.reach is None else _in_range(found, found.reach)}"""
 
 
-def _unlimited(found: Accuracy) -> str:
-    """Return a theorem whose hypotheses are about what the lines compute."""
-    return f"""{_computed("accepted", "check lines certificate bounds")}
+def _unlimited(found: Accuracy, lemma: str, given: str = "") -> str:
+    """Return the theorem whose hypotheses are about what the lines compute."""
+    test = f"{lemma.removesuffix('_sound').removesuffix('_bounds')}{given} lines certificate bounds divisors"
+    return f"""{_computed("accepted", test)}
+(** Where no intermediate result underflows, and numbers have no largest exponent. *)
 Theorem {found.name} :
-  forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
-Proof. exact (check_sound lines certificate bounds accepted). Qed.
+  forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (determined input lines) divisors ->
+  Forall (bounded input lines) bounds.
+Proof. exact ({lemma}{given} lines certificate bounds divisors accepted). Qed.
 """
 
 
@@ -143,12 +155,7 @@ def _in_range(found: Accuracy, k: int) -> str:
     real, applied = f"(numbers (map B2R {given}))", " ".join(f"(B2R {name})" for name in names)
     chosen = instance(found.analysis, min(2**k, 9), known.is_regular)
     integers = f"{listed([*map(str, chosen)])}%Z"
-    return f"""{_computed("accepted", f"check_range {k} lines certificate bounds divisors")}
-(** Where no intermediate result underflows, and numbers have no largest exponent. *)
-Theorem {found.name} :
-  forall input, (forall k, is_float (input k)) -> all_regular input lines -> Forall (bounded input lines) bounds.
-Proof. exact (check_range_bounds {k} lines certificate bounds divisors accepted). Qed.
-
+    return f"""{_unlimited(found, "check_range_bounds", f" {k}")}
 {_formula(found, known)}
 (** For all machine numbers that are zero or between 2^-{k} and 2^{k} in absolute value. *)
 Theorem {found.name}_in_range :
@@ -260,7 +267,7 @@ def _commands(certificate: Sequence[Fact]) -> list[str]:
     commands = []
     for fact in certificate:
         given = [_argument(fact.rule, place, argument, numbers) for place, argument in enumerate(fact.arguments)]
-        if fact.rule in _NUMBERED:
+        if isinstance(fact, PairFact):
             numbers[fact] = next(fresh)
             given.insert(0, str(numbers[fact]))
         commands.append(" ".join([fact.rule, *given]))

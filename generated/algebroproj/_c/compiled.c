@@ -663,6 +663,16 @@ static struct kernel kernels[] = {
      FOURS_VERSION(minimal_discriminant_fours),
      minimal_discriminant_float_split, FUSED_VERSION(minimal_discriminant_float_fused),
      minimal_discriminant_double_split, FUSED_VERSION(minimal_discriminant_double_fused)},
+    {"minimal_essential_matrix", "(3),(4)->(3,3)", 2, 1, 0,
+     {{1, 1, 3}, {1, 1, 4}, {2, 3, 3}},
+     FOURS_VERSION(minimal_essential_matrix_fours),
+     minimal_essential_matrix_float_split, FUSED_VERSION(minimal_essential_matrix_float_fused),
+     minimal_essential_matrix_double_split, FUSED_VERSION(minimal_essential_matrix_double_fused)},
+    {"minimal_hessian", "(4)->(3)", 1, 1, 0,
+     {{1, 1, 4}, {1, 1, 3}},
+     FOURS_VERSION(minimal_hessian_fours),
+     minimal_hessian_float_split, FUSED_VERSION(minimal_hessian_float_fused),
+     minimal_hessian_double_split, FUSED_VERSION(minimal_hessian_double_fused)},
     {"minimal_model_depth", "(3,3),(3),(2),(2)->()", 4, 1, 0,
      {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
      FOURS_VERSION(minimal_model_depth_fours),
@@ -1011,6 +1021,14 @@ static struct plain_kernel plain_kernels[] = {
      {{1, 1, 4}, {0, 1, 1}},
      call_minimal_discriminant_float_plain, FUSED_VERSION(call_minimal_discriminant_float_plain_fused),
      call_minimal_discriminant_double_plain, FUSED_VERSION(call_minimal_discriminant_double_plain_fused)},
+    {"plain_minimal_essential_matrix", "(3),(4)->(3,3)", 2, 1,
+     {{1, 1, 3}, {1, 1, 4}, {2, 3, 3}},
+     call_minimal_essential_matrix_float_plain, FUSED_VERSION(call_minimal_essential_matrix_float_plain_fused),
+     call_minimal_essential_matrix_double_plain, FUSED_VERSION(call_minimal_essential_matrix_double_plain_fused)},
+    {"plain_minimal_hessian", "(4)->(3)", 1, 1,
+     {{1, 1, 4}, {1, 1, 3}},
+     call_minimal_hessian_float_plain, FUSED_VERSION(call_minimal_hessian_float_plain_fused),
+     call_minimal_hessian_double_plain, FUSED_VERSION(call_minimal_hessian_double_plain_fused)},
     {"plain_minimal_model_depth", "(3,3),(3),(2),(2)->()", 4, 1,
      {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}},
      call_minimal_model_depth_float_plain, FUSED_VERSION(call_minimal_model_depth_float_plain_fused),
@@ -1224,7 +1242,7 @@ static int execute(PyObject *module)
     }
     failed = failed < 0 ? -1 : PyModule_AddObjectRef(module, "calls", dictionary);
     Py_XDECREF(dictionary);
-    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "394537c113a08b40");
+    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "710a4ec516f2ece4");
 }
 
 static PyModuleDef_Slot slots[] = {

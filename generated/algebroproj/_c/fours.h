@@ -593,6 +593,31 @@ static FUSED_TUNED int minimal_discriminant_fours(double *const *data, const npy
     return in_range(range[0]);
 }
 
+static FUSED_TUNED int minimal_essential_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[7], out[9], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_3(in + 0, data[0] + i * steps[0]);
+        read_four(in + 3, data[1] + i * steps[1], 4);
+        minimal_essential_matrix_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[2] + i * steps[2], 9);
+        write_four(out + 4, data[2] + i * steps[2] + 4, 9);
+        write_one(out + 8, data[2] + i * steps[2] + 8, 9);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int minimal_hessian_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[4], out[3], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 4);
+        minimal_hessian_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_3(out + 0, data[1] + i * steps[1]);
+    }
+    return in_range(range[0]);
+}
+
 static FUSED_TUNED int minimal_model_depth_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[16], out[1], range[1] = {most_headroom};

@@ -6432,6 +6432,125 @@ NARROW(minimal_discriminant)(const real (*restrict in0)[4], real (*restrict out0
 
 CALL(minimal_discriminant, all, (const real (*)[4])data[0] + first, (real (*)[1])data[1] + first)
 
+PLAIN(minimal_essential_matrix)(const real (*restrict in0)[3], const real (*restrict in1)[4], real (*restrict out0)[9], const npy_intp points)
+{
+    real rows[9][32];
+    for (npy_intp i = 0; i < points; i++) {
+        const real b0 = in0[i][0];
+        const real b1 = in0[i][1];
+        const real b2 = in0[i][2];
+        const real q0 = in1[i][0];
+        const real q1 = in1[i][1];
+        const real q2 = in1[i][2];
+        const real q3 = in1[i][3];
+        const real t0 = q1 * 2;
+        const real t1 = t0 * q3;
+        const real t2 = q0 * 2;
+        const real t3 = t2 * q2;
+        const real t4 = t1 - t3;
+        const real t5 = b1 * t4;
+        const real t6 = t2 * q3;
+        const real t7 = t0 * q2;
+        const real t8 = t6 + t7;
+        const real t9 = b2 * t8;
+        const real t10 = t5 - t9;
+        const real t11 = t2 * q1;
+        const real t12 = 2 * q2;
+        const real t13 = t12 * q3;
+        const real t14 = t11 + t13;
+        const real t15 = b1 * t14;
+        const real t16 = q2 * q2;
+        const real t17 = q3 * q3;
+        const real t18 = t16 - t17;
+        const real t19 = q0 * q0;
+        const real t20 = q1 * q1;
+        const real t21 = t19 - t20;
+        const real t22 = t18 + t21;
+        const real t23 = b2 * t22;
+        const real t24 = t15 - t23;
+        const real t25 = t21 - t18;
+        const real t26 = b1 * t25;
+        const real t27 = t11 - t13;
+        const real t28 = b2 * t27;
+        const real t29 = t26 + t28;
+        const real t30 = t19 + t20;
+        const real t31 = t30 - t16;
+        const real t32 = t31 - t17;
+        const real t33 = b2 * t32;
+        const real t34 = t3 - t1;
+        const real t35 = b0 * t34;
+        const real t36 = t33 + t35;
+        const real t37 = t7 - t6;
+        const real t38 = b2 * t37;
+        const real t39 = b0 * t14;
+        const real t40 = t38 - t39;
+        const real t41 = t3 + t1;
+        const real t42 = b2 * t41;
+        const real t43 = b0 * t25;
+        const real t44 = t42 - t43;
+        const real t45 = b0 * t8;
+        const real t46 = b1 * t32;
+        const real t47 = t45 - t46;
+        const real t48 = t6 - t7;
+        const real t49 = b1 * t48;
+        const real t50 = b0 * t22;
+        const real t51 = t49 + t50;
+        const real t52 = b0 * t27;
+        const real t53 = b1 * t41;
+        const real t54 = t52 + t53;
+        const real t55 = -t54;
+        rows[0][i] = t10;
+        rows[1][i] = t24;
+        rows[2][i] = t29;
+        rows[3][i] = t36;
+        rows[4][i] = t40;
+        rows[5][i] = t44;
+        rows[6][i] = t47;
+        rows[7][i] = t51;
+        rows[8][i] = t55;
+    }
+    for (npy_intp i = 0; i < points; i++) {
+        out0[i][0] = rows[0][i];
+        out0[i][1] = rows[1][i];
+        out0[i][2] = rows[2][i];
+        out0[i][3] = rows[3][i];
+        out0[i][4] = rows[4][i];
+        out0[i][5] = rows[5][i];
+        out0[i][6] = rows[6][i];
+        out0[i][7] = rows[7][i];
+        out0[i][8] = rows[8][i];
+    }
+}
+
+CALL(minimal_essential_matrix, 32, (const real (*)[3])data[0] + first, (const real (*)[4])data[1] + first, (real (*)[9])data[2] + first)
+
+NARROW(minimal_hessian)(const real (*restrict in0)[4], real (*restrict out0)[3], const npy_intp points)
+{
+    for (npy_intp i = 0; i < points; i++) {
+        const real c0 = in0[i][0];
+        const real c1 = in0[i][1];
+        const real c2 = in0[i][2];
+        const real c3 = in0[i][3];
+        const real t0 = c1 * c1;
+        const real t1 = 3 * c0;
+        const real t2 = t1 * c2;
+        const real t3 = t0 - t2;
+        const real t4 = c1 * c2;
+        const real t5 = 9 * c0;
+        const real t6 = t5 * c3;
+        const real t7 = t4 - t6;
+        const real t8 = c2 * c2;
+        const real t9 = 3 * c1;
+        const real t10 = t9 * c3;
+        const real t11 = t8 - t10;
+        out0[i][0] = t3;
+        out0[i][1] = t7;
+        out0[i][2] = t11;
+    }
+}
+
+CALL(minimal_hessian, all, (const real (*)[4])data[0] + first, (real (*)[3])data[1] + first)
+
 PLAIN(minimal_model_depth)(const real (*restrict in0)[9], const real (*restrict in1)[3], const real (*restrict in2)[2], const real (*restrict in3)[2], real (*restrict out0)[1], const npy_intp points)
 {
     real rows[9][32];

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "394537c113a08b40"
+DIGEST = "710a4ec516f2ece4"
 """What identifies the C source that belongs to this package."""
 
 

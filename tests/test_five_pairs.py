@@ -1,0 +1,342 @@
+"""Five pairs of calibrated images: all real essential matrices, or none are told; the truth is exact arithmetic."""
+
+from fractions import Fraction
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+
+from algebroproj import five_pairs as module
+from algebroproj import minimal
+
+
+def oracle(left, right):
+    """Return the number of real solutions by FLINT; None where two are the same, or infinitely many.
+
+    With the last unknown 1, multiplication by the first one is a matrix.  Its eigenvalues are those of the solutions.
+    """
+    rows = [
+        [flint.fmpq(*map(int, (x * y).as_integer_ratio())) for x in (*u, Fraction(1)) for y in (*v, Fraction(1))]
+        for u, v in zip(fractions(left), fractions(right), strict=True)
+    ]
+    reduced, rank = flint.fmpq_mat(rows).rref()
+    if rank < 5:
+        return None
+    pivots = [next(j for j in range(9) if reduced[i, j] != 0) for i in range(5)]
+    free = [j for j in range(9) if j not in pivots]
+    context = flint.fmpq_mpoly_ctx.get([f"x{k}" for k in range(3)], "lex")
+    # No plane of infinity through a solution: the last unknown is a sum of all.
+    unknowns = [*context.gens(), context.constant(1) - sum(((k + 2) * g for k, g in enumerate(context.gens())))]
+    entries = [None] * 9
+    for column, unknown in zip(free, unknowns, strict=True):
+        entries[column] = unknown
+    for i, column in enumerate(pivots):
+        entries[column] = sum((-reduced[i, j] * entries[j] for j in free), start=context.constant(0))
+    e = np.array(entries, dtype=object).reshape(3, 3)
+    square = e.dot(e.T)
+    trace = square[0, 0] + square[1, 1] + square[2, 2]
+    determinant = sum(e[0, i] * (e[1, i - 2] * e[2, i - 1] - e[1, i - 1] * e[2, i - 2]) for i in range(3))
+    cubics = [determinant, *(2 * a - trace * b for a, b in zip(square.dot(e).flat, e.flat, strict=True))]
+    powers = [each for each in np.ndindex(4, 4, 4) if sum(each) <= 3]
+    powers.sort(key=lambda each: -sum(each))
+    matrix = flint.fmpq_mat([[cubic.to_dict().get(tuple(each), flint.fmpq(0)) for each in powers] for cubic in cubics])
+    matrix, rank = matrix.rref()
+    if rank < 10 or any(matrix[i, i] != 1 for i in range(10)):
+        return None
+    times = []
+    for each in powers[10:]:
+        place = powers.index((each[0] + 1, *each[1:]))
+        times.append([-matrix[place, j] if place < 10 else flint.fmpq(int(place == j)) for j in range(10, 20)])
+    characteristic = flint.fmpq_mat(times).charpoly()
+    integers = flint.fmpz_poly([int(c) for c in (characteristic * characteristic.denom()).coeffs()])
+    if integers.gcd(integers.derivative()).degree() > 0:
+        return None
+    return sum(root.imag == 0 for root, _ in integers.complex_roots())
+
+
+def fractions(points):
+    return [[Fraction(float(x)) for x in point] for point in points]
+
+
+def scenes(generator, count, base=0.5, depth=1.0):
+    """Return image points of random points, seen by two calibrated cameras."""
+    points = generator.uniform((-1, -1, -depth), (1, 1, depth), (count, 5, 3)) + np.array([0, 0, 4])
+    axis = generator.normal(size=(count, 1, 3)) * 0.2
+    angle = np.linalg.norm(axis, axis=2, keepdims=True)
+    unit = axis / angle
+    turned = points * np.cos(angle) + np.cross(unit, points) * np.sin(angle)
+    turned += unit * (unit * points).sum(axis=2, keepdims=True) * (1 - np.cos(angle))
+    moved = turned - base * generator.normal(size=(count, 1, 3))
+    return tuple(p[..., :2] / p[..., 2:] for p in (points, moved))
+
+
+@pytest.mark.parametrize(("base", "depth", "undecided"), [(0.5, 1, 0), (0.5, 1e-3, 1), (4e-3, 1, 3), (0.5, 0, 1)])
+def test_counts_are_those_of_exact_arithmetic(base, depth, undecided):
+    left, right = scenes(np.random.default_rng(5), 15, base, depth)
+    found = minimal.five_pairs(left, right)
+    told = found.count >= 0
+    assert (~told).sum() <= undecided
+    assert found.count[told].tolist() == [oracle(*each) for each in zip(left[told], right[told], strict=True)]
+    assert np.nanmax(found.error) < 1e-12
+    assert (np.isfinite(found.E).all(axis=(2, 3)).sum(axis=1) == np.maximum(found.count, 0)).all()
+
+
+def cross_matrix(b):
+    return np.array([[0, -b[2], b[1]], [b[2], 0, -b[0]], [-b[1], b[0], 0]])
+
+
+def turn(q):
+    a, b, c, d = q
+    return np.array(
+        [
+            [a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)],
+            [2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)],
+            [2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d],
+        ]
+    )
+
+
+def integer_pairs(forms, generator, exactly=True):
+    """Return five pairs of numbers that satisfy one condition, or two, of which the right points are integers."""
+    left, right = [], []
+    while len(left) < 5:
+        u = generator.integers(-40, 41, 2)
+        lines = [np.array([*u, 1]) @ form for form in forms]
+        if len(lines) == 1:
+            lines.append(generator.integers(-6, 7, 3))
+        v = np.cross(*lines)
+        if v[2] != 0 and (not exactly or (v % v[2] == 0).all()):
+            left.append(u)
+            right.append(v[:2] / v[2])
+    return np.array(left, float), np.array(right)
+
+
+def contains(found, form):
+    """Return whether a multiple of an exact matrix is within the bounds of one of the solutions."""
+    largest = np.unravel_index(np.argmax(np.abs(form.astype(float))), (3, 3))
+    for value, error in zip(found.E[: int(found.count)], found.error[: int(found.count)], strict=True):
+        low, high = -mpmath.inf, mpmath.inf
+        if value[largest] < 0:
+            value = -value
+        fits = True
+        for f, v, e in zip((form / form[largest]).flat, value.flat, error.flat, strict=True):
+            ends = [mpmath.mpf(float(v)) - float(e), mpmath.mpf(float(v)) + float(e)]
+            if f == 0:
+                fits &= bool(ends[0] <= 0 <= ends[1])
+            else:
+                ends = sorted(mpmath.mpf(end) / f for end in ends)
+                low, high = max(low, ends[0]), min(high, ends[1])
+        if fits and low <= high:
+            return True
+    return False
+
+
+def exact(matrix):
+    return np.vectorize(lambda x: mpmath.mpf(int(x)), otypes=[object])(matrix)
+
+
+def test_planted_matrices_are_found_and_enclosed():
+    generator = np.random.default_rng(7)
+    told = 0
+    with mpmath.workdps(60):
+        for _ in range(25):
+            form = cross_matrix(generator.integers(-4, 5, 3)) @ turn(generator.integers(-2, 3, 4))
+            if not form.any():
+                continue
+            pairs = integer_pairs([form], generator)
+            found = minimal.five_pairs(*pairs)
+            if found.count < 0:
+                continue
+            told += 1
+            assert found.count == oracle(*pairs)
+            assert contains(found, exact(form))
+    assert told >= 15
+
+
+def tangent_forms(generator):
+    """Return an essential matrix, and a change of it that keeps it essential to the first order."""
+    b, q = generator.integers(-2, 3, 3), generator.integers(-2, 3, 4)
+    form = cross_matrix(b) @ turn(q)
+    other = cross_matrix(generator.integers(-2, 3, 3)) @ turn(q) + cross_matrix(b) @ cross_matrix(
+        generator.integers(-2, 3, 3)
+    ) @ turn(q)
+    return form, other
+
+
+def double_roots(exactly):
+    """Return problems with a solution that is double, or was before the right points were rounded."""
+    generator = np.random.default_rng(3)
+    found = []
+    while len(found) < 6:
+        forms = tangent_forms(generator)
+        crossed = np.cross(
+            np.array([[1, 2, 1], [3, -1, 1], [-2, 5, 1]]) @ forms[0], [[1, 2, 1], [3, -1, 1], [-2, 5, 1]] @ forms[1]
+        )
+        if not crossed.any(axis=1).all() or (exactly and not many_integers(forms)):
+            continue
+        pairs = integer_pairs(forms, generator, exactly)
+        if len({tuple(u) for u in pairs[0]}) == 5:
+            found.append(pairs)
+    return found
+
+
+def many_integers(forms):
+    grid = np.stack([*np.meshgrid(np.arange(-40, 41), np.arange(-40, 41)), np.ones((81, 81), int)], axis=-1)
+    v = np.cross(grid @ forms[0], grid @ forms[1])
+    whole = v[..., 2] != 0
+    whole[whole] = (v[whole] % v[whole][:, 2:] == 0).all(axis=1)
+    return whole.sum() > 30
+
+
+def test_exact_double_solutions_are_never_counted():
+    for left, right in double_roots(exactly=True):
+        assert minimal.five_pairs(left, right).count == -1
+        assert oracle(left, right) is None
+
+
+def test_near_double_solutions_are_counted_rightly_or_not_at_all():
+    told = 0
+    for left, right in double_roots(exactly=False):
+        for step in (0, 1e-7):
+            moved = right + step * np.arange(10).reshape(5, 2)
+            count = minimal.five_pairs(left, moved).count
+            told += count >= 0
+            assert count in (-1, oracle(left, moved))
+    assert told >= 3
+
+
+def test_counts_of_small_integers_with_all_their_coincidences():
+    left, right = np.random.default_rng(0).integers(-2, 3, (2, 60, 5, 2))
+    counts = minimal.five_pairs(left, right).count
+    known = [oracle(*each) for each in zip(left, right, strict=True)]
+    assert all(known[k] in (counts[k], None) for k in np.flatnonzero(counts >= 0))
+    assert sum(counts[k] == known[k] for k in range(60)) > 20
+
+
+def test_counts_are_right_on_both_sides_of_a_double_solution():
+    """Halve the way between problems with different numbers of solutions, until the numbers cannot be told."""
+    left, right = scenes(np.random.default_rng(11), 30)
+    counts = minimal.five_pairs(left, right).count
+    for k in range(2):
+        other = next(j for j in range(k + 1, 30) if counts[j] != counts[k])
+        ends, told = [0.0, 1.0], []
+        for _ in range(60):
+            middle = (ends[0] + ends[1]) / 2
+            way = [(1 - middle) * points[k] + middle * points[other] for points in (left, right)]
+            count = int(minimal.five_pairs(*way).count)
+            if count < 0:
+                break
+            told.append((way, count))
+            ends[int(count != counts[k])] = middle
+        assert ends[1] - ends[0] < 2.0**-16
+        assert all(count == oracle(*way) for way, count in told[-8:])
+
+
+def refined(value, left, right):
+    """Return a solution with fifty digits, by Newton's method for all sixteen equations."""
+    e = mpmath.matrix(value.ravel().tolist())
+    pairs = [
+        [x * y for x in (*map(mpmath.mpf, u), 1) for y in (*map(mpmath.mpf, v), 1)]
+        for u, v in zip(left, right, strict=True)
+    ]
+
+    def equations(e):
+        m = mpmath.matrix(3, 3)
+        for k in range(9):
+            m[k // 3, k % 3] = e[k]
+        square = m * m.T
+        rest = 2 * square * m - (square[0, 0] + square[1, 1] + square[2, 2]) * m
+        return [
+            *(mpmath.fdot(row, e) for row in pairs),
+            *rest,
+            mpmath.det(m),
+            sum(x * float(y) for x, y in zip(e, value.flat, strict=True)) - 1,
+        ]
+
+    for _ in range(4):
+        here, h = equations(e), mpmath.mpf(10) ** -30
+        jacobian = mpmath.matrix(len(here), 9)
+        for k in range(9):
+            there = e.copy()
+            there[k] += h
+            for i, (a, b) in enumerate(zip(equations(there), here, strict=True)):
+                jacobian[i, k] = (a - b) / h
+        e = e - mpmath.qr_solve(jacobian, mpmath.matrix(here))[0]
+    assert max(abs(x) for x in equations(e)) < mpmath.mpf(10) ** -45
+    return np.array(list(e), dtype=object).reshape(3, 3)
+
+
+@pytest.mark.parametrize("base", [0.5, 4e-3])
+def test_enclosures_hold_the_solutions(base):
+    left, right = scenes(np.random.default_rng(8), 3, base)
+    found = minimal.five_pairs(left, right)
+    with mpmath.workdps(60):
+        for k in range(3):
+            one = module.FivePairs(*(part[k] for part in found))
+            for n in range(max(int(one.count), 0)):
+                assert contains(one, refined(one.E[n], left[k].tolist(), right[k].tolist()))
+
+
+def test_swapped_images_have_the_transposed_matrices():
+    left, right = scenes(np.random.default_rng(9), 20)
+    one, other = minimal.five_pairs(left, right), minimal.five_pairs(right, left)
+    assert (one.count >= 0).all()
+    assert (one.count == other.count).all()
+    for k, count in enumerate(one.count):
+        for n in range(count):
+            transposed = other.E[k, :count].swapaxes(-1, -2)
+            apart = np.minimum(*(np.abs(sign * transposed - one.E[k, n]).max(axis=(1, 2)) for sign in (1, -1)))
+            assert apart.min() < 1e-12
+
+
+LEFT = [[0, 0], [0.5, 0.25], [-0.5, 0.5], [0.25, -0.5], [-0.25, -0.25]]
+RIGHT = [[0.25, 0], [0.5, 0.5], [-0.25, 0.5], [0.5, -0.5], [0.125, -0.375]]
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (LEFT, LEFT),  # no base
+        ([*LEFT[:4], LEFT[0]], [*RIGHT[:4], RIGHT[0]]),  # one pair twice
+        ([[0, 0]] * 5, RIGHT),
+        (np.zeros((5, 2)), np.zeros((5, 2))),
+        ([[k, 0] for k in range(5)], [[k * k, 0] for k in range(5)]),  # lines in both images
+        (np.multiply(LEFT, 1e300), RIGHT),
+    ],
+)
+def test_degenerate_problems_have_no_count(left, right):
+    found = minimal.five_pairs(left, right)
+    assert found.count == -1
+    assert np.isnan(found.E).all()
+    together = minimal.five_pairs(np.stack([left, LEFT]), np.stack([right, RIGHT]))
+    assert together.count.tolist() == [-1, oracle(LEFT, RIGHT)]
+
+
+def test_what_is_no_problem_is_refused_by_name():
+    with pytest.raises(ValueError, match=r"x_left: expected the shape \(\.\.\., 5, 2\), got \(4, 2\)"):
+        minimal.five_pairs(LEFT[:4], RIGHT)
+    with pytest.raises(ValueError, match="x_right: expected numbers that float64 holds, got 9007199254740993"):
+        minimal.five_pairs(LEFT, [[2**53 + 1, 0], *[[1, 2]] * 4])
+    with pytest.raises(ValueError, match="five_pairs: expected leading shapes that broadcast"):
+        minimal.five_pairs(np.zeros((2, 5, 2)), np.zeros((3, 5, 2)))
+    assert minimal.five_pairs(np.zeros((0, 5, 2)), np.zeros((0, 5, 2))).E.shape == (0, 10, 3, 3)
+
+
+def test_rounding_constants_hold_for_more_operations_than_there_are():
+    """The bounds allow 32 operations on the way from the given numbers to an equation."""
+
+    class Depth:
+        def __init__(self, depth=0):
+            self.depth = depth
+
+        def _after(self, other):
+            return Depth(1 + max(self.depth, getattr(other, "depth", 0)))
+
+        __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = _after
+
+        def __neg__(self):
+            return self
+
+    elements = module._elements([Depth() for _ in range(7)])
+    assert max(each.depth for each in elements) <= 32 - 4

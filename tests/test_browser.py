@@ -26,6 +26,7 @@ REPRESENTATIVE = (
     "functions/correlation.correlation_matrix.html",
     "fundamentals1996/index.html",
     "fundamentals1996/errata.html",
+    "fundamentals1996/symbols.html",
     "fundamentals1996/graph.html",
     "fundamentals1996/graph-2.2.html",
     "bridges/8_epipole.html",
@@ -159,17 +160,19 @@ def test_axe_finds_no_barrier(site, browser, request, scheme, viewport):
     checked = addresses(site, request)
     for name in checked:
         page.goto((site / name).as_uri())
-        page.evaluate(UNFOLD)
+        unfold(page)
         problems += [(name, *found) for found in barriers(page)]
     page.close()
     assert problems == []
     assert len(checked) >= len(REPRESENTATIVE)
 
 
-UNFOLD = """() => {
-  for (const part of document.querySelectorAll("details")) part.open = true;
-  document.querySelector("[popovertarget]")?.click();
-}"""
+def unfold(page):
+    """Open what is folded, and the card of the first symbol."""
+    page.evaluate("for (const part of document.querySelectorAll('details')) part.open = true")
+    if page.locator(".symbols a").count():
+        page.locator(".symbols a").first.click()
+        page.locator("[popover]:popover-open").wait_for()
 
 
 def test_axe_finds_no_barrier_among_the_results_of_a_search(site, browser):
@@ -194,12 +197,24 @@ def test_a_symbol_in_a_formula_opens_its_card(site, browser):
     page.goto((site / "fundamentals1996" / "2.2.6.html").as_uri())
     page.locator("figure .known").first.click()
     card = page.locator("[popover]:popover-open")
-    assert card.count() == 1
+    card.wait_for()
+    assert "First in" in card.inner_text()
     box = card.bounding_box()
     assert box["x"] >= 0
     assert box["x"] + box["width"] <= PHONE["width"]
+    page.keyboard.press("Escape")
+    assert card.count() == 0
     page.close()
     assert problems == []
+
+
+def test_a_symbol_leads_to_the_page_of_symbols_without_a_script(site, browser):
+    page = browser.new_page(java_script_enabled=False)
+    page.goto((site / "fundamentals1996" / "2.2.6.html").as_uri())
+    page.get_by_role("link", name="z22").click()
+    assert page.url == (site / "fundamentals1996" / "symbols.html").as_uri() + "#z22"
+    assert "printed as" in page.locator("li:target").inner_text()
+    page.close()
 
 
 def test_the_edges_of_a_formula_stand_out_in_the_graph_while_it_has_the_focus(site, browser):

@@ -59,9 +59,19 @@ def claim_page(paper: str, number: str) -> str:
     return f"{paper}/{slug(number)}.html"
 
 
-def claim_record(paper: str, number: str) -> str:
-    """Return the address of what the ledger says of a claim."""
-    return f"{paper}/{slug(number)}.json"
+def records(paper: str, section: str) -> str:
+    """Return the address of what the ledger says of the claims of a section."""
+    return f"{paper}/records-{slug(section)}.json"
+
+
+def symbols_page(paper: str) -> str:
+    """Return the address of the page of the symbols of a paper."""
+    return f"{paper}/symbols.html"
+
+
+def symbol_cards(paper: str) -> str:
+    """Return the address of the cards of the symbols of a paper, as a script."""
+    return f"{paper}/cards.js"
 
 
 def function_page(qualified_name: str) -> str:

@@ -13,7 +13,7 @@ from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.reporting.dependences import Dependences, Key
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.notebooks import Notebook
-from algebroproj_sym.reporting.site.addresses import claim_page, claim_record, function_page, notebook_page, slug
+from algebroproj_sym.reporting.site.addresses import claim_page, function_page, notebook_page, slug
 from algebroproj_sym.verifying.verification import Verification
 
 GRAVITY: tuple[Verdict, ...] = ("definition", "proved", "illegible", "misprint", "error", "false", "open")
@@ -75,11 +75,6 @@ class Entry:
     def quote(self) -> Quote | None:
         """What the paper prints."""
         return quotations(self.derivation.path.parent).quotes.get(self.claim.number)
-
-    @property
-    def record(self) -> str:
-        """The address of its entry of the ledger."""
-        return claim_record(self.claim.paper, self.claim.number)
 
 
 @dataclass(frozen=True, eq=False)

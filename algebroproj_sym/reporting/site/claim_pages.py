@@ -27,7 +27,7 @@ from algebroproj_sym.reporting.site.symbols import MOST, Symbols, names_of
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.arranging import Part, as_declared
 from algebroproj_sym.showing.display import markdown
-from algebroproj_sym.showing.latex import Marks
+from algebroproj_sym.showing.latex import MARK, Marks
 
 MOST_LISTED = 12
 """Claims that rest on one, or on which one rests, before the others are folded."""
@@ -111,12 +111,12 @@ def figures(catalogue: Catalogue) -> list[tuple[str, str, int]]:
 
 
 def headlines(catalogue: Catalogue, most: int = 3) -> list[tuple[Entry, Markup, Markup, Markup]]:
-    """Return the first findings that change results and fit into a line: claim, both forms, what follows."""
+    """Return the first findings that change results and are marked in a line: claim, both forms, what follows."""
     every = dict(by_grade(gathered([entry.judgement for entry in catalogue.entries])))
     found = []
     for finding in every["results"]:
         entry = catalogue.by_number[finding.claim.paper, finding.claim.number]
-        if finding.claim.corrected is not None and (line := _line(entry)) and "summary" not in line:
+        if MARK in _line(entry):
             found.append((entry, *_erratum(entry), linked(finding.follows, entry.claim.paper, START, catalogue)))
     return found[:most]
 

@@ -12,12 +12,11 @@ from markupsafe import Markup
 
 from algebroproj_sym.declaring import KINDS, Claim, Judgement
 from algebroproj_sym.declaring.claim import CORRECTED
-from algebroproj_sym.expressions import TextForm, assumption, evaluate, shape, size
+from algebroproj_sym.expressions import TextForm, assumption, evaluate, shape
 from algebroproj_sym.expressions.arranging import arranged
 from algebroproj_sym.reporting.explaining import apart, plain_rows
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import (
-    SMALL,
     block,
     derived_number,
     described,
@@ -175,10 +174,10 @@ def _condition(expression: Any, relation: str) -> Markup:
     shown = inline(expression)
     if isinstance(expression, TextForm) and expression.is_relation:
         shown = shown or Markup("<code>{}</code>").format(expression.text)
-        return in_line(shown, focusable=size(expression) > SMALL)
+        return in_line(shown)
     if shown is None:
         return Markup("{} {} 0").format(described(expression), relation)
-    return in_line(Markup("{} {} 0").format(shown, relation), focusable=size(expression) > SMALL)
+    return in_line(Markup("{} {} 0").format(shown, relation))
 
 
 def where(claim: Claim) -> list[tuple[Markup, Markup]]:

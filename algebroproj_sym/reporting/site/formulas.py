@@ -22,7 +22,8 @@ LARGEST_FORMULA = 400
 LARGEST_ENTRY = 90
 LARGEST_INLINE = 24
 LARGEST_FACTOR = 8
-SMALL = 6
+WIDEST = 20
+"""Characters of a formula that fits on a phone."""
 LONGEST_TEXT = 5000
 BEGINNING = 600
 """Characters of a text that is not folded, and of what is shown of one that is."""
@@ -52,13 +53,10 @@ def block(
     if isinstance(statement, tuple):
         if not all(map(is_formula, statement)):
             return _as_text(statement, label)
-        pieces = [
-            equation(latex(factor, ordered=ordered), sympy.Integer(0), extent=size(factor)) for factor in statement
-        ]
+        pieces = [equation(latex(factor, ordered=ordered), sympy.Integer(0)) for factor in statement]
         return Markup("<p>or</p>").join(pieces)
     if is_formula(statement):
-        shown = math(latex(statement, marks, ordered=ordered), "block")
-        return scrolling(shown, label, focusable=size(statement) > SMALL)
+        return scrolling(math(latex(statement, marks, ordered=ordered), "block"), label)
     return _as_text(statement, label)
 
 
@@ -79,7 +77,7 @@ def inline(
 def named(form: Named, whole: Markup) -> Markup:
     """Return a long form by the names of what it is made of, what these stand for, and all of it to be unfolded."""
     names = form.source.names
-    formula = scrolling(math(named_latex(form.written, names), "block"), "formula", focusable=True)
+    formula = scrolling(math(named_latex(form.written, names), "block"))
     lines = Markup("").join(_meaning(meaning, latex_of_name(meaning.name, form), names) for meaning in form.meanings)
     lines = Markup("<p>where</p>{}").format(lines) if lines else lines
     return formula + lines + folded("All of it", whole)
@@ -93,11 +91,10 @@ def folded(summary: str, content: Markup) -> Markup:
 def _meaning(meaning: Meaning, name: str, names: Mapping[str, Any]) -> Markup:
     if meaning.written is None:
         return equation(name, meaning.value)
-    content = math(f"{name} = {named_latex(meaning.written, names)}", "block")
-    return scrolling(content, "formula", focusable=True)
+    return scrolling(math(f"{name} = {named_latex(meaning.written, names)}", "block"))
 
 
-def equation(left: str, expression: Any, extent: int = 1) -> Markup:
+def equation(left: str, expression: Any) -> Markup:
     """Return ``left = expression`` as a block; text where it is too long.
 
     Parameters
@@ -106,12 +103,9 @@ def equation(left: str, expression: Any, extent: int = 1) -> Markup:
         The left side, as LaTeX.
     expression : Expression
         The right side.
-    extent : int
-        The size of the left side.
     """
     if is_formula(expression):
-        content = math(f"{left} = {latex(expression)}", "block")
-        return scrolling(content, "formula", focusable=extent + size(expression) > SMALL)
+        return scrolling(math(f"{left} = {latex(expression)}", "block"))
     return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula"))
 
 
@@ -119,15 +113,13 @@ def bullet(expression: Any) -> Markup:
     """Return a factor in a list of factors, as a formula that scrolls or as text."""
     if size(expression) > LARGEST_ENTRY:
         return Markup("<code>{}</code>").format(expression)
-    return scrolling(math(latex(expression)), "factor", focusable=size(expression) > SMALL)
+    return scrolling(math(latex(expression)), "factor")
 
 
 def listed(statement: Statement | None, marks: Marks = NOTHING) -> Markup | None:
     """Return an arranged form within a line of a list, where a longer formula scrolls; None if it is too long."""
     shown = inline(statement, marks=marks, ordered=False)
-    if shown is None or isinstance(statement, Decimal | tuple) or size(statement) <= SMALL:
-        return shown
-    return scrolling(shown, "formula", focusable=size(statement) > SMALL)
+    return scrolling(shown) if shown is not None and is_wide(shown) and not isinstance(statement, tuple) else shown
 
 
 def symbol(name: str) -> Markup:
@@ -193,7 +185,12 @@ def described(statement: Statement | None) -> str:
     return "a long expression"
 
 
-def scrolling(content: Markup, label: str, *, focusable: bool) -> Markup:
+def is_wide(content: Markup) -> bool:
+    """Whether a formula may be wider than a phone; whether one really is depends on fonts."""
+    return len(content.striptags()) > WIDEST
+
+
+def scrolling(content: Markup, label: str = "formula") -> Markup:
     """Return a block that scrolls sideways; by keyboard if it is wide enough to need it.
 
     Parameters
@@ -202,17 +199,15 @@ def scrolling(content: Markup, label: str, *, focusable: bool) -> Markup:
         What is shown.
     label : str
         What a screen reader calls a block that takes the focus.
-    focusable : bool
-        Whether it takes the focus.
     """
-    if not focusable:
+    if not is_wide(content):
         return Markup('<div class="formula">{}</div>').format(content)
     return Markup('<div class="formula" tabindex="0" role="group" aria-label="{}">{}</div>').format(label, content)
 
 
-def in_line(content: Markup, *, focusable: bool) -> Markup:
+def in_line(content: Markup) -> Markup:
     """Return a formula within a sentence, which scrolls if it is wider than the page."""
-    if not focusable:
+    if not is_wide(content):
         return Markup('<span class="nowrap">{}</span>').format(content)
     return Markup('<span class="line-formula" tabindex="0" role="group" aria-label="formula">{}</span>').format(content)
 

@@ -95,10 +95,10 @@ def _batched(shape: tuple[int, ...]) -> str:
 
 def _arguments(kernel: Kernel) -> Table:
     rows = [
-        (Markup("<code>{}</code>").format(a.name), _batched(a.shape), _entries(a.entries), kernel.describe[a.name])
+        (Markup("<code>{}</code>").format(a.name), _batched(a.shape), kernel.describe[a.name], _entries(a.entries))
         for a in kernel.arguments
     ]
-    return Table("Arguments", ("name", "shape", "entries", "meaning"), rows)
+    return Table("Arguments", ("name", "shape", "meaning", "entries"), rows)
 
 
 def _entries(expression: Any) -> Markup:
@@ -121,7 +121,7 @@ def _stage(stage: Stage) -> list[Markup]:
 
 def _accuracy(figures: Verification) -> Table:
     strata = figures.accuracy.strata
-    rows = [(f"{k} {s.name}", *_figures(s)) for k, s in enumerate(strata, 1)]
+    rows = [(s.name, *_figures(s)) for s in strata]
     rows.append(("all", *_figures(figures.accuracy.overall)))
     headings = ("stratum", "samples", "median ULP", "largest ULP", "largest error/(cond u)", "undetermined")
     return Table("Errors against 50 digits of the derivation", headings, rows, numeric=True)

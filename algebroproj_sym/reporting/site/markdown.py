@@ -9,10 +9,9 @@ from typing import Any
 
 from markupsafe import Markup
 
-from algebroproj_sym.reporting.site.formulas import in_line, scrolling
+from algebroproj_sym.reporting.site.formulas import in_line, is_wide, scrolling
 from algebroproj_sym.reporting.site.mathml import math
 
-SHORT = 40
 _GROUP = r"\{[^{}]*\}|\\[A-Za-z]+|[^\s{}]"
 _BELOW_FIRST = re.compile(rf"(_(?:{_GROUP}))('{{2,}})")
 _PRIMES = re.compile(rf"(?P<primes>'+)(?P<below>_(?:{_GROUP}))?\^(?P<above>{_GROUP})")
@@ -33,8 +32,8 @@ def latex_html(formula: str, *, block: bool) -> Markup:
     """Return a LaTeX formula as MathML; a block that is too wide for the page scrolls."""
     mathml = math(_primed(formula), "block" if block else "inline")
     if block:
-        return scrolling(mathml, "formula", focusable=len(formula) > SHORT)
-    return mathml if len(formula) <= SHORT else in_line(mathml, focusable=True)
+        return scrolling(mathml)
+    return in_line(mathml) if is_wide(mathml) else mathml
 
 
 def _primed(formula: str) -> str:

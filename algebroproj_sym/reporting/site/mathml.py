@@ -12,6 +12,11 @@ Style: TypeAlias = Literal["block", "large", "inline"]
 
 _ATTRIBUTES = {"block": 'display="block"', "large": 'displaystyle="true"', "inline": 'display="inline"'}
 _OPENING = re.compile(r"<math[^>]*>")
+_AS_BY_DEFAULT = re.compile(r' stretchy="true" fence="true" form="\w+"')
+_CODE = re.compile("&#x0(?!0026|003C|003E)([0-9A-F]{4});")
+_AROUND_TABLE = re.compile(r"<mrow>(?=<mo>([\[|])</mo><mtable)")
+_CLASSES = {"[": "matrix", "|": "determinant"}
+_PRIMES = re.compile("<mrow>((?:<mi>′</mi>){2,3})</mrow>|<mi>([′″‴])</mi>")
 _ROW_OF_ONE = re.compile(r"<mrow>(<m([ino])[^>]*>[^<]*</m\2>)</mrow>")
 
 
@@ -33,5 +38,8 @@ def math(formula: str, style: Style = "large") -> Markup:
     """
     from latex2mathml.converter import convert
 
-    opened = _OPENING.sub(f"<math {_ATTRIBUTES[style]}>", convert(formula), count=1)
-    return Markup(_ROW_OF_ONE.sub(r"\1", opened))
+    written = _OPENING.sub(f"<math {_ATTRIBUTES[style]}>", convert(formula), count=1)
+    written = _CODE.sub(lambda found: chr(int(found[1], 16)), _AS_BY_DEFAULT.sub("", written))
+    written = _PRIMES.sub(lambda found: f"<mo>{found[2] or '″‴'[found[1].count('′') - 2]}</mo>", written)
+    written = _AROUND_TABLE.sub(lambda found: f'<mrow class="{_CLASSES[found[1]]}">', written)
+    return Markup(_ROW_OF_ONE.sub(r"\1", written))

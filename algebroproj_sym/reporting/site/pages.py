@@ -6,7 +6,7 @@ import json
 
 from algebroproj_sym.declaring import quotes_of
 from algebroproj_sym.reporting.ledger import ledger
-from algebroproj_sym.reporting.site.addresses import LEDGER, PROVER, SEARCH, START
+from algebroproj_sym.reporting.site.addresses import LEDGER, PROVER, SEARCH, START, records
 from algebroproj_sym.reporting.site.catalogue import Catalogue
 from algebroproj_sym.reporting.site.claim_pages import claim_html, figures, headlines, paper_files
 from algebroproj_sym.reporting.site.folder import MARKER
@@ -14,7 +14,7 @@ from algebroproj_sym.reporting.site.function_pages import function_files
 from algebroproj_sym.reporting.site.graph_pages import graph_files, graphs_of
 from algebroproj_sym.reporting.site.notebook_pages import notebook_files
 from algebroproj_sym.reporting.site.search import search_script
-from algebroproj_sym.reporting.site.symbols import symbols_in
+from algebroproj_sym.reporting.site.symbols import symbol_files, symbols_in
 from algebroproj_sym.reporting.site.templating import licence, page, static, style
 
 
@@ -28,7 +28,7 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     """
     quotes = quotes_of(entry.derivation for entry in catalogue.entries)
     record = ledger([entry.judgement for entry in catalogue.entries], quotes, timed=False)
-    records = {(claim["paper"], claim["number"]): claim for claim in record["claims"]}
+    claims = {(claim["paper"], claim["number"]): claim for claim in record["claims"]}
     symbols = symbols_in(catalogue)
     files = {
         START: page("start", START, catalogue=catalogue, figures=figures(catalogue), headlines=headlines(catalogue)),
@@ -45,10 +45,12 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
         files |= paper_files(catalogue, paper, with_graph)
         files |= graph_files(catalogue, paper, graphs)
         for place, entry in enumerate(paper.entries):
-            claim = records[entry.claim.paper, entry.claim.number]
-            files[entry.page] = claim_html(catalogue, symbols, paper, place, claim, entry.claim.section in with_graph)
-            if catalogue.live:
-                files[entry.record] = json.dumps(claim, ensure_ascii=False) + "\n"
+            has_graph = entry.claim.section in with_graph
+            files[entry.page] = claim_html(catalogue, symbols, paper, place, claims[entry.key], has_graph)
+        files |= symbol_files(catalogue, paper, symbols)
+        for chapter in paper.chapters if catalogue.live else ():
+            found = {entry.claim.number: claims[entry.key] for entry in chapter.entries}
+            files[records(paper.about.key, chapter.number)] = json.dumps(found, ensure_ascii=False) + "\n"
     if catalogue.live:
         files[PROVER] = page("prover", PROVER, catalogue=catalogue)
     return files | function_files(catalogue) | notebook_files(catalogue)

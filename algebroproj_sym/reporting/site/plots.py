@@ -9,24 +9,22 @@ from markupsafe import Markup
 
 from algebroproj_sym.verifying.accuracy import Accuracy, Stratum
 
-WIDTH, LEFT, RIGHT, ROW, TOP = 440, 40, 24, 24, 14
+WIDTH, LEFT, RIGHT, ROW, TOP = 440, 40, 24, 36, 14
 LOWEST = -2.0
 SIDE, BELOW, SMALLEST, TALLEST = 300, 170, -16.0, 2.0
 """Width and height of a picture for one singularity; exponents of the least distance and of the largest error."""
 
 
 def accuracy_plot(accuracy: Accuracy) -> Markup:
-    """Return median and largest error of each stratum, in ULP, as SVG; rows are numbered as in the table."""
+    """Return median and largest error of each stratum, in ULP, as SVG."""
     largest = [s.max_ulp for s in accuracy.strata if isfinite(s.max_ulp) and s.max_ulp > 0]
     top = float(max(2, *(int(log10(value)) + 1 for value in largest))) if largest else 2.0
     bottom = TOP + ROW * len(accuracy.strata)
     parts = [
         _grid(top, bottom),
-        *(_row(k, s.median_ulp, s.max_ulp, top) for k, s in enumerate(accuracy.strata)),
+        *(_row(k, s, top) for k, s in enumerate(accuracy.strata)),
     ]
-    description = "; ".join(
-        f"{k}, {s.name}: median {s.median_ulp:.3g}, largest {s.max_ulp:.3g}" for k, s in enumerate(accuracy.strata, 1)
-    )
+    description = "; ".join(f"{s.name}: median {s.median_ulp:.3g}, largest {s.max_ulp:.3g}" for s in accuracy.strata)
     return Markup(
         '<svg viewBox="0 0 {} {}" role="img" aria-labelledby="plot-title plot-text">'
         '<title id="plot-title">Errors in ULP by stratum, logarithmic scale</title>'
@@ -98,9 +96,9 @@ def _tick(exponent: int) -> str:
     return {-2: "≤0.01", -1: "0.1", 0: "1", 1: "10", 2: "100"}.get(exponent, f"1e{exponent}")
 
 
-def _row(place: int, median: float, largest: float, top: float) -> Markup:
-    y = TOP + ROW * place + ROW // 2
+def _row(place: int, stratum: Stratum, top: float) -> Markup:
+    y = TOP + ROW * place + 26
     return Markup(
-        '<text x="{0}" y="{1}" text-anchor="end">{2}</text><path class="range" d="M{3} {4}H{5}"/>'
+        '<text x="{0}" y="{1}">{2}</text><path class="range" d="M{3} {4}H{5}"/>'
         '<path class="largest" d="M{5} {6}l6 6l-6 6l-6 -6z"/><circle class="median" cx="{3}" cy="{4}" r="4.5"/>'
-    ).format(LEFT - 14, y + 4, place + 1, _x(median, top), y, _x(largest, top), y - 6)
+    ).format(4, y - 12, stratum.name, _x(stratum.median_ulp, top), y, _x(stratum.max_ulp, top), y - 6)

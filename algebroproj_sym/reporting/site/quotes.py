@@ -57,5 +57,5 @@ def _formula(text: str, *, block: bool) -> Markup:
         shown = latex_html(tidy, block=block)
     except Exception:
         return Markup("<code>{}</code>").format(text)
-    shown = Markup(str(shown).replace("&#x000AF;", "&#x02212;"))  # the font has no other bar
+    shown = Markup(str(shown).replace("\N{MACRON}", "\N{MINUS SIGN}"))  # the font has no other bar
     return Markup("<code>{}</code>").format(text) if re.search(r"\\|>&<", shown) else shown

@@ -1,7 +1,11 @@
-"""What symbols are: how a paper prints them, which claim gives their value, and what functions say of them."""
+"""What symbols are: how a paper prints them, which claim gives their value, and what functions say of them.
+
+A paper has a page of its symbols, and each of them as a card, which the pages of claims show beside a formula.
+"""
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -13,8 +17,10 @@ from markupsafe import Markup
 from algebroproj_sym.declaring import Claim
 from algebroproj_sym.expressions import TextForm, symbols_of
 from algebroproj_sym.reading import UnreadableError, symbols_for, tables_in
-from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
+from algebroproj_sym.reporting.site.addresses import symbol_cards, symbols_page
+from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function, Paper
 from algebroproj_sym.reporting.site.mathml import math
+from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.names import GREEK, latex_name, plain_name
 
 MOST = 40
@@ -89,6 +95,26 @@ def symbols_in(catalogue: Catalogue) -> Symbols:
             for each in argument.symbols:
                 known(kernel.paper, each.name).functions.setdefault(kernel.describe[argument.name], function)
     return found
+
+
+def symbol_files(catalogue: Catalogue, paper: Paper, symbols: Symbols) -> dict[str, str]:
+    """Return the page of the symbols of a paper, and their cards as a script that a page can load from disk."""
+    address = symbols_page(paper.about.key)
+    own = [symbol for (key, _), symbol in symbols.items() if key == paper.about.key]
+    cards = {
+        symbol.name: page("card", address, symbol=symbol).strip()
+        for symbol in sorted(own, key=lambda symbol: _in_order(symbol.name))
+    }
+    script = json.dumps(cards, ensure_ascii=False, indent=0)
+    return {
+        address: page("symbols", address, catalogue=catalogue, paper=paper, cards=cards),
+        symbol_cards(paper.about.key): f"const SYMBOLS = {script};\n",
+    }
+
+
+def _in_order(name: str) -> list[str]:
+    """Return what names are sorted by: letters whatever their case, and numbers by their size."""
+    return [f"{part:0>6}" if part.isdigit() else part.casefold() for part in re.split(r"(\d+)", name)] + [name]
 
 
 def names_of(claim: Claim) -> list[str]:

@@ -91,7 +91,7 @@ function begin(section) {
     if (isStillAsked()) show(result, answer);
   };
   const written = () => JSON.stringify([...new FormData(form)]);
-  const claim = async () => (await fetch(section.dataset.claim)).json();
+  const claim = async () => (await (await fetch(section.dataset.records)).json())[section.dataset.number];
   const field = (name) => form.elements.namedItem(name)?.value ?? "";
   form?.addEventListener("submit", (event) => {
     event.preventDefault();
@@ -102,15 +102,16 @@ function begin(section) {
       rhs: field("rhs"),
       relation: field("relation").trim() || "=",
       ...Object.fromEntries(["constraints", "nonzero", "assumptions", "letters"].map((name) => [name, lines(field(name))])),
-      where: section.dataset.claim ? (await claim()).where : {},
+      where: section.dataset.number ? (await claim()).where : {},
     }), () => written() === asked);
   });
   form?.addEventListener("input", () => result.replaceChildren());
   form?.addEventListener("focusin", () => prover.ask({ do: "prepare" }), { once: true });
   stop.addEventListener("click", () => prover.fail("Stopped."));
   section.querySelector("[data-do=replay]")?.addEventListener("click", () => ask(async () => ({ do: "replay", claim: await claim() })));
+  if (navigator.connection?.saveData) return;
   const idle = window.requestIdleCallback ?? ((run) => setTimeout(run, 500));
-  idle(() => prover.ask({ do: section.dataset.claim ? "start" : "prepare" }));
+  idle(() => prover.ask({ do: section.dataset.number ? "start" : "prepare" }));
 }
 
 document.querySelectorAll("[data-live]").forEach(begin);

@@ -33,6 +33,7 @@ function score(entry, words, isClose) {
     if (number === bare) total += 100;
     else if (number.startsWith(bare)) total += 40;
     else if (symbols.includes(latin(bare))) total += 20;
+    else if (title.startsWith(bare)) total += 12;
     else if (title.includes(bare)) total += 10;
     else if (number.includes(bare) || rest.includes(bare)) total += 5;
     else if (isClose && title.split(/\W+/).some((other) => isNear(bare, other))) total += 1;

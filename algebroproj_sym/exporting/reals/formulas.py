@@ -1,0 +1,120 @@
+"""Terms with real functions as formulas of Coq, and relations between them."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from algebroproj_sym.exporting.gallina import digits, identifier
+from algebroproj_sym.exporting.refusal import Silent
+from algebroproj_sym.replaying.reals.definitions import Condition, expanded
+from algebroproj_sym.replaying.reals.terms import CALCULUS, Term
+
+APPLIED = {"abs": "Rabs", "log": "ln"} | {
+    name: name for name in "sqrt sign exp sin cos tan asin acos atan atan2 sinh cosh tanh".split()
+}
+"""How functions are called; the others are written by these."""
+
+SIGNS = {"=": "{} = 0", "!=": "{} <> 0", ">": "0 < {}", ">=": "0 <= {}"}
+"""Relations to zero."""
+
+_BETWEEN = {"=": ("{0} = {1}", "equal"), "!=": ("{0} <> {1}", "unequal"), ">": ("{1} < {0}", "less")} | {
+    ">=": ("{1} <= {0}", "at_most")
+}
+
+
+def called(name: str) -> str:
+    """Return the name of a symbol, or of a value that a proof introduces.
+
+    Examples
+    --------
+    >>> called("x"), called("_2"), called("pi")
+    ('x', "v'2", 'PI')
+    """
+    if name == "pi":
+        return "PI"
+    return f"v'{name[1:]}" if name[0] == "_" and name[1:].isdecimal() else identifier(name)
+
+
+def formula(term: Term) -> str:
+    """Return a term as a formula, in brackets if it is not a name.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.replaying.reals.terms import read
+    >>> formula(read("x**(2/3) - log(cot(x))/2"))
+    '((root 3 x ^ 2) - ((ln (cos x / sin x)) / 2))'
+    """
+    kind, value = term.kind, term.value
+    if kind in CALCULUS:
+        raise Silent("no theorem is written yet for derivatives, integrals and expansions")
+    if kind == "number":
+        return _number(value)
+    if kind in ("symbol", "pi"):
+        return called(value or "pi")
+    parts = [formula(part) for part in term.args]
+    if kind == "+":
+        first, *others = term.args
+        return f"({formula(first)}{''.join(map(_added, others))})"
+    if kind == "-":
+        return f"(- {parts[0]})"
+    if kind in ("*", "/"):
+        return f"({parts[0]} {kind} {parts[1]})"
+    if kind == "^":
+        return _power(parts[0], value)
+    if kind in APPLIED:
+        return f"({APPLIED[kind]} {' '.join(parts)})"
+    return formula(expanded(term)[0])
+
+
+def _number(value: Fraction) -> str:
+    above = digits(abs(value.numerator))
+    text = above if value.denominator == 1 else f"({above} / {digits(value.denominator)})"
+    return text if value >= 0 else f"(- {text})"
+
+
+def _added(term: Term) -> str:
+    return f" - {formula(term.args[0])}" if term.kind == "-" else f" + {formula(term)}"
+
+
+def _power(base: str, exponent: Fraction) -> str:
+    taken = root(base, exponent.denominator)
+    raised = taken if abs(exponent.numerator) == 1 else f"({taken} ^ {abs(exponent.numerator)})"
+    return raised if exponent.numerator > 0 else f"(1 / {raised})"
+
+
+def root(base: str, degree: int) -> str:
+    """Return a root of a formula."""
+    return base if degree == 1 else f"(sqrt {base})" if degree == 2 else f"(root {degree} {base})"
+
+
+def compared(condition: Condition) -> tuple[str, str]:
+    """Return a relation of a term to zero as one between two sides, and its proof of that to zero.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.replaying.reals.terms import read
+    >>> compared((">", read("1 - x"))), compared((">=", read("x")))
+    (('x < 1', 'less_difference _ _ {}'), ('0 <= x', '{}'))
+    """
+    relation, term = condition
+    if term.kind != "+" or len(term.args) != 2 or term.args[1].kind != "-":
+        return SIGNS[relation].format(formula(term)), "{}"
+    left, right = term.args[0], term.args[1].args[0]
+    text, name = _BETWEEN[relation]
+    return text.format(formula(left), formula(right)), f"{name}_difference _ _ {{}}"
+
+
+def concluded(condition: Condition) -> tuple[str, str]:
+    """Return a relation to zero as one between two sides, and the lemma by which it follows.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.replaying.reals.comparisons import compared as between
+    >>> from algebroproj_sym.replaying.reals.terms import read
+    >>> concluded(between(read("x"), "<=", read("y")))
+    ('x <= y', 'difference_at_most')
+    """
+    relation, term = condition
+    left, right = term.args[0], term.args[1].args[0]
+    text, name = _BETWEEN[relation]
+    return text.format(formula(left), formula(right)), f"difference_{name}"

@@ -16,6 +16,8 @@ from algebroproj_sym.replaying.reals.statement import Statement, statement_of
 from algebroproj_sym.replaying.reals.terms import CALCULUS, read
 
 Proved = dict[str, tuple[str, str]]
+KINDS = ("identity", "identity under constraints", "inequality")
+"""The kinds of claims that have theorems."""
 
 
 def real_theorems(record: Mapping[str, Any]) -> Proved:
@@ -52,6 +54,16 @@ def real_theorems(record: Mapping[str, Any]) -> Proved:
         )
         for (i, j), each in zip(places, _proofs_of_entries(record), strict=True)
     }
+
+
+def theorems_of_claim(record: Mapping[str, Any]) -> Proved:
+    """Return the theorems of a claim of the ledger; of one with a correction, that this holds."""
+    if record["verdict"] == "false" or record["kind"] not in KINDS:
+        raise Silent("no theorem is written yet for a claim with real functions of this kind or verdict")
+    form = "printed" if record["verdict"] == "proved" else "corrected"
+    certificate = {key: value for key, value in record["certificate"].items() if key != "refutation"}
+    sides = {"lhs": record[form], "rhs": record["derived"], "verdict": "proved", "certificate": certificate}
+    return real_theorems({"relation": "=", "constraints": [], "nonzero": [], **record["setting"], **sides})
 
 
 def _proofs_of_entries(record: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -42,7 +42,7 @@ def formula(term: Term) -> str:
     --------
     >>> from algebroproj_sym.replaying.reals.terms import read
     >>> formula(read("x**(2/3) - log(cot(x))/2"))
-    '((root 3 x ^ 2) - ((ln (cos x / sin x)) / 2))'
+    '(((root 3 x) ^ 2) - ((ln ((cos x) / (sin x))) / 2))'
     """
     kind, value = term.kind, term.value
     if kind in CALCULUS:

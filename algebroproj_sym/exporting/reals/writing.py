@@ -16,9 +16,8 @@ from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial
 from algebroproj_sym.replaying.reals.definitions import Condition, expanded
-from algebroproj_sym.replaying.reals.terms import Term
+from algebroproj_sym.replaying.reals.terms import Term, power
 from algebroproj_sym.replaying.reals.theory import Application, Fact, Theory
-from algebroproj_sym.replaying.rejection import Rejected
 
 LEMMAS = {"=": "zero", "!=": "nonzero", ">": "positive", ">=": "nonnegative"}
 
@@ -262,7 +261,7 @@ class Written(Theory):
         found = super()._symbol(application)
         name = called(f"_{len(self.applications)}")
         value = self.applied_text(application, [self.shown(arg) for arg in application.args])
-        self.lines.append(f"assert (exists v, v = {value}) as [{name} d{name}] by (eexists; reflexivity).")
+        self.lines.append(f"assert (exists v'0, v'0 = {value}) as [{name} d{name}] by (eexists; reflexivity).")
         return found
 
     def applied_text(self, application: Application, args: Sequence[str]) -> str:
@@ -337,12 +336,16 @@ class Written(Theory):
 
     def _premise(self, relation: str, element: Element) -> tuple[str, str]:
         for (asked, term), proof in self.premises:
-            try:
-                if asked == relation and (self.term(term) - element).is_zero:
-                    return proof, self.rewriting(term)
-            except Rejected:
-                continue
+            if asked == relation and self._is_made(term) and (self.term(term) - element).is_zero:
+                return proof, self.rewriting(term)
         return "", ""
+
+    def _is_made(self, term: Term) -> bool:
+        """Whether a term is a polynomial in terms that were met."""
+        plain = term.kind in ("number", "symbol", "pi", "+", "-", "*") or (
+            term.kind == "^" and term.value.denominator == 1 and term.value > 0
+        )
+        return term in self._terms or (plain and all(map(self._is_made, term.args)))
 
     def given(self, condition: Condition, proof: str) -> None:
         """Enter what is assumed."""
@@ -352,6 +355,9 @@ class Written(Theory):
         Theory.add(self, relation, element)
 
     def _made(self, term: Term, granted: bool) -> Element:
+        if term.kind == "abs":
+            square = power(term.args[0], 2)
+            self.premises = [*self.premises, ((">=", square), f"(pow2_ge_0 {formula(term.args[0])})")]
         found = super()._made(term, granted)
         if granted and term.args and term.kind not in "+-*/":
             self._leaf(term)

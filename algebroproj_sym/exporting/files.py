@@ -35,7 +35,7 @@ From {LIBRARY} Require Import Formulas Linear.
 Import ListNotations.
 Open Scope R_scope.
 """
-FUNCTIONS = f"From {LIBRARY} Require Import Functions.\n"
+FUNCTIONS = f"From Coq Require Import Lra.\nFrom {LIBRARY} Require Import Functions.\n"
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,7 @@ from algebroproj_sym.exporting.terms import (
     used,
 )
 from algebroproj_sym.expressions import Matrix, over, vector
-from algebroproj_sym.expressions.letters import Directional
+from algebroproj_sym.expressions.letters import Adjugate, Directional, Skew
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import declaration_digest
 from algebroproj_sym.reporting.ledger import claim_record, ledger
@@ -742,9 +742,8 @@ def test_the_kernel_rejects_an_object_that_is_made_otherwise(objects, library):
 # -- claims in letters
 
 
-def lettered(**claim):
-    section = Section("demo", "1", "Letters")
-    made = section.identity("1.1", "a statement", **claim)
+def lettered(number="1.1", kind="identity", **claim):
+    made = getattr(Section("demo", "1", "Letters"), kind)(number, "a statement", **claim)
     return json.loads(json.dumps(claim_record(judge(made), timed=False)))
 
 
@@ -784,11 +783,42 @@ def test_a_number_with_the_name_of_an_entry_has_no_theorem():
     assert exported(record).reason == "no theorem is written for a number with the name of an entry of a letter"
 
 
+def test_a_rotation_is_written_with_its_quaternion():
+    (turn,) = letters("R", size=3)
+    record = lettered(printed=turn.T * turn, derived=sympy.Identity(3), properties={turn: "rotation"})
+    (theorem,) = exported(record).theorems
+    assert theorem.statement.startswith("forall R_q0 R_q1 R_q2 R_q3 : R,\nR_q0 ^ 2 + R_q1 ^ 2")
+    assert "<> 0 ->" in theorem.statement
+
+
 def test_other_claims_in_letters_have_a_reason():
     first, second = letters("A", "B")
-    turned = lettered(printed=first.T * first, derived=sympy.Identity(2), properties={first: "rotation"})
-    assert exported(turned).reason == "no theorem is written yet for letters under constraints"
-    assert not exported(turned).refused
-    wrong = lettered(printed=first - second, derived=first + second, corrected=second + first, expect="misprint")
-    assert exported(wrong).reason == "no theorem is written yet for a claim in letters of this kind or verdict"
-    assert exported({**turned, "derived": "2*eye(2)"}).refused
+    projector = lettered(printed=first * first * second, derived=first * second, properties={first: "idempotent"})
+    assert exported(projector).reason == "no theorem is written yet for letters under constraints"
+    assert not exported(projector).refused
+    turned = lettered(printed=first.T, derived=first, expect="false", instead="1.2", properties={first: "rotation"})
+    assert exported(turned).reason == "no theorem is written yet for a point that is about a rotation or a unit vector"
+    assert exported({**projector, "derived": "2*eye(2)"}).refused
+
+
+@needs_coq
+def test_the_kernel_accepts_claims_in_letters_and_rejects_changed_ones(library):
+    turn, matrix = letters("R", "A", size=3)
+    base, other = (sympy.MatrixSymbol(name, 3, 1) for name in "bc")
+    records = [
+        lettered("1.1", printed=Skew(turn * base) * turn, derived=turn * Skew(base), properties={turn: "rotation"}),
+        lettered("1.2", printed=base - other, derived=other - base, corrected=-base + other, expect="misprint"),
+        lettered("1.3", "up_to_scale", printed=Adjugate(matrix) * base, derived=matrix.I * base),
+    ]
+    claims = [*export(records)]
+    assert [sorted(theorem.name for theorem in claim.theorems) for claim in claims] == [
+        ["claim_1_1"],
+        ["claim_1_2", "claim_1_2_refuted"],
+        ["claim_1_3"],
+    ]
+    assert library(claims).error == ""
+    (turned, misprint, scaled) = (claim.theorems[0] for claim in claims)
+    for theorem, old, changed in ((turned, "R_q1", "R_q2"), (misprint, "b_1", "c_1"), (scaled, "A_11", "A_12")):
+        place = theorem.statement.rindex(old)
+        wrong = theorem.statement[:place] + changed + theorem.statement[place + len(old) :]
+        assert library(claims, lambda text, t=theorem, w=wrong: text.replace(t.statement, w, 1)).error

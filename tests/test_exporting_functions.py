@@ -69,7 +69,9 @@ def test_relations_keep_their_direction():
 
 def test_a_symbol_may_have_any_name():
     assert statement("sin(PI)^2", "1 - cos(PI)^2").startswith("forall PI'' : R,")
-    assert statement("sin(v)^2 + cos(matching)^2", "1 - cos(v)^2 + cos(matching)^2").startswith("forall matching v : R,")
+    assert statement("sin(v)^2 + cos(matching)^2", "1 - cos(v)^2 + cos(matching)^2").startswith(
+        "forall matching v : R,"
+    )
 
 
 def test_what_has_no_theorem_says_why():
@@ -92,7 +94,9 @@ def claims():
         "1.3", "a turn", printed=Matrix([[1, 0], [0, 1]]), derived=turn(t) * turn(t).T,
     )  # fmt: skip
     section.identity("1.4", "a sign", printed=sin(-t), derived=sin(t), expect="misprint", corrected=-sin(-t))
-    section.inequality("1.5", "means", printed=sqrt(x * y), derived=(x + y) / 2, relation="<=", assumptions=[x > 0, y > 0])
+    section.inequality(
+        "1.5", "means", printed=sqrt(x * y), derived=(x + y) / 2, relation="<=", assumptions=[x > 0, y > 0]
+    )
     section.identity("1.6", "rational", printed=(x**2 - y**2) / (x + y), derived=x - y)
     return [json.loads(json.dumps(claim_record(judge(claim), timed=False))) for claim in section.claims]
 
@@ -153,10 +157,14 @@ def test_the_kernel_accepts_the_corpus(folder, start):
 FORGED = {
     "sin(2*x) = 2*sin(x)*cos(x)": ["sin(2*x) = 2*sin(x)", "sin(3*x) = 2*sin(x)*cos(x)", "sin(2*x) = -2*sin(x)*cos(x)"],
     "sqrt(x^2) = x | x >= 0": ["sqrt(x^2) = x", "sqrt(x^2) = -x | x >= 0", "sqrt(x^2) = x | x >= -1"],
-    "asin(sin(x)) = x | -pi/2 <= x <= pi/2": ["asin(sin(x)) = x | -pi/2 <= x <= pi", "asin(sin(x)) = pi - x | x <= pi/2"],
+    "asin(sin(x)) = x | -pi/2 <= x <= pi/2": [
+        "asin(sin(x)) = x | -pi/2 <= x <= pi", "asin(sin(x)) = pi - x | -pi/2 <= x <= pi/2",
+    ],
     "log(x*y) = log(x) + log(y)": ["log(x/y) = log(x) + log(y)", "log(x^2*y) = log(x) + log(y)"],
     "atan2(y, x) = atan(y/x) | x > 0": ["atan2(y, x) = atan(y/x) | x != 0", "atan2(x, y) = atan(y/x) | x > 0"],
-    "sqrt(x*y) <= (x + y)/2 | x > 0, y > 0": ["sqrt(x*y) < (x + y)/2 | x > 0, y > 0", "sqrt(x*y) <= (x + y)/3 | x > 0, y > 0"],
+    "sqrt(x*y) <= (x + y)/2 | x > 0, y > 0": [
+        "sqrt(x*y) < (x + y)/2 | x > 0, y > 0", "sqrt(x*y) <= (x + y)/3 | x > 0, y > 0",
+    ],
     "exp(x) >= 1 + x": ["exp(x) > 1 + x", "exp(x) >= 1 + 2*x"],
     "sign(x*y) = sign(x)*sign(y)": ["sign(x + y) = sign(x)*sign(y)"],
 }  # fmt: skip

@@ -128,7 +128,7 @@ def test_figures_are_drawn_for_readers_and_not_on_import(repository):
     assert result.stdout.strip() == "False"
 
 
-WITHOUT_GEOMETRY = {"s0_references", "s5_final_remarks", "s8_letters_and_angles"}
+WITHOUT_GEOMETRY = {"s0_references", "s5_final_remarks", "s8_angles"}
 """References, a summary of other sections, and matrices as letters."""
 
 

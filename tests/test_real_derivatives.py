@@ -198,7 +198,9 @@ def test_a_symbol_that_is_a_function_by_an_equation_is_refused_in_a_derivative(l
     given = [text if "=" in text else f"{text} = 0" for text in constraints]
     with pytest.raises(SymbolError, match="takes f as independent of x, but equations relate them"):
         prove(lhs, "0", **{kind: given})
-    asked = {"lhs": lhs, "rhs": "0", "relation": "=", "assumptions": [], "constraints": [], "nonzero": []} | {kind: given}
+    asked = {"lhs": lhs, "rhs": "0", "relation": "=", "assumptions": [], "constraints": [], "nonzero": []} | {
+        kind: given
+    }
     with pytest.raises(Rejected, match="takes f as independent"):
         statement_of(asked)
 

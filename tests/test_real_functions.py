@@ -344,3 +344,13 @@ def test_a_forged_value_of_an_undefined_number_is_rejected():
     forged |= {"file": "f", "name": "n", "expected": None, "method": "real laws", "reason": None}
     judged = replay_identity(forged)
     assert (judged.status, "ZeroDivisionError" in judged.reason) == ("rejected", True)
+
+
+def test_a_constraint_may_be_an_equation_and_both_sides_must_be_defined():
+    x, y = sympy.symbols("x y")
+    first, second = (sympy.MatrixSymbol(name, 2, 2) for name in "AB")
+    assert prove(sympy.sin(x), sympy.sin(y), constraints=[sympy.Eq(x, y)]).verdict == "proved"
+    assert prove(first * second, second**2, constraints=[sympy.Eq(first, second)]).verdict == "proved"
+    zero_or_one = sympy.Eq(x * (x - 1), 0)
+    assert prove(x, 1, constraints=[sympy.Eq(1 / x + y, 1 / x), zero_or_one]).verdict == "proved"
+    assert prove(x, 1, constraints=[sympy.Eq(y, 0), zero_or_one]).verdict == "refuted"

@@ -12,6 +12,7 @@ from typing import Any
 
 from algebroproj_sym.proving.statements import RELATIONS
 from algebroproj_sym.proving.worker import Outcome, Question
+from algebroproj_sym.replaying.reals.terms import has_parts
 
 EXPECTED = ("proved", "refuted", "open")
 KEYS = (
@@ -20,6 +21,7 @@ KEYS = (
     "rhs",
     "relation",
     "letters",
+    "complex",
     "constraints",
     "nonzero",
     "assumptions",
@@ -83,9 +85,9 @@ def identities(path: Path) -> tuple[Identity, ...]:
     path : Path
         JSON: a list of objects with ``lhs`` and ``rhs`` as text, and optionally ``relation`` (one of
         `algebroproj_sym.proving.statements.RELATIONS`), ``constraints``, ``nonzero`` and ``assumptions`` (lists of
-        text), ``name``, ``letters`` (the vectors and matrices, such as
-        ``{"R": "3x3 rotation"}``), ``variables`` (the names that may occur), ``witness`` (name to rational number as
-        text) and ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
+        text), ``name``, ``letters`` (the vectors and matrices, such as ``{"R": "3x3 rotation"}``), ``complex`` (the
+        names of complex variables; see `prove`), ``variables`` (the names that may occur), ``witness`` (name to
+        rational number as text) and ``expected`` (one of `EXPECTED`).  Other keys, such as ``source``, are kept out.
 
     Raises
     ------
@@ -129,20 +131,30 @@ def _identity(path: Path, place: int, item: Any) -> Identity:
         raise MalformedFileError(
             f"{where}, key 'expected': expected one of {', '.join(EXPECTED)}, got {expected!r:.80}"
         )
+    constraints, nonzero = (_texts(where, key, item.get(key, [])) for key in ("constraints", "nonzero"))
     letters = _letters(where, item) if "letters" in item else None
     variables = _texts(where, "variables", item["variables"]) if "variables" in item else None
     question = Question(
         _text(where, "lhs", item["lhs"]),
         _text(where, "rhs", item["rhs"]),
-        _texts(where, "constraints", item.get("constraints", [])),
-        _texts(where, "nonzero", item.get("nonzero", [])),
+        constraints,
+        nonzero,
         _witness(where, item["witness"]) if "witness" in item else None,
         variables,
         _texts(where, "assumptions", item.get("assumptions", [])),
         letters,
         _relation(where, item.get("relation", "=")),
+        _complex(where, item),
     )
     return Identity(path, where, name, question, expected)
+
+
+def _complex(where: str, item: Mapping[str, Any]) -> tuple[str, ...] | None:
+    """Return the complex variables; there may be none in a statement about complex numbers."""
+    if "complex" in item:
+        return _texts(where, "complex", item["complex"])
+    stated = [item["lhs"], item["rhs"], *item.get("constraints", []), *item.get("nonzero", [])]
+    return () if any(map(has_parts, stated)) else None
 
 
 def _relation(where: str, value: Any) -> str:

@@ -39,6 +39,7 @@ def prove(
     engine: str = "flint",
     properties: Mapping[Any, Any] | None = None,
     letters: Mapping[str, str] | None = None,
+    complex: Sequence[str] | None = None,
 ) -> Proof:
     """Decide whether a relation of two sides holds wherever both are defined and the hypotheses hold.
 
@@ -50,8 +51,8 @@ def prove(
         elementary functions of real variables, with principal values; see `algebroproj_sym.replaying.reals.terms`.
     relation : {"=", "!=", "<", "<=", ">", ">="}
         Between the sides; with another one than equality they are scalars, and the symbols are real numbers.
-    constraints : sequence of str or sympy.Expr
-        Expressions that are zero; text may also be an equation ``left = right``.
+    constraints : sequence of str, sympy.Expr or sympy.Eq
+        Expressions that are zero, or equations; text may be an equation ``left = right``.
     nonzero : sequence of str or sympy.Expr
         Expressions that are not zero.
     assumptions : sequence of str or SymPy relation
@@ -64,6 +65,10 @@ def prove(
         What letters are: rotation, orthogonal, symmetric, skew, unit, positive definite, diagonal or idempotent.
     letters : mapping of name to str, optional
         The vectors and matrices in text, with their properties, such as ``{"R": "3x3 rotation", "t": "3x1"}``.
+    complex : sequence of str, optional
+        The names of complex variables; the others are real.  With it, be it empty, ``I`` in text is the imaginary unit.
+        It is found without it in expressions of SymPy, and if text has ``re``, ``im``, ``conjugate`` or ``arg``.  A
+        point has the parts ``z_re`` and ``z_im`` of a variable ``z``.
 
     Returns
     -------
@@ -105,6 +110,9 @@ def prove(
     'proved'
     >>> prove("x", "0", constraints=["x^2"]).certificate["method"]
     'radical membership'
+    >>> x, y = sympy.symbols("x y")
+    >>> prove(x**2, y**2, constraints=[sympy.Eq(x, y)]).verdict
+    'proved'
     >>> prove("x", "1", constraints=["x^2 = 2"]).counterexample
     {x: -sqrt(2)}
     >>> prove("sqrt(x^2)", "x", assumptions=["x >= 0"]).verdict, prove("sqrt(x^2)", "x").counterexample
@@ -115,6 +123,10 @@ def prove(
     'proved'
     >>> prove("diff(log(x), x)", "1/x").hypotheses
     ('x > 0',)
+    >>> prove("exp(I*x)", "cos(x) + I*sin(x)", complex=[]).verdict
+    'proved'
+    >>> prove("abs(z)^2", "z*conjugate(z)", complex=["z"]).verdict
+    'proved'
     >>> R, t = sympy.MatrixSymbol("R", 3, 3), sympy.MatrixSymbol("t", 3, 1)
     >>> prove((R * t).T * (R * t), t.T * t, properties={R: "rotation"}).scope
     'for every size'
@@ -124,6 +136,7 @@ def prove(
     for argument, given in {"constraints": constraints, "nonzero": nonzero, "assumptions": assumptions}.items():
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise TypeError(f"{argument}: expected a sequence of expressions, got {_kind(given)}")
+    constraints = [_difference(each) for each in constraints]
     forms = (lhs, rhs, *constraints, *nonzero)
     if letters is not None or properties or speaks_of_letters(forms):
         for argument, unused in {"assumptions": not assumptions, "witness": witness is None}.items():
@@ -132,6 +145,9 @@ def prove(
         if relation != "=":
             raise UnsupportedError(f"relation: expected '=' for a statement in letters, got {relation!r}")
         return _of_letters(lhs, rhs, constraints, nonzero, properties, letters, engine)
+    names = _complex_names(forms, complex)
+    if names is not None:
+        return _complex(lhs, rhs, relation, constraints, nonzero, assumptions, witness, names)
     if (
         relation != "="
         or assumptions
@@ -144,6 +160,44 @@ def prove(
         if not any(map(has_functions, forms)):
             raise
     return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
+
+
+def _difference(constraint: Any) -> Any:
+    """Return what an equation says is zero; nothing is cancelled, since each side must be defined."""
+    if not isinstance(constraint, sympy.Eq):
+        return constraint
+    left, right = constraint.args
+    if isinstance(left, sympy.MatrixExpr):
+        return sympy.MatAdd(left, sympy.MatMul(-1, right))
+    return sympy.Add(left, sympy.Mul(-1, right, evaluate=False), evaluate=False)
+
+
+def _complex_names(forms: Sequence[Any], given: Sequence[str] | None) -> frozenset[str] | None:
+    """Return the names of the complex variables of a statement about complex numbers, or None."""
+    from algebroproj_sym.proving.reals.reading import has_complex_parts, symbols_in
+
+    if isinstance(given, str) or not isinstance(given, Sequence | None):
+        raise TypeError(f"complex: expected a sequence of names, got {_kind(given)}")
+    symbols = {symbol.name for symbol in symbols_in(forms) if symbol.is_complex and symbol.is_real is None}
+    asked = given is not None or any(map(has_complex_parts, forms)) or (symbols and any(map(has_functions, forms)))
+    return frozenset([*(given or ()), *symbols]) if asked else None
+
+
+def _complex(
+    lhs: Any,
+    rhs: Any,
+    relation: str,
+    constraints: Sequence[Any],
+    nonzero: Sequence[Any],
+    assumptions: Sequence[Any],
+    witness: Witness | None,
+    names: frozenset[str],
+) -> Proof:
+    from algebroproj_sym.proving.reals.prove import proof_of_complex
+
+    if any(isinstance(side, sympy.MatrixBase) for side in (lhs, rhs)):
+        raise UnsupportedError("prove: expected scalars in a statement about complex numbers, got a matrix")
+    return proof_of_complex(lhs, rhs, constraints, nonzero, assumptions, witness, relation, names)
 
 
 def has_functions(form: Any) -> bool:

@@ -38,6 +38,8 @@ class Question:
         The vectors and matrices among the names, such as ``3x3 rotation``.
     relation : str
         Between the two sides.
+    complex : tuple of str, or None
+        The complex variables of a statement about complex numbers.
     """
 
     lhs: str
@@ -49,6 +51,7 @@ class Question:
     assumptions: tuple[str, ...] = ()
     letters: Mapping[str, str] | None = None
     relation: str = "="
+    complex: tuple[str, ...] | None = None
 
     @property
     def named_texts(self) -> Iterator[tuple[str, str]]:
@@ -218,6 +221,7 @@ def _decided(question: Question, engine: str) -> Outcome:
             witness=question.witness,
             engine=engine,
             letters=question.letters,
+            complex=question.complex,
         )
     except UndefinedError:
         raise
@@ -247,7 +251,7 @@ def _require_variables(question: Question) -> None:
     if question.variables is None:
         return
     for argument, text in question.named_texts:
-        for name in sorted(names_in(text) - FUNCTIONS - {"pi", *question.variables}):
+        for name in sorted(names_in(text) - FUNCTIONS - {"I", "pi", *question.variables}):
             known = ", ".join(sorted(question.variables))
             raise ValueError(f"{argument}: expected one of the variables {known}, got {name!r}")
 

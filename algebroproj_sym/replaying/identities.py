@@ -26,7 +26,7 @@ KEYS = {
     "counterexample", "certificate",
 }  # fmt: skip
 
-_OF_REALS = {"assumptions", "relation"}
+_OF_REALS = {"assumptions", "complex", "relation"}
 _OF_SOME = {"letters", *_OF_REALS}
 
 

@@ -57,6 +57,7 @@ def _record(answer: Answer) -> dict[str, Any]:
         "rhs": identity.question.rhs,
         **({} if identity.question.relation == "=" else {"relation": identity.question.relation}),
         **({} if identity.question.letters is None else {"letters": dict(identity.question.letters)}),
+        **({} if identity.question.complex is None else {"complex": list(identity.question.complex)}),
         "constraints": list(identity.question.constraints),
         "nonzero": list(identity.question.nonzero),
         **({"assumptions": list(identity.question.assumptions)} if identity.question.assumptions else {}),

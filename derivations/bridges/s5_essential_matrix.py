@@ -7,14 +7,12 @@
 
 # %%
 import sympy
+from sympy import Determinant, Eq, Identity, MatrixSymbol, Trace
 
-from algebroproj_derivations.bridges.s1_normal_case import C_1992, R_left, R_right, d
-from algebroproj_derivations.cameras import skew
 from algebroproj_derivations.figures import SpaceDrawing
-from algebroproj_derivations.fundamentals1996.s1_4_orthonormalized_systems import rotation
-from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, determinant, dot, vector
+from algebroproj_sym.expressions import Matrix, vector
+from algebroproj_sym.expressions.letters import Dot, Skew
 
 section = Section("bridges", "5", "The essential matrix")
 
@@ -25,15 +23,19 @@ section = Section("bridges", "5", "The essential matrix")
 # \mathbf X'$.  In the right system the point is $\mathbf R''^T (\mathbf R' \mathbf X' - \mathbf b)$.
 
 # %%
-turned = given(R_right, rotation)
-relative_rotation, relative_base = rotation.T * R_left, -rotation.T * d
-in_left_system = vector(*sympy.symbols("X Y Z"))
+E, R, Rp, Rpp = (MatrixSymbol(name, 3, 3) for name in ("E", "R", "Rp", "Rpp"))
+t, b, X = (MatrixSymbol(name, 3, 1) for name in "tbX")
+of_both_images = {
+    "constraints": [Eq(R, Rpp.T * Rp), Eq(t, -Rpp.T * b)],
+    "properties": {Rp: "rotation", Rpp: "rotation"},
+}
 
 section.identity(
     "5/relative",
     "rotation and base of the right image in the system of the left one",
-    printed=relative_rotation * in_left_system + relative_base,
-    derived=rotation.T * (R_left * in_left_system - d),
+    printed=R * X + t,
+    derived=Rpp.T * (Rp * X - b),
+    **of_both_images,
 )
 
 # %% [markdown]
@@ -60,11 +62,13 @@ SpaceDrawing(
 # $\mathbf C^T$ without a factor.
 
 # %%
+C_1992 = Rp.T * Skew(b) * Rpp
 section.identity(
     "5/E",
     "the essential matrix is the transposed matrix of correlation",
-    printed=skew(relative_base) * relative_rotation,
-    derived=C_1992.xreplace(turned).T,
+    printed=Skew(t) * R,
+    derived=C_1992.T,
+    **of_both_images,
 )
 
 # %% [markdown]
@@ -74,24 +78,26 @@ section.identity(
 # nine cubic equations, $2 \mathbf E \mathbf E^T \mathbf E = \operatorname{tr}(\mathbf E \mathbf E^T)\, \mathbf E$.
 
 # %%
-translation = vector(*sympy.symbols("t:3"))
-essential = skew(translation) * rotation
-gram = essential * essential.T
-length2 = dot(translation, translation)
+essential = {"constraints": [Eq(E, Skew(t) * R)], "properties": {R: "rotation"}}
 lam = sympy.Symbol("lam")
 
 section.identity(
     "5/singular-values",
     "the characteristic polynomial of the squared singular values",
-    printed=-lam * (lam - length2) ** 2,
-    derived=determinant(gram - lam * Matrix.eye(3)),
+    printed=-lam * (lam - Dot(t, t)) ** 2,
+    derived=Determinant(E * E.T - lam * Identity(3)),
+    **essential,
 )
-section.identity("5/determinant", "the determinant vanishes", printed=0, derived=determinant(essential))
+section.identity("5/epipole", "the base is the left null vector", printed=0 * t, derived=E.T * t, **essential)
+section.identity(
+    "5/determinant", "the determinant vanishes", printed=sympy.Integer(0), derived=Determinant(E), **essential
+)
 section.identity(
     "5/trace",
     "the cubic equations of the essential matrix",
-    printed=Matrix.zeros(3, 3),
-    derived=2 * gram * essential - gram.trace() * essential,
+    printed=2 * E * E.T * E,
+    derived=Trace(E * E.T) * E,
+    **essential,
 )
 
 # %% [markdown]

@@ -7,17 +7,15 @@
 
 # %%
 import sympy
+from sympy import BlockMatrix, Eq, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import (
-    P,
     P_of_y0,
-    P_star,
     P_star_of_y0,
     factor,
     mu_of_y0,
-    point,
 )
 from algebroproj_derivations.fundamentals1996.s1_6_optical_projection import M_star as optical_M_star
 from algebroproj_derivations.inserting import given
@@ -53,24 +51,16 @@ normal_mu_of_y0 = mu_of_y0.xreplace(IN_NORMAL_CASE)
 # (1.1.5).  Reconstruction leads back to the same point from either image.
 
 # %%
-bundle = (*center, *mu, *fourth_image)
-other_bundle = sympy.symbols("ypp01 ypp02 ypp03 mupp1 mupp2 mupp3 upp31 upp32")
-RIGHT = given(bundle, other_bundle)
+mup, mupp, mu_seen, mu_normal, tau_symbol = sympy.symbols("mup mupp mu muN tau")
+names = ("y", "y0", "yp0", "ypp0", "u", "up", "upp", "uN")
+y, y0, yp0, ypp0, u, up, upp, u_normal = (MatrixSymbol(name, 3, 1) for name in names)
+P_bold, Pp, Ppp, PN_bold = (MatrixSymbol(name, 3, 3) for name in ("P", "Pp", "Ppp", "PsN"))
 
-
-def seen(projection: Matrix) -> tuple[sympy.Expr, Matrix]:
-    """Return the factor and the quasihomogeneous image of the point."""
-    ray = projection * (point - center)
-    return ray[0], vector(1, over(ray[1], ray[0]), over(ray[2], ray[0]))
-
-
-mu_seen, u_seen = seen(P_star)
-reconstructed = center + mu_seen * P * u_seen
 section.identity(
     "3.1/y",
     "the point from the left and from the right image",
-    printed=columns(reconstructed, reconstructed.xreplace(RIGHT)),
-    derived=columns(point, point),
+    constraints=[Eq(up, Pp.I * (y - yp0) / mup), Eq(upp, Ppp.I * (y - ypp0) / mupp)],
+    derived=BlockMatrix([[y, y]]),
 )
 
 # %% [markdown]
@@ -81,22 +71,18 @@ section.identity(
 # $\mathbf T = \mathbf P_N^* \mathbf P$.
 
 # %%
-mu_normal = sympy.symbols("muN1 muN2 muN3")
-PN_star = P_star.xreplace(IN_NORMAL_CASE | given(mu, mu_normal))
-normal_factor, normal_image = seen(PN_star)
+images = [Eq(u, P_bold.I * (y - y0) / mu_seen), Eq(u_normal, PN_bold * (y - y0) / mu_normal)]
 section.identity(
     "3.1.1#muN",
     "normal case coordinates through the reconstructed ray",
-    printed=PN_star * (reconstructed - center),
-    derived=normal_factor * normal_image,
+    constraints=images,
+    derived=BlockMatrix([[mu_normal * u_normal, mu_normal * u_normal]]),
 )
-tau_symbol = sympy.Symbol("tau")
 section.identity(
     "3.1.1",
     "normal case coordinates from image coordinates",
-    printed=tau_symbol * normal_image,
-    where={tau_symbol: over(normal_factor, mu_seen)},
-    derived=PN_star * P * u_seen,
+    constraints=[*images, Eq(tau_symbol, mu_normal / mu_seen)],
+    derived=PN_bold * P_bold * u,
 )
 
 # %% [markdown]

@@ -7,6 +7,7 @@
 
 # %%
 import sympy
+from sympy import Eq, MatrixSymbol
 
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.inserting import given, inserted
@@ -64,8 +65,14 @@ section.identity(
 # **Solved for the image**, as rotations are orthogonal:
 
 # %%
-point = X0 + lam * R_rotation * x_vector
-section.identity("1.1.2", "projection of a point", derived=R_rotation.T * (point - X0))
+R, X_bold, X0_bold, x_bold = (MatrixSymbol(*of) for of in (("R", 3, 3), ("X", 3, 1), ("X0", 3, 1), ("x", 3, 1)))
+section.identity(
+    "1.1.2",
+    "projection of a point",
+    constraints=[Eq(X_bold, X0_bold + lam * R * x_bold)],
+    properties={R: "rotation"},
+    derived=R.T * (X_bold - X0_bold),
+)
 
 # %% [markdown]
 # ## What does the normal case see?

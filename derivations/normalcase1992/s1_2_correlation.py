@@ -9,12 +9,13 @@
 from itertools import combinations, product
 
 import sympy
+from sympy import Eq, ImmutableMatrix, MatrixSymbol
 
 from algebroproj_derivations.figures import QuadricDrawing
-from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, adjugate, columns, cross, determinant, dot, over, vector
+from algebroproj_sym.expressions import Matrix, columns, cross, determinant, dot, over, vector
+from algebroproj_sym.expressions.letters import Adjugate, Cross, Dot, Skew
 
 section = Section("normalcase1992", "1.2", "Orientation from image correlation")
 
@@ -26,30 +27,20 @@ section = Section("normalcase1992", "1.2", "Orientation from image correlation")
 
 # %%
 lam_p, lam_pp = sympy.symbols("lam_p lam_pp")
-p_left, p_right = (vector(*sympy.symbols(f"p1{primes} p2{primes} p3{primes}")) for primes in ("p", "pp"))
-X0_left, X0_right = (vector(*sympy.symbols(f"X01{primes} X02{primes} X03{primes}")) for primes in ("p", "pp"))
-model_point = X0_right + lam_pp * p_right
+pp, ppp, X, X0p, X0pp, b_bold = (MatrixSymbol(name, 3, 1) for name in ("pp", "ppp", "X", "X0p", "X0pp", "b"))
+on_both_rays = [Eq(X, X0p + lam_p * pp), Eq(X0pp, X - lam_pp * ppp), Eq(b_bold, X0pp - X0p)]
 
-section.identity(
-    "1.2.1",
-    "condition of intersection with the base",
-    where=given(b, X0_right - X0_left),
-    derived=model_point - X0_left,
-)
+section.identity("1.2.1", "condition of intersection with the base", constraints=on_both_rays, derived=X - X0p)
 
 # %% [markdown]
 # **Print.**  $\mathbf p' \times \mathbf b$ has no component along $\mathbf p''$.  Conversely, where base and projectors
 # are linearly dependent, $\mathbf p'$ and $\mathbf p''$ meet or are parallel.
 
 # %%
-section.identity("1.2/perpendicular", "a product that vanishes", printed=0, derived=dot(cross(p_right, b), p_right))
-meeting = (b + lam_pp * p_right).applyfunc(lambda component: over(component, lam_p))
-section.identity(
-    "1.2.2",
-    "condition of coplanarity",
-    printed=0,
-    derived=dot(cross(meeting, b), p_right),
-)
+triple = Dot(Cross(pp, b_bold), ppp)
+section.identity("1.2/perpendicular", "a product that vanishes", derived=Dot(Cross(ppp, b_bold), ppp))
+section.identity("1.2.2", "condition of coplanarity", constraints=on_both_rays, nonzero=[lam_p], derived=triple)
+p_left, p_right = (vector(*sympy.symbols(f"p1{primes} p2{primes} p3{primes}")) for primes in ("p", "pp"))
 section.identity(
     "1.2/beyond/coplanarity",
     "the condition is that base and projectors are linearly dependent",
@@ -71,21 +62,17 @@ section.identity(
 )
 
 # %% [markdown]
-# **In image coordinates** $\mathbf p = \mathbf R \mathbf x$:
+# **In image coordinates** $\mathbf p = \mathbf R \mathbf x$, and $\mathbf B = [\mathbf b]_\times$:
 
 # %%
-coplanarity = dot(cross(R_left * x_left, b), R_right * x_right)
-C = correlation(R_left, R_right, b)
+Rp, Rpp, B_bold, C_bold = (MatrixSymbol(name, 3, 3) for name in ("Rp", "Rpp", "B", "C"))
+xp_bold, xpp_bold = MatrixSymbol("xp", 3, 1), MatrixSymbol("xpp", 3, 1)
+in_images = [Eq(pp, Rp * xp_bold), Eq(ppp, Rpp * xpp_bold), Eq(B_bold, Skew(b_bold)), Eq(C_bold, Rp.T * B_bold * Rpp)]
 section.identity(
     "1.2.3",
     "condition of coplanarity in image coordinates",
-    printed=vector(
-        dot(R_left * x_left, matrix_of_base(b) * R_right * x_right),
-        dot(x_left, R_left.T * matrix_of_base(b) * R_right * x_right),
-        dot(x_left, C * x_right),
-    ),
-    derived=vector(*(coplanarity,) * 3),
-    note="The scan loses some of the primes.",
+    constraints=in_images,
+    derived=ImmutableMatrix([[triple] * 3]),
 )
 
 # %% [markdown]
@@ -111,6 +98,7 @@ section.count(
 # **Print.**  Triple products of the base and one axis of each image.
 
 # %%
+C = correlation(R_left, R_right, b)
 axes_left, axes_right = ([matrix.col(k) for k in range(3)] for matrix in (R_left, R_right))
 section.identity(
     "1.2.4",
@@ -127,26 +115,30 @@ section.identity(
 # orientation.
 
 # %%
-turned_left, turned_right = rotation(*sympy.symbols("q0:4")), rotation(*sympy.symbols("r0:4"))
-epipole_left, epipole_right = turned_left.T * b, turned_right.T * b
+k = sympy.Symbol("k")
+x0p, x0pp = MatrixSymbol("x0p", 3, 1), MatrixSymbol("x0pp", 3, 1)
+C_of_images = Rp.T * Skew(b_bold) * Rpp
 section.identity(
     "1.2.5#left",
     "epipole of the left image",
-    printed=vector(0, 0, 0),
-    derived=correlation(turned_left, R_right, b).T * epipole_left,
+    constraints=[Eq(C_bold, C_of_images), Eq(x0p, Rp.T * b_bold / k)],
+    properties={Rp: "rotation"},
+    derived=C_bold.T * x0p,
 )
 section.identity(
     "1.2.5#right",
     "epipole of the right image",
-    printed=vector(0, 0, 0),
-    derived=correlation(R_left, turned_right, b) * epipole_right,
+    constraints=[Eq(C_bold, C_of_images), Eq(x0pp, Rpp.T * b_bold / k)],
+    properties={Rpp: "rotation"},
+    derived=C_bold * x0pp,
 )
+turned_right = rotation(*turn)
 section.rank(
     "1.2/rank",
     "rank of the matrix of correlation",
     printed=2,
     derived=correlation(R_left, turned_right, b),
-    kernel=[epipole_right],
+    kernel=[turned_right.T * b],
 )
 
 # %% [markdown]
@@ -157,14 +149,15 @@ section.rank(
 section.identity(
     "1.2/beyond/cofactors",
     "the adjugate of a rotation is its transpose",
-    printed=turned_left.T,
-    derived=adjugate(turned_left),
+    printed=Rp.T,
+    derived=Adjugate(Rp),
+    properties={Rp: "rotation"},
 )
 section.identity(
     "1.2/beyond/adjugate",
     "the adjugate is the product of both epipoles",
-    printed=(adjugate(R_right) * b) * (adjugate(R_left) * b).T,
-    derived=adjugate(C),
+    printed=(Adjugate(Rpp) * b_bold) * (Adjugate(Rp) * b_bold).T,
+    derived=Adjugate(C_of_images),
 )
 
 # %% [markdown]
@@ -173,13 +166,13 @@ section.identity(
 # **Definition.**  The epipolar line of a point joins the epipole and the image of the projector of the other point.
 
 # %%
-h_left, h_right = C * x_right, C.T * x_left
-section.definition("1.2.6", "dualistic transformations", printed=columns(h_left, h_right))
+section.definition("1.2.6", "dualistic transformations", printed=columns(C * x_right, C.T * x_left))
 section.identity(
     "1.2.6#incidence",
     "the lines contain the homologous points where the condition of coplanarity holds",
-    printed=vector(dot(h_left, x_left), dot(h_right, x_right)),
-    derived=vector(coplanarity, coplanarity),
+    printed=ImmutableMatrix([Dot(C_bold * xpp_bold, xp_bold), Dot(C_bold.T * xp_bold, xpp_bold)]),
+    constraints=in_images,
+    derived=ImmutableMatrix([triple] * 2),
 )
 
 # %% [markdown]
@@ -189,14 +182,16 @@ section.identity(
 section.up_to_scale(
     "1.2.6#left",
     "epipolar line in the left image",
-    printed=correlation(turned_left, R_right, b) * x_right,
-    derived=cross(turned_left.T * b, turned_left.T * R_right * x_right),
+    printed=C_of_images * xpp_bold,
+    derived=Cross(Rp.T * b_bold, Rp.T * Rpp * xpp_bold),
+    properties={Rp: "rotation"},
 )
 section.up_to_scale(
     "1.2.6#right",
     "epipolar line in the right image",
-    printed=correlation(R_left, turned_right, b).T * x_left,
-    derived=cross(turned_right.T * b, turned_right.T * R_left * x_left),
+    printed=C_of_images.T * xp_bold,
+    derived=Cross(Rpp.T * b_bold, Rpp.T * Rp * xp_bold),
+    properties={Rpp: "rotation"},
 )
 
 # %% [markdown]

@@ -65,12 +65,8 @@ section.identity(
 # **Are they rotations?**  With the angles for the letters, they are orthogonal with determinant 1.
 
 # %%
-section.identity(
-    "2.1/orthogonal#left", "the left matrix is orthogonal", printed=E3, derived=in_angles(R_p.T * R_p)
-)
-section.identity(
-    "2.1/orthogonal#right", "the right matrix is orthogonal", printed=E3, derived=in_angles(R_pp * R_pp.T)
-)
+section.identity("2.1/orthogonal#left", "the left matrix is orthogonal", printed=E3, derived=in_angles(R_p.T * R_p))
+section.identity("2.1/orthogonal#right", "the right matrix is orthogonal", printed=E3, derived=in_angles(R_pp * R_pp.T))
 section.identity(
     "2.1/beyond/determinants",
     "both matrices are rotations",

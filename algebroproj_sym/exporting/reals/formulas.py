@@ -9,9 +9,8 @@ from algebroproj_sym.exporting.refusal import Silent
 from algebroproj_sym.replaying.reals.definitions import Condition, expanded
 from algebroproj_sym.replaying.reals.terms import CALCULUS, Term
 
-APPLIED = {"abs": "Rabs", "log": "ln"} | {
-    name: name for name in "sqrt sign exp sin cos tan asin acos atan atan2 sinh cosh tanh".split()
-}
+_OWN = ("sqrt", "sign", "exp", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh")
+APPLIED = {"abs": "Rabs", "log": "ln", **{name: name for name in _OWN}}
 """How functions are called; the others are written by these."""
 
 SIGNS = {"=": "{} = 0", "!=": "{} <> 0", ">": "0 < {}", ">=": "0 <= {}"}

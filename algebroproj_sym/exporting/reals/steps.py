@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -14,7 +14,6 @@ from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.reals.comparisons import REVERSED
 from algebroproj_sym.replaying.reals.laws import LAWS
 from algebroproj_sym.replaying.reals.proofs import assume
-from algebroproj_sym.replaying.reals.theory import Fact
 
 Step = Mapping[str, Any]
 
@@ -104,7 +103,10 @@ def _product(theory: Written, scale: str, powers: Mapping[str, int], relation: s
 
 def _follows(theory: Written, step: Step) -> str:
     zero, power = theory.shown(theory.polynomial(step["zero"])), step["exponent"]
-    whole, combined = _product(theory, digits(step["scale"]), step["multiplier"], "!="), _combined(theory, step["cofactors"])
+    whole, combined = (
+        _product(theory, digits(step["scale"]), step["multiplier"], "!="),
+        _combined(theory, step["cofactors"]),
+    )
     if not power:
         return f"absurd_by _ _ {whole} {combined} ltac:(matching)"
     return f"zero_by _ {zero} {power} _ {whole} {combined} ltac:(matching)"
@@ -112,7 +114,10 @@ def _follows(theory: Written, step: Step) -> str:
 
 def _sign(theory: Written, step: Step) -> str:
     polynomial = theory.shown(theory.polynomial(step["polynomial"]))
-    whole, combined = _product(theory, digits(step["scale"]), step["multiplier"], ">"), _combined(theory, step["cofactors"])
+    whole, combined = (
+        _product(theory, digits(step["scale"]), step["multiplier"], ">"),
+        _combined(theory, step["cofactors"]),
+    )
     proof, positive = "", False
     for weight, root, powers in step["sum"]:
         square = theory.polynomial(root)
@@ -146,7 +151,10 @@ def _rational(value: Fraction) -> str:
 
 
 def _nonzero(theory: Written, step: Step) -> str:
-    whole, combined = _product(theory, digits(step["scale"]), step["multiplier"], "!="), _combined(theory, step["cofactors"])
+    whole, combined = (
+        _product(theory, digits(step["scale"]), step["multiplier"], "!="),
+        _combined(theory, step["cofactors"]),
+    )
     factor, polynomial = (theory.shown(theory.polynomial(step[key])) for key in ("factor", "polynomial"))
     return f"nonzero_by_factor _ {factor} {polynomial} _ {whole} {combined} ltac:(matching)"
 

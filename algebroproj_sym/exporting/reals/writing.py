@@ -16,7 +16,8 @@ from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial
 from algebroproj_sym.replaying.reals.definitions import Condition, expanded
-from algebroproj_sym.replaying.reals.terms import Term, power
+from algebroproj_sym.replaying.reals.terms import Term
+from algebroproj_sym.replaying.reals.terms import power as raised
 from algebroproj_sym.replaying.reals.theory import Application, Fact, Theory
 
 LEMMAS = {"=": "zero", "!=": "nonzero", ">": "positive", ">=": "nonnegative"}
@@ -356,7 +357,7 @@ class Written(Theory):
 
     def _made(self, term: Term, granted: bool) -> Element:
         if term.kind == "abs":
-            square = power(term.args[0], 2)
+            square = raised(term.args[0], 2)
             self.premises = [*self.premises, ((">=", square), f"(pow2_ge_0 {formula(term.args[0])})")]
         found = super()._made(term, granted)
         if granted and term.args and term.kind not in "+-*/":

@@ -1,8 +1,8 @@
-"""Decide matrices with real functions entry by entry; the domain of each entry is that of the whole matrices."""
+"""Decide statements of several parts, entries of matrices or parts of complex numbers, each in the domain of all."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -53,14 +53,23 @@ def proof_of_matrix(lhs: Any, rhs: Any, prove: Callable[[str, str], Proof]) -> P
         entries = entries_of(sides)
     except Rejected as error:
         raise NotRationalError(f"prove: {error}") from None
+    return together(prove(entry["lhs"], entry["rhs"]) for entry in entries)
+
+
+def together(found: Iterable[Proof]) -> Proof:
+    """Return the proof of all statements, or the refutation of the first that is refuted."""
     proofs = list[Proof]()
-    for place, entry in enumerate(entries):
-        proof = prove(entry["lhs"], entry["rhs"])
+    for place, proof in enumerate(found):
         if proof.verdict == "refuted":
-            return replace(proof, certificate={**_evidence(proof), "entry": place})
+            return in_part(proof, place)
         proofs.append(proof)
     undecided = next((proof for proof in proofs if proof.verdict == "open"), None)
     return undecided or replace(proofs[0], certificate={"method": "real laws", "entries": [*map(_evidence, proofs)]})
+
+
+def in_part(refutation: Proof, place: int) -> Proof:
+    """Return the refutation of one of several statements as one of all."""
+    return replace(refutation, certificate={**_evidence(refutation), "entry": place})
 
 
 def _evidence(proof: Proof) -> Mapping[str, Any]:

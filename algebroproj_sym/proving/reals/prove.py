@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
 from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import SymbolError
+from algebroproj_sym.expressions import NotRationalError, SymbolError
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.prove import Proof
 from algebroproj_sym.proving.reals.integrals import integrated
+from algebroproj_sym.proving.reals.matrices import in_part, together
 from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
 from algebroproj_sym.proving.reals.reading import (
     assumed_of,
@@ -26,6 +27,7 @@ from algebroproj_sym.proving.reals.samples import samples_at
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.reals import require_real
+from algebroproj_sym.replaying.reals.complex_numbers import real_statements
 from algebroproj_sym.replaying.reals.integrals import with_ends
 from algebroproj_sym.replaying.reals.statement import Statement, TiedError, functions_of, statement_of
 from algebroproj_sym.replaying.reals.terms import written
@@ -35,6 +37,8 @@ FIRST_TRIES = 60
 ENOUGH = 12
 FEW = 4
 ALL_TRIES = 1_500
+ON_CUT, OFF_CUT = (Fraction(-2), Fraction(0)), (Fraction(1, 3), Fraction(2, 5))
+MOST_ON_CUTS = 3
 
 NOWHERE = "no point was found at which both sides are defined and real and the assumptions hold"
 UNDECIDED = "no proof was found, and no rational point at which it fails"
@@ -59,6 +63,70 @@ def proof_of(
         "constraints": [zero_of(value, f"constraints[{place}]") for place, value in enumerate(constraints)],
         "nonzero": [written(term_of(value, f"nonzero[{place}]")) for place, value in enumerate(nonzero)],
     }
+    return _proof(record, witness)
+
+
+def proof_of_complex(
+    lhs: Any,
+    rhs: Any,
+    constraints: Sequence[Any],
+    nonzero: Sequence[Any],
+    assumptions: Sequence[Any],
+    witness: Mapping[Any, Any] | None,
+    relation: str,
+    variables: Collection[str],
+) -> Proof:
+    """Decide a statement about complex numbers, as statements about their parts.
+
+    Raises
+    ------
+    NotRationalError
+        If a function of complex numbers is not known here.
+    """
+
+    def text(value: Any, argument: str) -> str:
+        return written(term_of(value, argument, is_complex=True))
+
+    symbols = symbols_in([lhs, rhs, *constraints, *nonzero, *assumptions])
+    conditions = [condition_of(value, f"assumptions[{place}]") for place, value in enumerate(assumptions)]
+    record = {
+        "lhs": text(lhs, "lhs"),
+        "rhs": text(rhs, "rhs"),
+        "relation": relation,
+        "assumptions": [*conditions, *assumed_of(symbol for symbol in symbols if symbol.name not in variables)],
+        "constraints": [
+            value if isinstance(value, str) else f"{text(value, f'constraints[{place}]')} = 0"
+            for place, value in enumerate(constraints)
+        ],
+        "nonzero": [text(value, f"nonzero[{place}]") for place, value in enumerate(nonzero)],
+        "complex": sorted(variables),
+    }
+    try:
+        statements = real_statements(record)
+        for place, statement in enumerate(statements):
+            if cut := _on_a_cut(statement_of(statement), variables):
+                return in_part(_proof(statement, cut), place)
+        return together(_proof(each, witness) for each in statements)
+    except Rejected as error:
+        raise NotRationalError(f"prove: {error}") from None
+
+
+def _on_a_cut(statement: Statement, variables: Collection[str]) -> dict[str, Fraction] | None:
+    """Return a point where a statement fails with variables on the negative real axis, where logarithms jump."""
+    names = statement.symbols()
+    met = [name for name in sorted(variables) if names & {f"{name}_re", f"{name}_im"}]
+    for count in range(1, 2 ** len(met[:MOST_ON_CUTS])):
+        parts: dict[str, Fraction] = {}
+        for place, name in enumerate(met):
+            parts |= dict(zip((f"{name}_re", f"{name}_im"), ON_CUT if count >> place & 1 else OFF_CUT, strict=True))
+        point = {name: parts.get(name, OFF_CUT[0]) for name in names}
+        found = judged(statement, point, ALL)
+        if found is not None and found.fails:
+            return point
+    return None
+
+
+def _proof(record: Mapping[str, Any], witness: Mapping[Any, Any] | None) -> Proof:
     found = decided(record, None if witness is None else witness_of(witness, statement_of(record).symbols()))
     point = found["counterexample"]
     return Proof(

@@ -22,17 +22,20 @@ from algebroproj_sym.expressions import (
 )
 from algebroproj_sym.expressions.symbols import is_name
 from algebroproj_sym.replaying.reals.comparisons import comparisons, equations
+from algebroproj_sym.replaying.reals.complex_numbers import UNIT
 from algebroproj_sym.replaying.reals.definitions import Condition, expansion
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.terms import (
     ALIASES,
     ARITY,
+    COMPLEX,
     FUNCTIONS,
     PI,
     Term,
     UnreadableError,
     constant,
     function,
+    has_parts,
     negative,
     plus,
     power,
@@ -63,7 +66,7 @@ _FOLLOWING = {
 _OF_EVERY_SIGN = [Fraction(p, 2) for p in (-2, -1, 0, 1, 2)]
 
 
-def term_of(value: Any, argument: str) -> Term:
+def term_of(value: Any, argument: str, *, is_complex: bool = False) -> Term:
     """Return text, a number or a SymPy expression as a term, as it stands.
 
     Raises
@@ -89,7 +92,25 @@ def term_of(value: Any, argument: str) -> Term:
         raise NotRationalError(f"{argument}: expected an expression, got {value!r:.80} ({type(value).__name__})")
     if sum(1 for _ in sympy.preorder_traversal(value)) > MOST_PARTS:
         raise NotRationalError(f"{argument}: expected at most {MOST_PARTS} parts")
+    if not is_complex and has_complex_parts(value):
+        raise NotRationalError(f"{argument}: expected real numbers, got {str(value)[:80]}")
     return _read(written(_term(value, argument)), argument)
+
+
+def has_complex_parts(value: Any) -> bool:
+    """Whether text or an expression has I, as SymPy's number, re, im, conjugate or arg.
+
+    Examples
+    --------
+    >>> z = sympy.Symbol("z")
+    >>> [has_complex_parts(value) for value in (sympy.exp(sympy.I * z), "conjugate(z)", "I*z", z)]
+    [True, True, False, False]
+    """
+    if isinstance(value, str):
+        return has_parts(value)
+    return isinstance(value, sympy.Basic | sympy.MatrixBase) and value.has(
+        sympy.I, sympy.re, sympy.im, sympy.conjugate, sympy.arg
+    )
 
 
 def _read(text: str, argument: str) -> Term:
@@ -121,6 +142,8 @@ def _term(node: Any, argument: str) -> Term:
         return constant(Fraction(int(node.p), int(node.q)))
     if node is sympy.pi:
         return PI
+    if node is sympy.I:
+        return Term("symbol", UNIT)
     if node is sympy.E:
         return function("exp", constant(1))
     if isinstance(node, over):
@@ -156,7 +179,7 @@ def _term(node: Any, argument: str) -> Term:
     name = type(node).__name__
     name = ALIASES.get(name, name)
     is_own = isinstance(node, sympy.Function) and not isinstance(node, AppliedUndef)
-    if is_own and ARITY.get(name) == len(node.args):
+    if is_own and (ARITY.get(name) == len(node.args) or name in COMPLEX):
         return function(name, *(_term(part, argument) for part in node.args))
     known = ", ".join(sorted(ARITY))
     raise NotRationalError(

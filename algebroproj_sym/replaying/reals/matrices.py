@@ -1,4 +1,4 @@
-"""Matrices with real functions: each entry is compared where all entries of both sides are defined."""
+"""Statements of several parts: entries of matrices, or real and imaginary parts, compared where all are defined."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
+from algebroproj_sym.replaying.reals.complex_numbers import real_statements
 from algebroproj_sym.replaying.reals.statement import require_real
 from algebroproj_sym.replaying.rejection import require, require_keys
 from algebroproj_sym.replaying.text import natural
@@ -62,7 +63,9 @@ def entries_of(record: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 
 def require_real_form(record: Mapping[str, Any]) -> None:
-    """Check whether the verdict on a statement with real functions, scalar or matrix, follows from its evidence.
+    """Check whether the verdict on a statement with real functions follows from its evidence.
+
+    The statement is about real numbers, about matrices, or, with the key ``complex``, about complex numbers.
 
     Raises
     ------
@@ -71,11 +74,16 @@ def require_real_form(record: Mapping[str, Any]) -> None:
     NotReplayable
         If there is no evidence.
     """
-    if not is_matrix(record["lhs"]):
+    if "complex" not in record and not is_matrix(record["lhs"]):
         require_real(record)
         return
-    require(record["relation"] == "=", "matrices are equal, or are not compared")
-    statements, certificate = entries_of(record), record["certificate"]
+    certificate = record["certificate"]
+    if "complex" in record:
+        own = {key: value for key, value in record.items() if key != "complex"}
+        statements = [{**own, **each} for each in real_statements(record)]
+    else:
+        require(record["relation"] == "=", "matrices are equal, or are not compared")
+        statements = entries_of(record)
     if record["verdict"] == "refuted":
         require_keys(certificate, {"method", "bits", "entry"})
         place = natural(certificate["entry"])

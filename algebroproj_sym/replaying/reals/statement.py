@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
@@ -20,7 +20,7 @@ from algebroproj_sym.replaying.reals.integrals import (
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import MOST_BITS
 from algebroproj_sym.replaying.reals.proofs import require_proof
-from algebroproj_sym.replaying.reals.terms import CALCULUS, Term, UnreadableError, read, written
+from algebroproj_sym.replaying.reals.terms import CALCULUS, COMPLEX, Term, UnreadableError, read, written
 from algebroproj_sym.replaying.reals.theory import RESERVED, Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require, require_keys
@@ -32,8 +32,8 @@ class TiedError(Rejected):
 
     def __init__(self, name: str, variable: str) -> None:
         super().__init__(
-            f"a derivative, integral or expansion in {variable} takes {name} as independent of {variable}, but equations "
-            f"relate them: write what {name} is in its place"
+            f"a derivative, integral or expansion in {variable} takes {name} as independent of {variable}, but "
+            f"equations relate them: write what {name} is in its place"
         )
 
 
@@ -145,6 +145,8 @@ def statement_of(record: Mapping[str, Any]) -> Statement:
     domain += [pair for part in with_ends(sides) for end in part.args[1:] for pair in conditions(end)]
     left, right = sides
     statement = Statement(left, right, given, record["relation"], tuple(domain))
+    forms = (*sides, *(term for _, term in given))
+    require(not any(part.kind in COMPLEX for form in forms for part in form.parts()), "a real number has no parts")
     require(not any(map(RESERVED.fullmatch, statement.symbols())), "a symbol has a reserved name")
     return statement
 
@@ -152,7 +154,7 @@ def statement_of(record: Mapping[str, Any]) -> Statement:
 def tied_to_variable(terms: Iterable[Term], given: Iterable[Condition]) -> tuple[str, ...]:
     """Return a symbol inside a derivative, an integral or an expansion, and its variable, if equations tie the two.
 
-    There symbols do not depend on each other.  So under ``f = sin(x)`` the derivative of f by x is 0, which is not meant.
+    There symbols do not depend on each other.  So under ``f = sin(x)`` the derivative of f by x is 0: not what is meant.
 
     Examples
     --------

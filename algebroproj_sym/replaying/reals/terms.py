@@ -12,6 +12,7 @@
 ``diff(f, x)``, or ``diff(f, x, 2, y)`` for one of higher order.  An integral is ``integrate(f, x)``, or
 ``integrate(f, (x, a, b))``; it is in no other integral, and in no derivative.  ``taylor(f, x, n)``, or
 ``taylor(f, (x, y), n)``, is f up to degree n in x, or in x and y together, about zero; f has no derivative in it.
+``re``, ``im``, ``conjugate`` and ``arg`` are for statements about complex numbers.
 """
 
 from __future__ import annotations
@@ -53,10 +54,12 @@ ONE = (
 )
 ARITY = dict.fromkeys(ONE.split(), 1) | {"atan2": 2}
 CALCULUS = frozenset({"diff", "integrate", "taylor"})
-FUNCTIONS = frozenset({*ARITY, *ALIASES, *CALCULUS})
+COMPLEX = frozenset({"re", "im", "conjugate", "arg"})
+FUNCTIONS = frozenset({*ARITY, *ALIASES, *CALCULUS, *COMPLEX})
 
 
 _CALL = re.compile(rf"(?<![\w'])(?:{'|'.join(sorted(FUNCTIONS))})\s*\(")
+_PART = re.compile(rf"(?<![\w'])(?:{'|'.join(sorted(COMPLEX))})\s*\(")
 _POWER = re.compile(r"(?:\*\*|\^)\s*[-+]?\s*(?:\(|[^\W\d]|[0-9]*\.)")
 
 
@@ -69,6 +72,17 @@ def has_functions(text: str) -> bool:
     [True, True, False, False]
     """
     return bool(_CALL.search(text) or _POWER.search(text))
+
+
+def has_parts(text: str) -> bool:
+    """Whether a text has a real or imaginary part, a conjugate or an argument of a complex number.
+
+    Examples
+    --------
+    >>> has_parts("conjugate(z)*z"), has_parts("I*z")
+    (True, False)
+    """
+    return bool(_PART.search(text))
 
 
 class UnreadableError(ValueError):
@@ -274,7 +288,7 @@ class _Reader:
             if any(args[0].integrals()):
                 raise self.wrong(f"no integral inside {name}")
             return {"diff": self.derivative, "integrate": self.integral, "taylor": self.expansion}[name](args[0])
-        while len(args) < ARITY[name]:
+        while len(args) < ARITY.get(name, 1):
             self.expect(",")
             args.append(self.inner(self.sum))
         self.expect(")")

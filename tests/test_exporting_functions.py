@@ -49,10 +49,10 @@ def statement(*asked, **more):
 
 def test_what_is_assumed_and_where_both_sides_are_real_are_premises():
     assert statement("log(x*y)", "log(x) + log(y)", assumptions=["x > 1"]).splitlines() == [
-        "forall x y : R,", "1 < x ->", "0 < (x * y) ->", "0 < x ->", "0 < y ->", "(ln (x * y)) = ((ln x) + (ln y))",
+        "forall x y : R,", "1 < x ->", "0 < x * y ->", "0 < x ->", "0 < y ->", "ln (x * y) = ln x + ln y",
     ]  # fmt: skip
-    assert "(cos x) <> 0 ->" in statement("tan(x)*cos(x)", "sin(x)")
-    assert statement("sqrt(1/x)", "0", relation=">").splitlines()[1:3] == ["x <> 0 ->", "0 <= (1 / x) ->"]
+    assert "cos x <> 0 ->" in statement("tan(x)*cos(x)", "sin(x)")
+    assert statement("sqrt(1/x)", "0", relation=">").splitlines()[1:3] == ["x <> 0 ->", "0 <= 1 / x ->"]
 
 
 def test_conditions_of_an_assumption_are_premises_too():
@@ -62,9 +62,9 @@ def test_conditions_of_an_assumption_are_premises_too():
 def test_relations_keep_their_direction():
     less, more = "sin(x)^2 - 3", "y^2"
     for relation, said in {"<": "<", "<=": "<=", "!=": "<>"}.items():
-        assert statement(less, more, relation=relation).endswith(f"\n(((sin x) ^ 2) - 3) {said} (y ^ 2)")
+        assert statement(less, more, relation=relation).endswith(f"\n(sin x) ^ 2 - 3 {said} y ^ 2")
     for relation, said in {">": "<", ">=": "<="}.items():
-        assert statement(more, less, relation=relation).endswith(f"\n(((sin x) ^ 2) - 3) {said} (y ^ 2)")
+        assert statement(more, less, relation=relation).endswith(f"\n(sin x) ^ 2 - 3 {said} y ^ 2")
 
 
 def test_a_symbol_may_have_any_name():

@@ -40,7 +40,7 @@ def real_theorems(record: Mapping[str, Any]) -> Proved:
     >>> print(real_theorems(decided(asked))["holds"][0])
     forall x : R,
     0 <= x ->
-    ((sqrt x) ^ 2) = x
+    (sqrt x) ^ 2 = x
     """
     if "complex" in record:
         raise Silent("no theorem is written yet about complex numbers")
@@ -81,7 +81,7 @@ def _theorem(statement: Statement, proof: Mapping[str, Any], entry: tuple[str, s
     said = dict.fromkeys(
         [
             *(pair for given in statement.given for pair in (*conditions(given[1]), given)),
-            *(pair for side in statement.sides for pair in conditions(side)),
+            *(pair for side in statement.sides for pair in conditions(side) if pair[1].kind != "number"),
         ]
     )
     texts = {pair: compared(pair) for pair in said}

@@ -34,55 +34,66 @@ def called(name: str) -> str:
     return f"v'{name[1:]}" if name[0] == "_" and name[1:].isdecimal() else identifier(name)
 
 
-def formula(term: Term) -> str:
-    """Return a term as a formula, in brackets if it is not a name.
+_SUM, _SIGN, _PRODUCT, _POWER, _APPLICATION, _ATOM = range(6)
+"""How tightly formulas bind."""
+
+
+def formula(term: Term, within: int = _ATOM) -> str:
+    """Return a term as a formula, in brackets if what is around it binds more tightly.
 
     Examples
     --------
     >>> from algebroproj_sym.replaying.reals.terms import read
-    >>> formula(read("x**(2/3) - log(cot(x))/2"))
-    '(((root 3 x) ^ 2) - ((ln ((cos x) / (sin x))) / 2))'
+    >>> formula(read("x**(2/3) - log(cot(x))/2"), 0)
+    '(root 3 x) ^ 2 - ln (cos x / sin x) / 2'
     """
+    text, binds = _formula(term)
+    return text if binds >= within else f"({text})"
+
+
+def _formula(term: Term) -> tuple[str, int]:
     kind, value = term.kind, term.value
     if kind in CALCULUS:
         raise Silent("no theorem is written yet for derivatives, integrals and expansions")
     if kind == "number":
         return _number(value)
     if kind in ("symbol", "pi"):
-        return called(value or "pi")
-    parts = [formula(part) for part in term.args]
+        return called(value or "pi"), _ATOM
     if kind == "+":
         first, *others = term.args
-        return f"({formula(first)}{''.join(map(_added, others))})"
+        return formula(first, _SIGN) + "".join(map(_added, others)), _SUM
     if kind == "-":
-        return f"(- {parts[0]})"
+        return f"- {formula(term.args[0], _POWER)}", _SIGN
     if kind in ("*", "/"):
-        return f"({parts[0]} {kind} {parts[1]})"
+        return f"{formula(term.args[0], _PRODUCT)} {kind} {formula(term.args[1], _POWER)}", _PRODUCT
     if kind == "^":
-        return _power(parts[0], value)
+        return _power(formula(term.args[0]), value)
     if kind in APPLIED:
-        return f"({APPLIED[kind]} {' '.join(parts)})"
-    return formula(expanded(term)[0])
+        return f"{APPLIED[kind]} {' '.join(map(formula, term.args))}", _APPLICATION
+    return _formula(expanded(term)[0])
 
 
-def _number(value: Fraction) -> str:
-    above = digits(abs(value.numerator))
-    text = above if value.denominator == 1 else f"({above} / {digits(value.denominator)})"
-    return text if value >= 0 else f"(- {text})"
+def _number(value: Fraction) -> tuple[str, int]:
+    above, below = digits(abs(value.numerator)), digits(value.denominator)
+    text, binds = (above, _ATOM) if value.denominator == 1 else (f"{above} / {below}", _PRODUCT)
+    return (text, binds) if value >= 0 else (f"- ({text})", _SIGN)
 
 
 def _added(term: Term) -> str:
-    return f" - {formula(term.args[0])}" if term.kind == "-" else f" + {formula(term)}"
+    minus = term.kind == "-"
+    return f" {'-' if minus else '+'} {formula(term.args[0] if minus else term, _PRODUCT)}"
 
 
-def _power(base: str, exponent: Fraction) -> str:
-    taken = root(base, exponent.denominator)
-    raised = taken if abs(exponent.numerator) == 1 else f"({taken} ^ {abs(exponent.numerator)})"
-    return raised if exponent.numerator > 0 else f"(1 / {raised})"
+def _power(base: str, exponent: Fraction) -> tuple[str, int]:
+    taken, size = root(base, exponent.denominator), abs(exponent.numerator)
+    raised = taken if size == 1 else f"{taken} ^ {size}"
+    if exponent.numerator <= 0:
+        return f"1 / {raised if size == 1 else f'({raised})'}", _PRODUCT
+    return raised, _ATOM if size == 1 else _POWER
 
 
 def root(base: str, degree: int) -> str:
-    """Return a root of a formula."""
+    """Return a root of a formula in brackets."""
     return base if degree == 1 else f"(sqrt {base})" if degree == 2 else f"(root {degree} {base})"
 
 
@@ -97,10 +108,10 @@ def compared(condition: Condition) -> tuple[str, str]:
     """
     relation, term = condition
     if term.kind != "+" or len(term.args) != 2 or term.args[1].kind != "-":
-        return SIGNS[relation].format(formula(term)), "{}"
+        return SIGNS[relation].format(formula(term, _SUM)), "{}"
     left, right = term.args[0], term.args[1].args[0]
     text, name = _BETWEEN[relation]
-    return text.format(formula(left), formula(right)), f"{name}_difference _ _ {{}}"
+    return text.format(formula(left, _SUM), formula(right, _SUM)), f"{name}_difference _ _ {{}}"
 
 
 def concluded(condition: Condition) -> tuple[str, str]:
@@ -116,4 +127,4 @@ def concluded(condition: Condition) -> tuple[str, str]:
     relation, term = condition
     left, right = term.args[0], term.args[1].args[0]
     text, name = _BETWEEN[relation]
-    return text.format(formula(left), formula(right)), f"difference_{name}"
+    return text.format(formula(left, _SUM), formula(right, _SUM)), f"difference_{name}"

@@ -154,7 +154,7 @@ def statement_of(record: Mapping[str, Any]) -> Statement:
 def tied_to_variable(terms: Iterable[Term], given: Iterable[Condition]) -> tuple[str, ...]:
     """Return a symbol inside a derivative, an integral or an expansion, and its variable, if equations tie the two.
 
-    There symbols do not depend on each other.  So under ``f = sin(x)`` the derivative of f by x is 0: not what is meant.
+    There symbols do not depend on each other.  So under ``f = sin(x)`` the derivative of f by x would be 0.
 
     Examples
     --------

@@ -287,10 +287,10 @@ Proof.
   pose proof (cos_acos (x / r) range) as cosine.
   pose proof (sin_acos (x / r) range) as sine.
   assert (0 <= 1 - x / r * (x / r)) as rest by nra.
-  pose proof (sqrt_pos (1 - (x / r)²)) as up.
-  assert (sqrt (1 - (x / r)²) * sqrt (1 - (x / r)²) = 1 - x / r * (x / r)) as square
+  pose proof (sqrt_pos (1 - Rsqr (x / r))) as up.
+  assert (sqrt (1 - Rsqr (x / r)) * sqrt (1 - Rsqr (x / r)) = 1 - x / r * (x / r)) as square
     by (apply sqrt_sqrt; exact rest).
-  set (h := sqrt (1 - (x / r)²)) in *; set (q := x / r) in *.
+  set (h := sqrt (1 - Rsqr (x / r))) in *; set (q := x / r) in *.
   assert (r * h * (r * h) = y * y).
   { replace (r * h * (r * h)) with (r * r * (h * h)) by ring; rewrite square.
     replace (r * r * (1 - q * q)) with (r * r - r * q * (r * q)) by ring; rewrite quotient; lra. }

@@ -18,7 +18,7 @@ from hypothesis import HealthCheck, settings
 from packaging.requirements import Requirement
 
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating import lower
+from algebroproj_sym.generating.choosing import lower
 
 PROJECT = "algebroproj-sym"
 # The extra that the modules of a file or folder import.  A test that needs one is marked with `extra`.

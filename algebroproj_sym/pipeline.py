@@ -1,4 +1,4 @@
-"""From verdicts to programs, mutants, notebooks and figures.
+"""From verdicts to programs and figures.
 
 Each step takes what the one before it gave; `jobs` worker processes change the time a step takes, never its result.
 """
@@ -9,13 +9,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from algebroproj_sym.declaring import Claim, Derivation, Judgement, Kernel, numbered_with
+from algebroproj_sym.declaring import Claim, Judgement, Kernel, numbered_with
 from algebroproj_sym.declaring.claim import CORRECTED
-from algebroproj_sym.generating import PACKAGE, Lowered, lower
-from algebroproj_sym.mutating import MutatedClaim, MutatedKernel, mutate_claim, mutate_kernel
-from algebroproj_sym.processes import in_processes, mapped
-from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
-from algebroproj_sym.verifying import Verification, load_package, verify
+from algebroproj_sym.generating.choosing import lower
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.writing import PACKAGE
+from algebroproj_sym.processes import mapped
+from algebroproj_sym.verifying.shipped import load_package
+from algebroproj_sym.verifying.verification import Verification, verify
 
 EMITTED = ("proved", *CORRECTED, "illegible")
 
@@ -49,9 +50,7 @@ def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Cl
     return tuple(claim for claim in declared if (claim.paper, claim.number) in wanted)
 
 
-def programs(
-    judgements: Iterable[Judgement], chosen: Sequence[Kernel], engine: str = "flint", jobs: int = 1
-) -> Iterator[Lowered]:
+def programs(judgements: Iterable[Judgement], chosen: Sequence[Kernel], jobs: int = 1) -> Iterator[Lowered]:
     """Lower kernels.  The claims that prove them must be decided as declared.
 
     Parameters
@@ -60,8 +59,6 @@ def programs(
         Must contain the claims that the kernels name.
     chosen : sequence of Kernel
         What to lower.
-    engine : {"flint", "sympy"}
-        The library for polynomials.
     jobs : int
         The number of processes.
 
@@ -76,14 +73,13 @@ def programs(
             judgement = verdicts[kernel.paper, number]
             if not judgement.as_declared or judgement.verdict not in EMITTED:
                 raise UnprovedError(kernel, number, judgement.verdict)
-    return mapped(partial(lower, engine=engine), chosen, jobs)
+    return mapped(lower, chosen, jobs)
 
 
 def verifications(
     lowered: Sequence[Lowered],
     folder: Path | None,
     size: int,
-    engine: str = "flint",
     jobs: int = 1,
     package: str = PACKAGE,
     seconds: float = 0.0,
@@ -98,8 +94,6 @@ def verifications(
         A folder that contains the package; None for the installed one.
     size : int
         Samples in each stratum.
-    engine : {"flint", "sympy"}
-        The library for polynomials.
     jobs : int
         The number of processes.
     package : str
@@ -107,39 +101,9 @@ def verifications(
     seconds : float
         How long an adversary attacks each function; 0 for no adversary.
     """
-    verifying = partial(_verify, folder=folder, size=size, engine=engine, package=package, seconds=seconds)
+    verifying = partial(_verify, folder=folder, size=size, package=package, seconds=seconds)
     return mapped(verifying, lowered, jobs)
 
 
-def mutated_claims(
-    claims: Sequence[Claim], limit: int = 0, engine: str = "flint", jobs: int = 1
-) -> Iterator[MutatedClaim]:
-    """Change proved claims in single places.  At most `limit` changes of each are judged, or all if it is 0."""
-    return mapped(partial(mutate_claim, limit=limit, engine=engine), claims, jobs)
-
-
-def mutated_kernels(
-    lowered: Sequence[Lowered],
-    folder: Path | None,
-    limit: int = 0,
-    size: int = 50,
-    engine: str = "flint",
-    jobs: int = 1,
-) -> Iterator[MutatedKernel]:
-    """Change the source of generated functions in single places.  At most `limit` changes of each are tried."""
-    return mapped(partial(_mutate, folder=folder, limit=limit, size=size, engine=engine), lowered, jobs)
-
-
-def notebooks(derivations: Sequence[Derivation], jobs: int = 1) -> Iterator[Notebook]:
-    """Run derivations as notebooks, each in a process of its own."""
-    return in_processes(run_notebook, derivations, jobs)
-
-
-def _mutate(lowered: Lowered, folder: Path | None, limit: int, size: int, engine: str) -> MutatedKernel:
-    return mutate_kernel(lowered, load_package(folder), limit, size, engine)
-
-
-def _verify(
-    lowered: Lowered, folder: Path | None, size: int, engine: str, package: str, seconds: float
-) -> Verification:
-    return verify(lowered, load_package(folder, package), size, engine, seconds)
+def _verify(lowered: Lowered, folder: Path | None, size: int, package: str, seconds: float) -> Verification:
+    return verify(lowered, load_package(folder, package), size, seconds)

@@ -18,9 +18,11 @@ import numpy as np
 
 import algebroproj
 from algebroproj_sym.declaring import Kernel, kernels
-from algebroproj_sym.generating import Lowered, lower
 from algebroproj_sym.generating.backends.numpy.printer import statements
-from algebroproj_sym.verifying import call, function_of, stratified
+from algebroproj_sym.generating.choosing import lower
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.verifying.shipped import call, function_of
 
 SAMPLES = 1_000_000
 BITS = 400

@@ -20,7 +20,7 @@ import sympy
 
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.expressions.exact import fmpq, fraction
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import Sample, moved_to, stratified, value_of
 from algebroproj_sym.proving import seed_of
 from algebroproj_sym.proving.polynomials import null_space

@@ -11,9 +11,10 @@ import numpy as np
 
 import algebroproj
 from algebroproj_sym.declaring import Kernel, kernels
-from algebroproj_sym.generating import is_compiled, lower
-from algebroproj_sym.verifying import function_of, without_twin
+from algebroproj_sym.generating.backends.c import is_compiled
+from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.verifying.identity import SPECIAL, same_bits
+from algebroproj_sym.verifying.shipped import function_of, without_twin
 
 POINTS = 1_000_000
 BATCH = 50_000

@@ -26,11 +26,12 @@ import sympy
 import algebroproj
 from algebroproj_sym.declaring import Kernel, kernels
 from algebroproj_sym.expressions import divided, entries
-from algebroproj_sym.generating import Lowered, lower
 from algebroproj_sym.generating.backends.c.plain import solved_once
 from algebroproj_sym.generating.backends.c.printer import solver, statements
+from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.expansion import expanded
-from algebroproj_sym.verifying import function_of, without_twin
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.verifying.shipped import function_of, without_twin
 
 KERNELS = (
     "projection.projection_matrix",

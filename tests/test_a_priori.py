@@ -27,13 +27,13 @@ from algebroproj_sym.exporting.rounding import CHECKER, accuracy_of, render
 from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.exporting.rounding.theorems import definitions
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.generating import is_compiled, lower, run
-from algebroproj_sym.generating.program import named, recorded
-from algebroproj_sym.verifying import load_package
+from algebroproj_sym.generating.backends.c import is_compiled
+from algebroproj_sym.generating.choosing import lower
+from algebroproj_sym.generating.program import recorded, run
 from algebroproj_sym.verifying.a_priori import ONE, Analysis, Bound, analysis
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, inline_value, source_of
 from algebroproj_sym.verifying.condition_numbers import a_priori_record, as_record, conditions
-from algebroproj_sym.verifying.shipped import call, function_of
+from algebroproj_sym.verifying.shipped import call, function_of, load_package
 from algebroproj_sym.verifying.straight_line import executed, is_rational, numbered, straight_line, straight_line_of_c
 
 FUNCTIONS = ("projection.mu_from_center", "projection.project", "affine.plane_coordinates", "correlation.epipoles")
@@ -124,7 +124,7 @@ def ratios(lowered, found, point):
     exact_arguments = [Fraction(value) for value in point]
     try:
         bounds = relative_errors(found, exact_arguments)
-        exact = run(lowered.plain, dict(zip([s.name for s in symbols], exact_arguments, strict=True)), named)
+        exact = run(lowered.plain, dict(zip([s.name for s in symbols], exact_arguments, strict=True)))
     except ZeroDivisionError:
         return []
     with np.errstate(all="ignore"):

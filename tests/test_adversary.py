@@ -7,8 +7,9 @@ import pytest
 import algebroproj
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.generating.samples import Sample, stratified
-from algebroproj_sym.verifying import function_of, measured
+from algebroproj_sym.verifying.accuracy import measured
 from algebroproj_sym.verifying.adversary import CLIMBERS, attack, attack_record
+from algebroproj_sym.verifying.shipped import function_of
 
 NAMES = ["projection.mu_from_center", "optics.scale"]
 

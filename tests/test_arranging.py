@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import judge, select
 from algebroproj_sym.expressions import Matrix, columns, entries, evaluate, inverse, over, symbols_of, vector
-from algebroproj_sym.expressions.arranging import value_of
-from algebroproj_sym.showing import arranged, as_declared, in_names, named_latex, shown
+from algebroproj_sym.expressions.arranging import arranged, value_of
+from algebroproj_sym.showing.arranging import as_declared, shown
 from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.naming import in_names, named_latex
 
 x, y, z, a, f = sympy.symbols("x y z a f")
 sums = st.recursive(

@@ -12,19 +12,15 @@ import sympy
 from click.testing import CliRunner
 
 from algebroproj_sym import Section
-from algebroproj_sym.auditing import (
-    audit,
-    audited,
-    lines_of,
-    misplaced,
-    stale,
-)
+from algebroproj_sym.auditing.audit import audited
+from algebroproj_sym.auditing.collection import audit, stale
+from algebroproj_sym.auditing.scans import lines_of, misplaced
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, located, quotations, select
 from algebroproj_sym.declaring.quotes import Edit
 from algebroproj_sym.declaring.transcription import numbers_in
 from algebroproj_sym.expressions import Matrix, TextForm, entries, over, vector
-from algebroproj_sym.mutating import mutants
+from algebroproj_sym.mutating.forms import mutants
 from algebroproj_sym.proving import prove
 from algebroproj_sym.reading import Symbols, Table, UnreadableError, read_formula, symbols_for, tables_in
 from algebroproj_sym.reporting.audits import audit_counts, audit_record, audited_share

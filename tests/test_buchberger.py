@@ -1,4 +1,4 @@
-"""Groebner bases: which monomials divide which, and exponents that are too large."""
+"""Groebner bases: which monomials divide which, and how much may be spent."""
 
 import flint
 import pytest
@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from algebroproj_sym.proving.buchberger import MAX_LENGTH, EffortExceededError, GroebnerBasis, Work
 
 CONTEXT = flint.fmpq_mpoly_ctx.get(("x", "y", "z"), flint.Ordering.degrevlex)
-LARGEST = 2**15 - 1
+LARGEST = 2**16
 exponent = st.one_of(st.integers(0, 3), st.integers(0, LARGEST // 3), st.sampled_from([255, 256, 257, LARGEST // 3]))
 powers = st.tuples(exponent, exponent, exponent)
 
@@ -34,14 +34,13 @@ def test_the_basis_of_monomials_is_that_of_those_that_no_other_divides(generator
         assert (basis.remainder(monomial(*below)) == 0) is member
 
 
-@pytest.mark.parametrize("large", [LARGEST + 1, 2**16, 2**40])
-def test_exponents_that_are_too_large_are_given_up(large):
+@pytest.mark.parametrize("large", [2**15, 2**16, 2**40])
+def test_exponents_may_be_large_but_steps_may_not_be_many(large):
     x, y, _ = CONTEXT.gens()
-    assert GroebnerBasis([monomial(LARGEST, 0, 0)]).remainder(monomial(LARGEST, 1, 0)) == 0
+    assert GroebnerBasis([monomial(large, 0, 0)]).remainder(monomial(large, 1, 0)) == 0
+    assert GroebnerBasis([y]).remainder(monomial(large, 0, 0)) == monomial(large, 0, 0)
     with pytest.raises(EffortExceededError):
         GroebnerBasis([monomial(large, 0, 0), x * y - 1])
-    with pytest.raises(EffortExceededError):
-        GroebnerBasis([y]).remainder(monomial(large, 0, 0))
 
 
 polynomial = st.dictionaries(st.tuples(*[st.integers(0, 2)] * 3), st.integers(-3, 3), max_size=4).map(CONTEXT.from_dict)

@@ -14,9 +14,12 @@ import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import over, vector
-from algebroproj_sym.generating import PACKAGE, Program, Step, c_files, c_name, lower
+from algebroproj_sym.generating.backends.c import c_files, c_name
 from algebroproj_sym.generating.backends.c.printer import LONGEST, solver, stamped, statements
+from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.program import Program, Step
+from algebroproj_sym.generating.writing import PACKAGE
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, kernel_outputs, source_of
 from algebroproj_sym.verifying.proof_of_c_source import (
     KERNELS,

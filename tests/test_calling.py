@@ -17,7 +17,7 @@ import algebroproj
 from algebroproj import correlation, metric, normal_case, optics, projection, space
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating.runtime.evaluation import Signature, evaluate
-from algebroproj_sym.verifying import function_of, load_package, without_twin
+from algebroproj_sym.verifying.shipped import function_of, load_package, without_twin
 
 PAIR = Signature("pair", (("x", (2,)), ("M", (2, 2)), ("s", ())), ((), (2, 2)), block=7)
 SHAPES = [(), (1,), (5,), (30,), (3, 1), (1, 4), (6, 5), (2, 1, 5)]

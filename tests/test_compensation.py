@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating import Call, Program, Step, run
 from algebroproj_sym.generating.compensation import compensated, with_sums_rounded_twice
 from algebroproj_sym.generating.expansion import expanded
+from algebroproj_sym.generating.program import Call, Program, Step, run
 from algebroproj_sym.generating.runtime.pairs import DIGITS
 
 NAMES = [kernel.qualified_name for kernel in kernels()]

@@ -13,12 +13,15 @@ from click.testing import CliRunner
 import algebroproj
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating import BACKENDS, is_compiled, write
+from algebroproj_sym.generating.backends import BACKENDS
+from algebroproj_sym.generating.backends.c import is_compiled
 from algebroproj_sym.generating.backends.cpp import declaration, render
-from algebroproj_sym.verifying import call, function_of, stratified, without_twin
+from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.generating.writing import write
 from algebroproj_sym.verifying.c_execution import NotUnderstoodError
 from algebroproj_sym.verifying.identity import SPECIAL, same_bits
 from algebroproj_sym.verifying.proof_of_cpp_source import cpp_source_is_proved, function_is_proved, header_of
+from algebroproj_sym.verifying.shipped import call, function_of, without_twin
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 COMPILER = shutil.which("g++")

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
-from algebroproj_sym.generating import run
+from algebroproj_sym.generating.program import run
 from algebroproj_sym.generating.runtime.error_bounds import Bounded
 from algebroproj_sym.generating.runtime.pairs import NEAR, SUMS, Pair
-from algebroproj_sym.verifying import stratified
+from algebroproj_sym.generating.samples import stratified
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels() if not kernel.stages}
 HEAVY = {"critical.quadric"}

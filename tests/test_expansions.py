@@ -21,7 +21,7 @@ from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.terms import constant, read, written
 from algebroproj_sym.replaying.reals.values import value_of
 from algebroproj_sym.reporting.ledger import claim_record
-from algebroproj_sym.showing import markdown
+from algebroproj_sym.showing.display import markdown
 
 ITEMS = json.loads((Path(__file__).resolve().parent / "corpus" / "expansions.json").read_text(encoding="utf-8"))
 WITHOUT = {"relation": "=", "assumptions": [], "constraints": [], "nonzero": []}

@@ -16,7 +16,7 @@ from algebroproj_sym.reporting.answers import answers_table
 from algebroproj_sym.reporting.explaining import explanation, failure_text
 from algebroproj_sym.reporting.report import report
 from algebroproj_sym.reporting.tables import SCREEN, claims_table
-from algebroproj_sym.showing import markdown
+from algebroproj_sym.showing.display import markdown
 
 MOST_LINES = 60
 LONG = 150

@@ -299,6 +299,15 @@ def test_a_worker_that_dies_is_an_error_and_the_next_question_is_decided():
     assert (rest[0].verdict, rest[1].verdict) in {("error", "proved"), ("refuted", "error"), ("refuted", "proved")}
 
 
+def test_a_worker_that_cannot_start_is_an_error(monkeypatch):
+    def refused(process):
+        raise OSError("no more processes")
+
+    monkeypatch.setattr(multiprocessing.get_context("spawn").Process, "start", refused)
+    (found,) = outcomes([Question("x", "x")], seconds=60)
+    assert (found.verdict, found.reason) == ("error", "the worker process did not start")
+
+
 MALFORMED = {
     "no JSON": ("{", "expected JSON"),
     "no list": ({"lhs": "x"}, "expected a list of objects, got an object"),

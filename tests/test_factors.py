@@ -9,7 +9,7 @@ import pytest
 from algebroproj import affine, collinearity, critical, hypotheses, metric, projection, space
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
-from algebroproj_sym.verifying import function_of, load_package
+from algebroproj_sym.verifying.shipped import function_of, load_package
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 RATIONAL = [name for name, kernel in KERNELS.items() if not {stage.primitive for stage in kernel.stages} - {"let"}]

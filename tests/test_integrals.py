@@ -18,7 +18,7 @@ from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.terms import read, written
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, value_of
 from algebroproj_sym.reporting.ledger import claim_record
-from algebroproj_sym.showing import markdown
+from algebroproj_sym.showing.display import markdown
 
 CORPUS = Path(__file__).resolve().parent / "corpus" / "integrals.json"
 ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))

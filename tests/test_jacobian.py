@@ -10,9 +10,12 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, cos_sin, kernels, let, null_vector, solution
 from algebroproj_sym.declaring.jacobian import derivative
 from algebroproj_sym.expressions import Matrix, derivatives, divided, evaluate, over, vector
-from algebroproj_sym.generating import PACKAGE, lower, render, write
+from algebroproj_sym.generating.backends.numpy import render
+from algebroproj_sym.generating.choosing import lower
+from algebroproj_sym.generating.writing import PACKAGE, write
 from algebroproj_sym.proving import RationalFunctionField
-from algebroproj_sym.verifying import call, function_of, load_package, source_is_proved
+from algebroproj_sym.verifying.proof_of_source import source_is_proved
+from algebroproj_sym.verifying.shipped import call, function_of, load_package
 
 x, y, u, v, c, s, w = sympy.symbols("x y u v c s w")
 DECLARED = {kernel.qualified_name: kernel for kernel in kernels()}

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import Matrix, over, vector
-from algebroproj_sym.generating import LoweringError, run
+from algebroproj_sym.generating.lowering import LoweringError
 from algebroproj_sym.generating.lowering import lowered_form as lower
-from algebroproj_sym.proving import ENGINES
+from algebroproj_sym.generating.program import run
 
 SYMBOLS = sympy.symbols("a b c d")
 a, b, c, d = SYMBOLS
@@ -36,8 +36,8 @@ def kernel(derived, form=None, where=None, symbols=SYMBOLS):
     )
 
 
-def of_xy(derived, form=None, where=None, engine="flint"):
-    return lower(kernel(derived, form, where, symbols=(x, y)), engine)
+def of_xy(derived, form=None, where=None):
+    return lower(kernel(derived, form, where, symbols=(x, y)))
 
 
 def exact(value):
@@ -167,12 +167,6 @@ def test_every_operation_of_a_program_is_used(derived):
     assert {step.name for step in program.steps} <= used
 
 
-@given(several)
-def test_both_engines_give_one_program(derived):
-    first, second = (lower(kernel(derived), engine) for engine in ENGINES)
-    assert first == second
-
-
 @pytest.mark.parametrize(
     ("derived", "count"),
     [
@@ -215,9 +209,9 @@ def test_a_long_sum_and_its_negative_are_summed_once(order):
 # Guards
 
 
-@pytest.fixture(params=ENGINES)
-def guarded(request):
-    return of_xy(over(x * y, x), y, engine=request.param)
+@pytest.fixture
+def guarded():
+    return of_xy(over(x * y, x), y)
 
 
 def test_a_divisor_that_the_form_hides_is_guarded(guarded):
@@ -313,10 +307,9 @@ def test_the_kernels_of_the_papers_are_exact_at_a_rational_point(name, lowered):
     [(x + y, x - y), (over(x, y), over(y, x)), (vector(x, y), vector(x, 2 * y)), (x, x + over(1, y) * 0 + 1)],
     ids=str,
 )
-@pytest.mark.parametrize("engine", ENGINES)
-def test_a_wrong_form_is_refused(derived, form, engine):
+def test_a_wrong_form_is_refused(derived, form):
     with pytest.raises(LoweringError, match=r"^kernel demo\.f, form: entry \d differs from the derivation"):
-        of_xy(derived, form, engine=engine)
+        of_xy(derived, form)
 
 
 def test_the_first_wrong_entry_is_named():

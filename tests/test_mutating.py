@@ -14,24 +14,16 @@ from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import kernels, select
 from algebroproj_sym.expressions import Matrix, over, vector
-from algebroproj_sym.generating import lower
-from algebroproj_sym.mutating import (
-    Explanation,
-    MutantFate,
-    MutatedClaim,
-    explanations,
-    mutants,
-    mutate_claim,
-    mutate_kernel,
-    source_mutants,
-    superfluous,
-    with_reasons,
-)
-from algebroproj_sym.mutating.claims import _fate
-from algebroproj_sym.mutating.sources import SourceMutant, recompiled
-from algebroproj_sym.verifying import function_of, load_package, measured, stratified, truths
-from algebroproj_sym.verifying.accuracy import is_within_bound
+from algebroproj_sym.generating.choosing import lower
+from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.mutating.claims import MutantFate, MutatedClaim, _fate, mutate_claim
+from algebroproj_sym.mutating.explanations import Explanation, explanations, superfluous, with_reasons
+from algebroproj_sym.mutating.forms import mutants
+from algebroproj_sym.mutating.kernels import mutate_kernel
+from algebroproj_sym.mutating.sources import SourceMutant, recompiled, source_mutants
+from algebroproj_sym.verifying.accuracy import is_within_bound, measured, truths
 from algebroproj_sym.verifying.proof_of_source import at_points, in_general
+from algebroproj_sym.verifying.shipped import function_of, load_package
 
 x, y, u1, u2, up1, upp1 = sympy.symbols("x y u1 u2 up1 upp1")
 

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating import Program, Step, run
 from algebroproj_sym.generating.backends.numpy.printer import LINE, packed, statements
+from algebroproj_sym.generating.program import Program, Step, run
 from algebroproj_sym.generating.runtime.pairs import rounded, rounded_twice, wide
 
 INPUTS = ("x", "y", "z")

@@ -6,9 +6,9 @@ import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import Matrix, over, vector
-from algebroproj_sym.generating import lower, operation_counts
+from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.lowering import lowered_form
-from algebroproj_sym.generating.operation_counts import operations
+from algebroproj_sym.generating.operation_counts import operation_counts, operations
 
 x, y, z = sympy.symbols("x y z")
 

@@ -8,7 +8,7 @@ import sympy
 
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import over, vector
-from algebroproj_sym.verifying import oracle
+from algebroproj_sym.verifying.oracle import oracle
 
 x, y = sympy.symbols("x y")
 

@@ -14,11 +14,13 @@ import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import drivers, kernels
 from algebroproj_sym.expressions import over, vector
-from algebroproj_sym.generating import PACKAGE, drift, lower, render, write
+from algebroproj_sym.generating.backends.numpy import render
 from algebroproj_sym.generating.backends.numpy.package import runtime_modules
+from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.description import LONGEST_FACTOR
 from algebroproj_sym.generating.runtime.accuracy import sentences
-from algebroproj_sym.verifying import function_of, load_package
+from algebroproj_sym.generating.writing import PACKAGE, drift, write
+from algebroproj_sym.verifying.shipped import function_of, load_package
 
 SHARED = {
     *("__init__.py", "drivers.py", "solvers.py", "py.typed"),

@@ -128,12 +128,6 @@ def test_hostile_text_is_an_error_that_says_where_what_was_expected_and_what_was
     assert got is None or caught.value.got == got
 
 
-def test_names_may_be_declared():
-    assert parse("x + y", variables=["x", "y"]) == x + y
-    with pytest.raises(ParseError, match=r"position 4: expected one of the variables x, y, got 'z'"):
-        parse("x + z", variables=["x", "y"])
-
-
 def test_deep_expressions_can_be_proved():
     deep = "1/(1+" * (MAX_NESTING - 1) + "x" + ")" * (MAX_NESTING - 1)
     assert prove(deep, deep).verdict == "proved"

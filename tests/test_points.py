@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_sym.expressions import over
-from algebroproj_sym.proving.points import points_on, rational_points, seed_of
+from algebroproj_sym.proving.points import rational_points, rational_zeros, seed_of
 
 x, y, z = sympy.symbols("x y z")
 
@@ -61,7 +61,7 @@ SOLVABLE = {
 @pytest.mark.parametrize("constraints", SOLVABLE.values(), ids=SOLVABLE)
 @pytest.mark.parametrize("seed", range(3))
 def test_points_satisfy_the_constraints(constraints, seed):
-    found = list(points_on(constraints, [x, y, z], seed, 40))
+    found = list(rational_zeros(constraints, [x, y, z], seed, 40))
     assert found
     for point in found:
         assert set(point) == {x, y, z}
@@ -70,7 +70,7 @@ def test_points_satisfy_the_constraints(constraints, seed):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_points_on_constraints_are_repeatable(seed):
-    first, second = (list(points_on([x * y - z], [x, y, z], seed, 10)) for _ in range(2))
+    first, second = (list(rational_zeros([x * y - z], [x, y, z], seed, 10)) for _ in range(2))
     assert first == second
 
 
@@ -82,7 +82,6 @@ UNSOLVABLE = {
     "no rational point": [x**2 - 2],
     "no rational point on a curve": [x**2 + y**2 - 3],
     "no rational point in two steps": [x - y, x * y - 2],
-    "always a pole": [over(1, over(x, x) - 1)],
     "looks affine at 0, 1, 2": [x * (x - 1) * (x - 2) + x - sympy.Rational(1, 2)],
 }
 
@@ -90,9 +89,9 @@ UNSOLVABLE = {
 @pytest.mark.parametrize("constraints", UNSOLVABLE.values(), ids=UNSOLVABLE)
 @pytest.mark.parametrize("seed", range(3))
 def test_no_points_where_there_are_none(constraints, seed):
-    assert list(points_on(constraints, [x, y, z], seed, 60)) == []
+    assert list(rational_zeros(constraints, [x, y, z], seed, 60)) == []
 
 
 def test_the_search_ends():
-    assert len(list(points_on([x - y], [x, y], 0, 7))) <= 7
-    assert list(points_on([x - y], [x, y], 0, 0)) == []
+    assert len(list(rational_zeros([x - y], [x, y], 0, 7))) <= 7
+    assert list(rational_zeros([x - y], [x, y], 0, 0)) == []

@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.verifying import function_of, load_package, stratified, truths
+from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.verifying.accuracy import truths
+from algebroproj_sym.verifying.shipped import function_of, load_package
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 every_kernel = pytest.mark.parametrize("name", list(KERNELS))

@@ -16,7 +16,7 @@ from algebroproj_sym.cli.terminal import progressing
 from algebroproj_sym.declaring import judge_all, located, quotes_of
 from algebroproj_sym.processes import in_processes, mapped
 from algebroproj_sym.reporting.ledger import ledger
-from algebroproj_sym.showing import as_declared, shown
+from algebroproj_sym.showing.arranging import as_declared, shown
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
 

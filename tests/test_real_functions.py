@@ -354,3 +354,11 @@ def test_a_constraint_may_be_an_equation_and_both_sides_must_be_defined():
     zero_or_one = sympy.Eq(x * (x - 1), 0)
     assert prove(x, 1, constraints=[sympy.Eq(1 / x + y, 1 / x), zero_or_one]).verdict == "proved"
     assert prove(x, 1, constraints=[sympy.Eq(y, 0), zero_or_one]).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs"), [("tan(pi/12)", "2 - sqrt(3)"), ("cot(pi/12)", "2 + sqrt(3)"), ("tan(5*pi/12)", "2 + sqrt(3)")]
+)
+def test_an_algebraic_number_of_a_high_degree_is_told_from_its_conjugates(lhs, rhs):
+    assert prove(lhs, rhs).verdict == "proved"
+    assert prove(lhs, rhs.replace("2", "-2")).verdict == "refuted"

@@ -11,7 +11,7 @@ from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError
 from algebroproj_sym.expressions import Matrix, evaluate, over, vector
 from algebroproj_sym.proving import reduced
-from algebroproj_sym.showing import differing_entries
+from algebroproj_sym.showing.difference import differing_entries
 
 x, y, z = sympy.symbols("x y z")
 polynomials = st.sampled_from([x, y, x - y, x + 2, x * y - 1, x**2 + y**2, 3 * z - x, 2 * z])

@@ -18,7 +18,7 @@ from algebroproj_sym.reporting.explaining import explanation
 from algebroproj_sym.reporting.ledger import claim_record
 from algebroproj_sym.reporting.live.questions import question
 from algebroproj_sym.reporting.site.comparison import relation
-from algebroproj_sym.showing import markdown
+from algebroproj_sym.showing.display import markdown
 
 x, y = sympy.symbols("x y")
 p = sympy.Symbol("p", positive=True)

@@ -26,7 +26,8 @@ from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import Derivation, Quote, derivations, judge, kernels, publication, quotations, select
 from algebroproj_sym.declaring.bibliography import bibtex
 from algebroproj_sym.expressions import Matrix, entries, evaluate, over, symbols_of, vector
-from algebroproj_sym.reporting.dependences import noting
+from algebroproj_sym.expressions.arranging import arranged
+from algebroproj_sym.reporting.dependences import noted
 from algebroproj_sym.reporting.site.addresses import claim_page, slug
 from algebroproj_sym.reporting.site.catalogue import catalogue
 from algebroproj_sym.reporting.site.differences import difference
@@ -38,7 +39,6 @@ from algebroproj_sym.reporting.site.pages import render_site
 from algebroproj_sym.reporting.site.quotes import quoted
 from algebroproj_sym.reporting.site.search import search_index
 from algebroproj_sym.reporting.site.symbols import symbols_in
-from algebroproj_sym.showing import arranged
 from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.names import latex_name, plain_name
 
@@ -540,8 +540,7 @@ def test_a_graph_shows_what_rests_on_what(site):
 
 
 def test_what_rests_on_what_is_what_was_computed_from_what():
-    with noting(["rhodos1990"]) as known:
-        found = known()
+    found = noted(["rhodos1990"])
     assert found["rhodos1990", "1.2.2"] == (("rhodos1990", "1.2/mu"),)
     claims = [(claim.paper, claim.number) for claim in select(["rhodos1990"])]
     assert found.keys() <= {*claims}
@@ -549,8 +548,8 @@ def test_what_rests_on_what_is_what_was_computed_from_what():
 
 
 def test_what_cannot_be_imported_has_no_graph_and_says_why():
-    with noting(["nowhere"]) as known, pytest.raises(RuntimeError, match="nowhere"):
-        known()
+    with pytest.raises(RuntimeError, match="nowhere"):
+        noted(["nowhere"])
 
 
 @given(st.dictionaries(st.integers(0, 9), st.lists(st.integers(0, 9), max_size=4), min_size=1))

@@ -9,9 +9,13 @@ import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, cos_sin, judge, let, null_vector, solution
 from algebroproj_sym.expressions import Matrix, over, vector
-from algebroproj_sym.generating import PACKAGE, lower, render, write
+from algebroproj_sym.generating.backends.numpy import render
+from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.runtime import systems
-from algebroproj_sym.verifying import load_package, source_is_proved, stratified
+from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.generating.writing import PACKAGE, write
+from algebroproj_sym.verifying.proof_of_source import source_is_proved
+from algebroproj_sym.verifying.shipped import load_package
 
 x, y, z, a, b, c, d, e, s, phi = sympy.symbols("x y z a b c d e s phi")
 

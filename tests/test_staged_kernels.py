@@ -20,25 +20,23 @@ import algebroproj
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import arctan2, cos_sin, let, null_vector, solution
 from algebroproj_sym.expressions import Matrix, entries, over, vector
-from algebroproj_sym.generating import PACKAGE, LoweringError, Program, Step, lower, render, run, write
+from algebroproj_sym.generating.backends.numpy import render
 from algebroproj_sym.generating.backends.numpy.printer import LINE, statements
-from algebroproj_sym.generating.program import Call
+from algebroproj_sym.generating.choosing import lower
+from algebroproj_sym.generating.lowering import LoweringError
+from algebroproj_sym.generating.program import Call, Program, Step, run
 from algebroproj_sym.generating.runtime import systems
-from algebroproj_sym.generating.writing import NOTICE
+from algebroproj_sym.generating.samples import stratified
+from algebroproj_sym.generating.writing import NOTICE, PACKAGE, write
 from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.study.arithmetics import double_double, float64_balls, mpmath_digits
 from algebroproj_sym.study.precision import apply, lift, nearest
-from algebroproj_sym.verifying import (
-    call,
-    function_of,
-    load_package,
-    measured,
-    oracle,
-    silent_factors,
-    source_is_proved,
-    stratified,
-    verify,
-)
+from algebroproj_sym.verifying.accuracy import measured
+from algebroproj_sym.verifying.oracle import oracle
+from algebroproj_sym.verifying.proof_of_source import in_general, source_is_proved
+from algebroproj_sym.verifying.shipped import call, function_of, load_package
+from algebroproj_sym.verifying.singular_input import silent_factors
+from algebroproj_sym.verifying.verification import verify
 
 p0, p1, q0, q1, angle = sympy.symbols("p0 p1 q0 q1 angle")
 a00, a01, a10, a11, b0, b1 = sympy.symbols("a00 a01 a10 a11 b0 b1")
@@ -287,12 +285,6 @@ def test_sums_that_stages_have_in_common_are_summed_once():
     assert program.operations() == {"+": 3, "*": 1}
 
 
-@every_staged_kernel
-def test_both_engines_give_one_program(declared):
-    first, second = (lower(declared, engine) for engine in ENGINES)
-    assert first == second
-
-
 # Lowering
 
 
@@ -310,12 +302,11 @@ def two_forms(primitive, right):
     return of_xy(vector(u, v, z), [null_vector([u, v, z], matrix, form=Matrix([[x, y, 1], [form, 1, y]]))])
 
 
-@every_engine
 @pytest.mark.parametrize("primitive", ["let", "solve", "null_vector"])
-def test_a_wrong_form_of_what_a_stage_is_given_is_refused(primitive, engine):
-    assert lower(two_forms(primitive, right=True), engine).hypotheses == (x + y,)
+def test_a_wrong_form_of_what_a_stage_is_given_is_refused(primitive):
+    assert lower(two_forms(primitive, right=True)).hypotheses == (x + y,)
     with pytest.raises(LoweringError, match=r"^kernel demo\.f, form: entry \d differs from the derivation"):
-        lower(two_forms(primitive, right=False), engine)
+        lower(two_forms(primitive, right=False))
 
 
 @pytest.mark.parametrize("place", range(6))
@@ -328,7 +319,6 @@ def test_every_entry_of_a_system_is_compared(place):
         lower(of_xy(u, [solution([u, v], derived, vector(x, y), form=Matrix(2, 3, form))]))
 
 
-@every_engine
 @pytest.mark.parametrize(
     ("derived", "form"),
     [
@@ -342,16 +332,15 @@ def test_every_entry_of_a_system_is_compared(place):
     ],
     ids=str,
 )
-def test_a_wrong_form_of_a_result_is_refused(derived, form, engine):
+def test_a_wrong_form_of_a_result_is_refused(derived, form):
     with pytest.raises(LoweringError, match=r"^kernel demo\.f, form: entry \d differs from the derivation"):
-        lower(of_xy(derived, [cos_sin(c, s, x)], form=form), engine)
+        lower(of_xy(derived, [cos_sin(c, s, x)], form=form))
 
 
-@every_engine
-def test_a_form_that_is_equal_for_any_cosine_and_sine_is_accepted(engine):
+def test_a_form_that_is_equal_for_any_cosine_and_sine_is_accepted():
     derived = {"first": (c + s) ** 2, "second": over(c * s, c)}
     form = {"first": c * (c + 2 * s) + s**2, "second": s}
-    lowered = lower(of_xy(derived, [cos_sin(c, s, x)], form=form), engine)
+    lowered = lower(of_xy(derived, [cos_sin(c, s, x)], form=form))
     assert run(lowered.plain, {"x": 1, "y": 2}, lambda call, rows: (Fraction(3), Fraction(5))) == (64, 5)
     assert (lowered.hypotheses, lowered.input_hypotheses) == ((c,), ())
 
@@ -836,7 +825,7 @@ def test_a_singular_system_has_no_truth():
 @every_engine
 @every_kernel
 def test_every_function_is_proved(declared, engine, package):
-    assert source_is_proved(declared, package, engine)
+    assert in_general(declared, engine).is_met_by(function_of(declared, package))
 
 
 def test_proving_leaves_the_functions_as_they_were(package):

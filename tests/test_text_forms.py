@@ -21,7 +21,7 @@ from algebroproj_sym.expressions.letters import (
     RightJacobian,
     Skew,
 )
-from algebroproj_sym.mutating import mutants
+from algebroproj_sym.mutating.forms import mutants
 from algebroproj_sym.proving.statements import UnsupportedError
 from algebroproj_sym.replaying import declaration_digest, replay_claim
 from algebroproj_sym.reporting.explaining import explanation
@@ -29,7 +29,7 @@ from algebroproj_sym.reporting.ledger import claim_record
 from algebroproj_sym.reporting.site.comparison import comparison, conditions
 from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.mathml import math
-from algebroproj_sym.showing import markdown
+from algebroproj_sym.showing.display import markdown
 from algebroproj_sym.showing.notebook import latex_of_form
 from algebroproj_sym.showing.text_latex import latex_of_text
 

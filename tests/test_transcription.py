@@ -5,7 +5,7 @@ from decimal import Decimal
 import pytest
 import sympy
 
-from algebroproj_sym.auditing import audited
+from algebroproj_sym.auditing.audit import audited
 from algebroproj_sym.declaring import (
     BrokenModuleError,
     derivation_at,
@@ -16,13 +16,13 @@ from algebroproj_sym.declaring import (
 )
 from algebroproj_sym.expressions import evaluate, over, symbols_of, vector
 from algebroproj_sym.reading import symbols_for, tables_in
-from algebroproj_sym.showing import as_declared, shown
+from algebroproj_sym.showing.arranging import as_declared, shown
 
 HEAD = """
 import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import evaluate, over, symbols_of, vector
-from algebroproj_sym.showing import as_declared, shown
+from algebroproj_sym.showing.arranging import as_declared, shown
 section = Section("demo", "1", "Squares")
 x, y = sympy.symbols("x y")
 """

@@ -15,7 +15,7 @@ from setuptools import Distribution, Extension
 
 import algebroproj
 import algebroproj_sym
-from algebroproj_sym.generating import PACKAGE
+from algebroproj_sym.generating.writing import PACKAGE
 
 PROGRAM = """
 import sys

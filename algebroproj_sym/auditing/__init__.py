@@ -4,22 +4,3 @@ A quote is looked up in the paper's file (`scans`) and read with the paper's tab
 what the claim says is printed, symbol by symbol (`audit`).
 Which claims quote which line of a paper, `coverage` tells.
 """
-
-from algebroproj_sym.auditing.audit import STATUSES, Finding, Status, audited
-from algebroproj_sym.auditing.collection import audit, stale
-from algebroproj_sym.auditing.coverage import Line, coverage, ranges
-from algebroproj_sym.auditing.scans import lines_of, misplaced
-
-__all__ = [
-    "STATUSES",
-    "Finding",
-    "Line",
-    "Status",
-    "audit",
-    "audited",
-    "coverage",
-    "lines_of",
-    "misplaced",
-    "ranges",
-    "stale",
-]

@@ -49,16 +49,7 @@ class Finding:
 def audited(claim: Claim, quotations: Quotations, symbols: Symbols, printed_together: Sequence[Claim] = ()) -> Finding:
     """Audit a claim against its quote.
 
-    Parameters
-    ----------
-    claim : Claim
-        The claim.
-    quotations : Quotations
-        The quotes of its paper.
-    symbols : Symbols
-        What the symbols of the paper stand for in this claim.
-    printed_together : sequence of Claim
-        The claims that share the quote, in the order of the quote.
+    Claims that share the quote are given in the order of the quote.
     """
     quote = quotations.quotes.get(claim.number)
     if quote is None:
@@ -119,30 +110,23 @@ def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
         same = letters_text(Reading().term(beside(read), "quote")) == str(claim.printed)
         return Finding(claim, "equal" if same else "failed", "" if same else f"the quote reads {beside(read)}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)
-    if any(_are_equal(theirs, ours) for theirs, ours in _layouts(read, printed, quote)):
+    if any(
+        prove(vector(*theirs), vector(*ours)).verdict == "proved" for theirs, ours in _layouts(read, printed, quote)
+    ):
         return Finding(claim, "equal", "", quote)
     return Finding(claim, "failed", f"the quote reads {', '.join(map(str, read))}", quote)
 
 
 def _layouts(read: Sequence[Any], printed: Sequence[Any], quote: Quote) -> Iterator[tuple[list[Any], list[Any]]]:
     """Yield entries of both sides in one order: by rows, and by columns."""
-    for order in (_by_rows, _by_columns):
-        theirs, ours = [e for part in read for e in order(part)], [e for part in printed for e in order(part)]
+    for by_columns in (False, True):
+        theirs, ours = (
+            [entry for part in side for entry in entries(part.T if by_columns and shape(part) else part)]
+            for side in (read, printed)
+        )
         if all(entry == 0 for entry in theirs):
             theirs = [sympy.Integer(0)] * len(ours)
         if len(theirs) == len(ours):
             yield theirs, ours
             if quote.equation:
                 yield theirs, [-entry for entry in ours]
-
-
-def _by_rows(part: Any) -> list[Any]:
-    return list(entries(part))
-
-
-def _by_columns(part: Any) -> list[Any]:
-    return list(entries(part.T if shape(part) else part))
-
-
-def _are_equal(theirs: list[Any], ours: list[Any]) -> bool:
-    return prove(vector(*theirs), vector(*ours)).verdict == "proved"

@@ -15,12 +15,7 @@ from algebroproj_sym.reading import symbols_for, tables_in
 def audit(located: Sequence[tuple[Derivation, Claim]], papers: Path | None = None) -> Iterator[Finding]:
     """Audit claims, in order.
 
-    Parameters
-    ----------
-    located : sequence of (Derivation, Claim)
-        The claims, each with the derivation that declares it.
-    papers : Path, optional
-        The folder with the papers' files; without it, that the quotes occur there is not checked.
+    Without the folder of the papers' files, it is not checked that the quotes occur there.
     """
     by_folder = {folder: _claims_in(folder) for folder in _folders(located)}
     for derivation, claim in located:

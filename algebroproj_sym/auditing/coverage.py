@@ -15,16 +15,8 @@ from algebroproj_sym.declaring import Claim, Derivation, quotations
 class Line:
     """A line of a paper's file that says something.
 
-    Attributes
-    ----------
-    number : int
-        The number of the line, from 1.
-    text : str
-        What stands on it.
-    display : int or None
-        For a line of a displayed formula: the number of the line where the display begins.
-    claims : tuple of str
-        The numbers of the claims whose quotes stand on it, wholly or in part.
+    Of a line of a displayed formula, `display` is the number of the line where the display begins. The claims are those
+    whose quotes stand on the line, wholly or in part.
     """
 
     number: int
@@ -35,18 +27,6 @@ class Line:
 
 def coverage(located: Sequence[tuple[Derivation, Claim]], papers: Path) -> dict[str, list[Line]]:
     """Return the lines of each paper, with the claims that quote them.
-
-    Parameters
-    ----------
-    located : sequence of (Derivation, Claim)
-        The claims, each with the derivation that declares it.
-    papers : Path
-        The folder with the papers' files.
-
-    Returns
-    -------
-    dict of str to list of Line
-        By the key of the paper.
 
     Raises
     ------

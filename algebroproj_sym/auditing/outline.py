@@ -25,10 +25,7 @@ _NAMED = (
 def marks_in(file: Path) -> list[Mark]:
     """Return the headings, numbered formulas, captions and references of a paper in their order.
 
-    Parameters
-    ----------
-    file : Path
-        The paper's text, in Markdown with LaTeX; formulas are numbered as "(1.3.8)".
+    It is Markdown with LaTeX, whose formulas are numbered as "(1.3.8)".
 
     Raises
     ------

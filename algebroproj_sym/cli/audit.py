@@ -7,7 +7,8 @@ from pathlib import Path
 
 import click
 
-from algebroproj_sym.auditing import audit, coverage, stale
+from algebroproj_sym.auditing.collection import audit, stale
+from algebroproj_sym.auditing.coverage import coverage
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show
 from algebroproj_sym.declaring import located

@@ -44,7 +44,7 @@ def _check_claims(selectors: Sequence[str], engine: str, jobs: int, output: str,
     from algebroproj_sym.reporting.tables import claims_table, summary_text
 
     found = located(selectors)
-    judgements = judged([claim for _, claim in found], engine, jobs)
+    judgements = judged([claim for _, claim in found], jobs, engine)
     if output == "json":
         echo_json(ledger(judgements, quotes_of(derivation for derivation, _ in found), jobs=jobs))
     else:

@@ -25,7 +25,7 @@ def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) ->
     from algebroproj_sym.declaring import derivation_at, judge, located, numbered_with, quotations, split
     from algebroproj_sym.reporting.explaining import explanation
     from algebroproj_sym.reporting.findings import declared_consequence
-    from algebroproj_sym.showing import markdown
+    from algebroproj_sym.showing.display import markdown
 
     found = located(selectors)
     kernels = [k for d in numbered_with([split(selector)[0] for selector in selectors]) for k in d.section.kernels]

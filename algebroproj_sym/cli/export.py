@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ import click
 
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.judging import judged
+from algebroproj_sym.cli.replay import ledger_at
 from algebroproj_sym.cli.steps import lowered_kernels
 from algebroproj_sym.cli.terminal import console, echo, progressing, show
 from algebroproj_sym.declaring import installed_papers, kernels
@@ -34,11 +34,11 @@ from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.exporting.rounding import CHECKER, accuracy_of
 from algebroproj_sym.exporting.rounding import render as render_bounds
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.generating import is_compiled
+from algebroproj_sym.generating.backends.c import is_compiled
 from algebroproj_sym.replaying import Rejected, Replayed, replay
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.tables import table_of
-from algebroproj_sym.verifying import load_package
+from algebroproj_sym.verifying.shipped import load_package
 from algebroproj_sym.verifying.straight_line import is_rational
 
 
@@ -58,9 +58,8 @@ def export_group() -> None:
     help="Use the claims of this ledger instead of judging them again.",
 )
 @click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check them with coqchk.")
-@options.engine
 @options.jobs
-def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: bool, engine: str, jobs: int) -> None:
+def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: bool, jobs: int) -> None:
     """Write the claims as theorems for Coq, one file for each section.
 
     The evidence of each claim is replayed first.  The exit status is 1 if it does not replay, or if a claim needs other
@@ -78,9 +77,11 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
         _require_compiler()
     if path is None:
         declared, objects = made_by_derivations(selectors)
-        found, replayed = ledger(judged(declared, engine, jobs)), None
+        found, replayed = ledger(judged(declared, jobs)), None
     else:
-        found = _ledger(path)
+        found = ledger_at(path)
+        if "claims" not in found:
+            raise click.UsageError(f"{path}: expected a ledger, an object with a list of claims")
         replayed = _replayed(found, jobs, path)
         papers = {result.paper for result in replayed} & {*installed_papers()}
         objects = made_by_derivations(sorted(papers))[1] if papers else {}
@@ -103,9 +104,8 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
 @options.functions
 @options.folder("coq_bounds", "the files")
 @click.option("--compile", "compiling", is_flag=True, help="Compile the files with coqc, and check them with coqchk.")
-@options.engine
 @options.jobs
-def bounds(functions: tuple[str, ...], out: Path, compiling: bool, engine: str, jobs: int) -> None:
+def bounds(functions: tuple[str, ...], out: Path, compiling: bool, jobs: int) -> None:
     """Write error bounds of the generated functions as theorems for Coq, one file for each function.
 
     A FUNCTION is a module such as projection, or a name such as projection.project.  Without one, all are taken.
@@ -120,7 +120,7 @@ def bounds(functions: tuple[str, ...], out: Path, compiling: bool, engine: str, 
     if compiling:
         _require_compiler()
     package = load_package()
-    lowered = lowered_kernels(kernels(functions), (), engine, jobs)
+    lowered = lowered_kernels(kernels(functions), (), jobs)
     found = [accuracy_of(low, package) for low in lowered if is_rational(low) and is_compiled(low)]
     files = render_bounds(found)
     write_texts(files, out)
@@ -173,17 +173,6 @@ def _require_compiler() -> None:
         raise click.ClickException(
             f"{error}.\nInstall it (Debian: apt-get install coq), or leave out --compile."
         ) from error
-
-
-def _ledger(path: Path) -> dict[str, Any]:
-    """Read a ledger; another kind of file is wrong usage."""
-    try:
-        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise click.UsageError(f"{path}: expected a ledger in JSON ({error})") from error
-    if not isinstance(found, dict) or not isinstance(found.get("claims"), list):
-        raise click.UsageError(f"{path}: expected a ledger, an object with a list of claims")
-    return found
 
 
 def _say(claims: Sequence[Exported], out: Path) -> None:

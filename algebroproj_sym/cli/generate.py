@@ -10,9 +10,10 @@ from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels, require_room
 from algebroproj_sym.cli.terminal import console, show
 from algebroproj_sym.declaring import drivers, kernels
-from algebroproj_sym.generating import BACKENDS, drift, write
+from algebroproj_sym.generating.backends import BACKENDS
+from algebroproj_sym.generating.writing import drift, write
 from algebroproj_sym.reporting.tables import operations_table
-from algebroproj_sym.verifying import cpp_source_is_proved
+from algebroproj_sym.verifying.proof_of_cpp_source import cpp_source_is_proved
 
 
 @click.command()
@@ -30,7 +31,6 @@ from algebroproj_sym.verifying import cpp_source_is_proved
     "--check", "only_check", is_flag=True, help="Write nothing. Exit with 1 if the package is not up to date."
 )
 @options.full
-@options.engine
 @options.jobs
 def generate(
     sources: tuple[str, ...],
@@ -39,7 +39,6 @@ def generate(
     backend: str,
     only_check: bool,
     full: bool,
-    engine: str,
     jobs: int,
 ) -> None:
     """Generate the functions, and write them to DIR/NAME.
@@ -48,10 +47,10 @@ def generate(
     NumPy package there is the command verify.  The docstrings of the NumPy package show the errors
     in DIR/NAME/accuracy.json, if there is such a file.
     """
-    lowered = lowered_kernels(kernels((), sources), sources, engine, jobs)
+    lowered = lowered_kernels(kernels((), sources), sources, jobs)
     files = BACKENDS[backend].render(lowered, drivers(sources), package)
     if backend == "cpp":
-        require_proved([low.kernel.qualified_name for low in lowered if not cpp_source_is_proved(low, files, engine)])
+        require_proved([low.kernel.qualified_name for low in lowered if not cpp_source_is_proved(low, files)])
     folder = out / package
     changed = drift(files, folder)
     if only_check and changed:

@@ -12,7 +12,7 @@ from algebroproj_sym.reporting.explaining import failure_text
 from algebroproj_sym.reporting.tables import failed_function
 
 if TYPE_CHECKING:
-    from algebroproj_sym.verifying import Verification
+    from algebroproj_sym.verifying.verification import Verification
 
 ADVICE = (
     "Try another form of the kernel. Declare section.kernel(..., form=...) with an equal expression in which less\n"
@@ -20,7 +20,7 @@ ADVICE = (
 )
 
 
-def judged(claims: Sequence[Claim], engine: str, jobs: int) -> list[Judgement]:
+def judged(claims: Sequence[Claim], jobs: int, engine: str = "flint") -> list[Judgement]:
     """Judge claims, in order."""
     return list(progressing(judge_all(claims, engine, jobs), len(claims), "checking"))
 
@@ -37,14 +37,7 @@ def require_as_declared(
 ) -> None:
     """Leave with exit status 1 unless every verdict is the declared one and every function has passed.
 
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        The verdicts.
-    verifications : sequence of Verification
-        The figures of the functions.
-    details : Path, optional
-        Where to read more.
+    What `details` names has more to read.
     """
     failed = [v for v in verifications if not v.passed]
     if failed:

@@ -5,26 +5,23 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import Any, get_args
 
 import click
 
-from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show
 from algebroproj_sym.declaring import kernels, select
-from algebroproj_sym.mutating import (
-    Fate,
-    MutatedClaim,
-    MutatedKernel,
-    SourceFate,
-    explanations,
-    superfluous,
-    with_reasons,
-)
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.mutating.claims import Fate, MutatedClaim, mutate_claim
+from algebroproj_sym.mutating.explanations import explanations, superfluous, with_reasons
+from algebroproj_sym.mutating.kernels import MutatedKernel, SourceFate, mutate_kernel
+from algebroproj_sym.processes import mapped
 from algebroproj_sym.reporting.tables import fill, table_of
+from algebroproj_sym.verifying.shipped import load_package
 
 FATES: tuple[Fate, ...] = get_args(Fate)
 
@@ -42,7 +39,6 @@ FATES: tuple[Fate, ...] = get_args(Fate)
 @click.option("--only", type=click.Choice(("claims", "functions")), help="Change only claims, or only functions.")
 @options.package_folder
 @options.samples
-@options.engine
 @options.jobs
 @options.full
 @options.output_format
@@ -52,7 +48,6 @@ def mutate(
     only: str | None,
     folder: Path | None,
     samples: int,
-    engine: str,
     jobs: int,
     full: bool,
     output: str,
@@ -72,16 +67,16 @@ def mutate(
     functions: list[MutatedKernel] = []
     if only != "functions":
         proved = [claim for claim in chosen if claim.expected == "proved"]
-        found = pipeline.mutated_claims(proved, limit, engine, jobs)
+        found = mapped(partial(mutate_claim, limit=limit), proved, jobs)
         claims = with_reasons(list(progressing(found, len(proved), "changing claims")), explanations())
     if only != "claims":
         names = {(claim.paper, claim.number) for claim in chosen}
         resting = [kernel for kernel in kernels() if names & {(kernel.paper, number) for number in kernel.claims}]
-        lowered = lowered_kernels(resting, (), engine, jobs) if resting else []
-        changed = pipeline.mutated_kernels(lowered, folder, limit, samples, engine, jobs)
+        lowered = lowered_kernels(resting, (), jobs) if resting else []
+        changed = mapped(partial(_mutated, folder=folder, limit=limit, size=samples), lowered, jobs)
         functions = list(progressing(changed, len(lowered), "changing functions"))
     if output == "json":
-        echo_json(_record(claims, functions))
+        echo_json({"schema": 1, "claims": list(map(asdict, claims)), "functions": list(map(asdict, functions))})
     else:
         _print_claims(claims)
         _print_functions(functions, full=full)
@@ -90,6 +85,10 @@ def mutate(
         echo(f"{entry.claim}  {entry.form}: survivors.toml lists this change, but the checks notice it", err=True)
     if stale or _survivors(claims) or any(_unnoticed(function) for function in functions):
         raise SystemExit(1)
+
+
+def _mutated(lowered: Lowered, folder: Path | None, limit: int, size: int) -> MutatedKernel:
+    return mutate_kernel(lowered, load_package(folder), limit, size)
 
 
 def _survivors(claims: Sequence[MutatedClaim]) -> list[tuple[MutatedClaim, Any]]:
@@ -157,7 +156,3 @@ def _counts(fates: Sequence[SourceFate]) -> tuple[int, int, int, int, int]:
         sum(fate.by_numbers for fate in same),
         sum(fate.same_bits for fate in same),
     )
-
-
-def _record(claims: Sequence[MutatedClaim], functions: Sequence[MutatedKernel]) -> dict[str, Any]:
-    return {"schema": 1, "claims": [asdict(claim) for claim in claims], "functions": [asdict(f) for f in functions]}

@@ -51,7 +51,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
     """
     if sources and not comparing:
         raise click.UsageError("--source: expected also --derivations")
-    ledger = _read(path)
+    ledger = ledger_at(path)
     try:
         found = replay(ledger, jobs)
         results = list(progressing(found, len(_listed(ledger)), "replaying"))
@@ -82,7 +82,7 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
         raise SystemExit(1)
 
 
-def _read(path: Path) -> dict[str, Any]:
+def ledger_at(path: Path) -> dict[str, Any]:
     """Read a ledger; another kind of file is wrong usage."""
     try:
         ledger = json.loads(path.read_text(encoding="utf-8"))

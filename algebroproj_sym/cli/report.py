@@ -7,6 +7,7 @@ from tempfile import TemporaryDirectory
 
 import click
 
+from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
 from algebroproj_sym.cli.steps import (
@@ -14,15 +15,16 @@ from algebroproj_sym.cli.steps import (
     SITE_MODULES,
     lowered_after,
     require_modules,
-    run_notebooks,
-    verified,
 )
-from algebroproj_sym.cli.terminal import console
+from algebroproj_sym.cli.terminal import console, progressing
 from algebroproj_sym.declaring import drivers, kernels, located, split
-from algebroproj_sym.generating import PACKAGE, render, write
-from algebroproj_sym.reporting.dependences import noting
+from algebroproj_sym.generating.backends.numpy import render
+from algebroproj_sym.generating.writing import PACKAGE, write
+from algebroproj_sym.processes import in_processes
+from algebroproj_sym.reporting.dependences import noted
 from algebroproj_sym.reporting.live.bundling import live_files
 from algebroproj_sym.reporting.live.fetching import FetchError
+from algebroproj_sym.reporting.notebooks import Notebook, run_notebook
 from algebroproj_sym.reporting.site.catalogue import catalogue
 from algebroproj_sym.reporting.site.folder import OccupiedError, replace, require_free
 from algebroproj_sym.reporting.site.function_pages import functions_of
@@ -34,7 +36,6 @@ from algebroproj_sym.reporting.tables import summary_text
 @options.selectors
 @options.folder("site", "the site")
 @options.samples
-@options.engine
 @options.jobs
 @click.option("--notebooks", is_flag=True, help="Run the derivations as notebooks, and add them to the site.")
 @click.option("--live", is_flag=True, help="Add the prover to the pages. It is fetched with npm and pip.")
@@ -42,7 +43,6 @@ def report(
     selectors: tuple[str, ...],
     out: Path,
     samples: int,
-    engine: str,
     jobs: int,
     notebooks: bool,
     live: bool,
@@ -66,22 +66,24 @@ def report(
     except OccupiedError as error:
         raise click.UsageError(f"--out: {error}") from error
     carried = _live_files() if live else {}
-    with noting(selectors) as rests:
-        judgements = judged(claims, engine, jobs)
-        console().print(summary_text(judgements))
-        say_what_is_wrong(judgements)
-        numbers = {(claim.paper, claim.number) for claim in claims}
-        chosen = [
-            k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}
-        ]
-        lowered = lowered_after(judgements, chosen, engine, jobs)
-        package = render(lowered, drivers(sources))
-        with TemporaryDirectory() as folder:
-            write(package, Path(folder) / PACKAGE)
-            verifications = verified(lowered, Path(folder), samples, engine, jobs)
-        modules = [derivation for derivation, _ in found]
-        shown = run_notebooks({module.path: module for module in modules}.values(), jobs) if notebooks else []
-        known = rests()
+    known = noted(selectors)
+    judgements = judged(claims, jobs)
+    console().print(summary_text(judgements))
+    say_what_is_wrong(judgements)
+    numbers = {(claim.paper, claim.number) for claim in claims}
+    chosen = [k for k in kernels((), sources, together=True) if numbers >= {(k.paper, number) for number in k.claims}]
+    lowered = lowered_after(judgements, chosen, jobs)
+    package = render(lowered, drivers(sources))
+    with TemporaryDirectory() as folder:
+        write(package, Path(folder) / PACKAGE)
+        verifications = list(
+            progressing(pipeline.verifications(lowered, Path(folder), samples, jobs), len(lowered), "verifying")
+        )
+    modules = [derivation for derivation, _ in found]
+    shown: list[Notebook] = []
+    if notebooks:
+        run = list({module.path: module for module in modules}.values())
+        shown = list(progressing(in_processes(run_notebook, run, jobs), len(run), "running notebooks"))
     functions = functions_of(lowered, verifications, package)
     site = render_site(catalogue(judgements, modules, functions, shown, live, known)) | carried
     replace(site, out)

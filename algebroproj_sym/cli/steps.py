@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -11,10 +11,9 @@ import click
 from algebroproj_sym import pipeline
 from algebroproj_sym.cli.judging import judged
 from algebroproj_sym.cli.terminal import progressing
-from algebroproj_sym.declaring import Derivation, Judgement, Kernel
-from algebroproj_sym.generating import PACKAGE, Lowered, superfluous
-from algebroproj_sym.reporting.notebooks import Notebook
-from algebroproj_sym.verifying import Verification
+from algebroproj_sym.declaring import Judgement, Kernel
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.writing import superfluous
 
 SITE_MODULES = ("latex2mathml",)
 NOTEBOOK_MODULES = ("ipykernel", "jupytext", "markdown_it", "mdit_py_plugins", "nbclient", "pygments")
@@ -26,15 +25,15 @@ def require_kernels(chosen: Sequence[Kernel]) -> None:
         raise click.ClickException("no functions are declared.\nDeclare one with section.kernel(...) in a module.")
 
 
-def lowered_kernels(chosen: Sequence[Kernel], sources: Sequence[str], engine: str, jobs: int) -> list[Lowered]:
+def lowered_kernels(chosen: Sequence[Kernel], sources: Sequence[str], jobs: int) -> list[Lowered]:
     """Judge the claims that some kernels rest on, and lower the kernels."""
     require_kernels(chosen)
-    return lowered_after(judged(pipeline.claims_of(chosen, sources), engine, jobs), chosen, engine, jobs)
+    return lowered_after(judged(pipeline.claims_of(chosen, sources), jobs), chosen, jobs)
 
 
-def lowered_after(judgements: Sequence[Judgement], chosen: Sequence[Kernel], engine: str, jobs: int) -> list[Lowered]:
+def lowered_after(judgements: Sequence[Judgement], chosen: Sequence[Kernel], jobs: int) -> list[Lowered]:
     """Lower the kernels."""
-    return list(progressing(pipeline.programs(judgements, chosen, engine, jobs), len(chosen), "lowering"))
+    return list(progressing(pipeline.programs(judgements, chosen, jobs), len(chosen), "lowering"))
 
 
 def require_room(files: Mapping[str, str], folder: Path, sources: Sequence[str]) -> None:
@@ -45,20 +44,6 @@ def require_room(files: Mapping[str, str], folder: Path, sources: Sequence[str])
             f"{folder} also has {', '.join(lost)}, which these derivations do not generate.\n"
             "Choose another folder with --out DIR or another package with --name NAME."
         )
-
-
-def verified(
-    lowered: Sequence[Lowered],
-    folder: Path | None,
-    samples: int,
-    engine: str,
-    jobs: int,
-    package: str = PACKAGE,
-    seconds: float = 0.0,
-) -> list[Verification]:
-    """Verify the generated functions in a folder, or those of the installed package."""
-    found = pipeline.verifications(lowered, folder, samples, engine, jobs, package, seconds)
-    return list(progressing(found, len(lowered), "verifying"))
 
 
 def require_modules(names: Sequence[str], purpose: str, requirement: str = "algebroproj-sym[report]") -> None:
@@ -73,8 +58,3 @@ def require_modules(names: Sequence[str], purpose: str, requirement: str = "alge
 def missing_modules(names: Sequence[str]) -> list[str]:
     """Return which modules are not installed."""
     return [name for name in names if find_spec(name) is None]
-
-
-def run_notebooks(derivations: Collection[Derivation], jobs: int) -> list[Notebook]:
-    """Run derivations as notebooks."""
-    return list(progressing(pipeline.notebooks(tuple(derivations), jobs), len(derivations), "running notebooks"))

@@ -187,7 +187,10 @@ def _finish(sweep: Sweep, jobs: int, scheduler: str | None) -> None:
 
     try:
         with _executor(jobs, scheduler) as (executor, workers):
-            _compute(sweep, executor, workers)
+            left = len(sweeping.missing(sweep))
+            done = sweeping.run(sweep, executor, CHUNKS_PER_WORKER * workers)
+            for _ in progressing(done, left, sweep.study.name):
+                pass
     except (BrokenExecutor, CancelledError) as error:
         raise click.ClickException(
             f"study: the workers were lost. Finished parts are kept in {sweep.folder}: "
@@ -209,14 +212,6 @@ def _show(study: Study, dataset: xarray.Dataset, out: Path, *written: str) -> No
     names = sorted({path.stem for path in drawings})
     files = ", ".join([*written, "report.txt", f"figures ({', '.join(names)})"])
     console().print(f"written to {out}: {files}")
-
-
-def _compute(sweep: Sweep, executor: Executor | None, workers: int) -> None:
-    from algebroproj_sym.study import sweeping
-
-    left = sweeping.missing(sweep)
-    for _ in progressing(sweeping.run(sweep, executor, CHUNKS_PER_WORKER * workers), len(left), sweep.study.name):
-        pass
 
 
 @contextmanager

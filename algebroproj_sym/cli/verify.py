@@ -6,14 +6,16 @@ from pathlib import Path
 
 import click
 
+from algebroproj_sym import pipeline
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.judging import require_as_declared
-from algebroproj_sym.cli.steps import lowered_kernels, verified
-from algebroproj_sym.cli.terminal import console, echo_json, show
+from algebroproj_sym.cli.steps import lowered_kernels
+from algebroproj_sym.cli.terminal import console, echo_json, progressing, show
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.reporting.ledger import write_json
 from algebroproj_sym.reporting.tables import verification_table
-from algebroproj_sym.verifying import BOUND, verification_record
+from algebroproj_sym.verifying.accuracy import BOUND
+from algebroproj_sym.verifying.verification import verification_record
 
 
 @click.command()
@@ -29,7 +31,6 @@ from algebroproj_sym.verifying import BOUND, verification_record
     metavar="SECONDS",
     help="Also climb to large errors, for so long in each function.",
 )
-@options.engine
 @options.jobs
 @click.option(
     "--out",
@@ -46,7 +47,6 @@ def verify(
     package: str,
     samples: int,
     attack: float,
-    engine: str,
     jobs: int,
     out: Path | None,
     full: bool,
@@ -62,8 +62,10 @@ def verify(
     With --attack an adversary changes bits of the inputs, and keeps what makes the error larger.  The largest error
     found is reported beside that of the samples.
     """
-    lowered = lowered_kernels(kernels(functions, sources), sources, engine, jobs)
-    verifications = verified(lowered, folder, samples, engine, jobs, package, attack)
+    lowered = lowered_kernels(kernels(functions, sources), sources, jobs)
+    verifications = list(
+        progressing(pipeline.verifications(lowered, folder, samples, jobs, package, attack), len(lowered), "verifying")
+    )
     record = verification_record(verifications)
     if out is not None:
         write_json(record, out / "accuracy.json")

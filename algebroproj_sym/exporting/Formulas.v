@@ -94,6 +94,94 @@ Fixpoint defined (env : list R) (n : nat) (definitions : list expr) : list Prop 
   | d :: rest => (List.nth n env 0 = eval env d) :: defined env (S n) rest
   end.
 
+(** * Readers of formulas: what is read of definitions, one after the other *)
+
+(** The entries of an environment may depend on a parameter, such as the time.  [means f a] says what [a] is of [f]. *)
+Section Readers.
+Variables T A : Type.
+Variable reader : list A -> expr -> option A.
+Variable means : (T -> R) -> A -> Prop.
+Hypothesis means_same : forall f g a, (forall t, f t = g t) -> means f a -> means g a.
+
+Definition entries_mean (env : T -> list R) (values : list A) : Prop :=
+  forall k a, nth_error values k = Some a -> means (fun t => List.nth k (env t) 0) a.
+Hypothesis reads_well : forall env values, entries_mean env values ->
+  forall e a, reader values e = Some a -> means (fun t => eval (env t) e) a.
+
+Fixpoint extended (values : list A) (definitions : list expr) : option (list A) :=
+  match definitions with
+  | [] => Some values
+  | d :: rest => match reader values d with Some a => extended (values ++ [a]) rest | None => None end
+  end.
+
+Lemma one_more (before env : T -> list R) values d a : entries_mean before values -> reader values d = Some a ->
+  (forall k t, (k < length values)%nat -> List.nth k (env t) 0 = List.nth k (before t) 0) ->
+  (forall t, List.nth (length values) (env t) 0 = eval (before t) d) -> entries_mean env (values ++ [a]).
+Proof.
+  intros F E Old New k b H. destruct (Nat.lt_ge_cases k (length values)) as [L|L].
+  - rewrite nth_error_app1 in H by assumption. apply F in H. revert H. apply means_same. intro t. now rewrite Old.
+  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:K; [|destruct j; discriminate].
+    simpl in H. injection H as <-. replace k with (length values) by lia.
+    apply (reads_well _ _ F) in E. revert E. apply means_same. intro t. now rewrite New.
+Qed.
+
+Lemma extended_defined env definitions : forall values more, entries_mean env values ->
+  extended values definitions = Some more -> (forall t, all (defined (env t) (length values) definitions)) ->
+  entries_mean env more.
+Proof.
+  induction definitions as [|d rest IH]; cbn [extended defined]; intros values more F E D; [now injection E as <-|].
+  destruct (reader values d) as [a|] eqn:N; [|discriminate].
+  apply IH with (values ++ [a])%list; [|assumption|].
+  - apply (one_more env env values d a); [assumption|assumption|reflexivity|].
+    intro t. specialize (D t). rewrite all_cons in D. apply D.
+  - intro t. specialize (D t). rewrite all_cons in D. rewrite app_length, Nat.add_comm. apply D.
+Qed.
+
+(** The same of terms that a proof shares: their values are appended to the environment. *)
+Lemma extended_run shared : forall env values more, (forall t, length (env t) = length values) ->
+  entries_mean env values -> extended values shared = Some more -> entries_mean (fun t => run (env t) shared) more.
+Proof.
+  induction shared as [|d rest IH]; cbn [extended run]; intros env values more L F E; [now injection E as <-|].
+  destruct (reader values d) as [a|] eqn:N; [|discriminate].
+  apply (IH (fun t => env t ++ [eval (env t) d])%list (values ++ [a])%list); [intro t; now rewrite !app_length, L| |assumption].
+  apply (one_more env _ values d a); [assumption|assumption| |].
+  - intros k t K. apply app_nth1. now rewrite L.
+  - intro t. rewrite <- (L t), app_nth2 by apply le_n. now rewrite Nat.sub_diag.
+Qed.
+
+Lemma extended_length definitions : forall values more,
+  extended values definitions = Some more -> length more = (length values + length definitions)%nat.
+Proof.
+  induction definitions as [|d rest IH]; cbn [extended]; intros values more E; [injection E as <-; simpl; lia|].
+  destruct (reader values d); [|discriminate]. apply IH in E. rewrite E, app_length. simpl. lia.
+Qed.
+End Readers.
+Arguments extended {A}.
+
+(** The same where nothing depends on a parameter, and what is read is a number. *)
+Section Numbers.
+Variable A : Type.
+Variable reader : list A -> expr -> option A.
+Variable real : A -> R.
+Definition stands (env : list R) (values : list A) : Prop :=
+  entries_mean unit A (fun f a => f tt = real a) (fun _ => env) values.
+Hypothesis reads_well : forall env values, stands env values -> forall e a, reader values e = Some a -> eval env e = real a.
+
+Lemma defined_stands env definitions values more : stands env values -> extended reader values definitions = Some more ->
+  all (defined env (length values) definitions) -> stands env more.
+Proof.
+  intros F E D. refine (extended_defined _ _ _ _ _ (fun env => reads_well (env tt)) _ _ _ _ F E (fun _ => D)).
+  now intros f g a <-.
+Qed.
+
+Lemma run_stands env shared values more : length env = length values -> stands env values ->
+  extended reader values shared = Some more -> stands (run env shared) more.
+Proof.
+  intros L F E. refine (extended_run _ _ _ _ _ (fun env => reads_well (env tt)) _ (fun _ => env) _ _ (fun _ => L) F E).
+  now intros f g a <-.
+Qed.
+End Numbers.
+
 (** * Polynomials over Q *)
 
 Definition qadd (a b : Q) : Q := Qred (a + b).
@@ -301,7 +389,7 @@ Lemma Q2R_nonzero c : Qeq_bool c 0 = false -> Q2R c <> 0.
 Proof.
   intros H E. apply Qeq_bool_neq in H. apply H, eqR_Qeq. now rewrite E, Q2R_0.
 Qed.
-Lemma meaning_div v w c h u : fdiv v w c h = Some u -> meaning u = meaning v / meaning w.
+Lemma meaning_div v w c h u : fdiv v w c h = Some u -> meaning w <> 0 /\ meaning u = meaning v / meaning w.
 Proof.
   unfold fdiv. destruct (_ && _)%bool eqn:H; [|discriminate]. intro E; injection E as <-.
   apply andb_prop in H as [H Hh]. apply andb_prop in H as [H Hc]. apply Bool.negb_true_iff in Hc.
@@ -312,7 +400,9 @@ Proof.
   assert (powers fs (opposite (plus h (snd w))) = / (powers fs h * powers fs (snd w))) as ->.
   { rewrite <- powers_plus by assumption. apply Rmult_eq_reg_r with (powers fs (plus h (snd w))); [|now apply powers_nonzero].
     rewrite powers_opposite by assumption. symmetry. now apply Rinv_l, powers_nonzero. }
-  field. repeat split; try now apply powers_nonzero. now apply Q2R_nonzero.
+  assert (powers fs h <> 0) by now apply powers_nonzero. assert (powers fs (snd w) <> 0) by now apply powers_nonzero.
+  assert (Q2R c <> 0) by now apply Q2R_nonzero.
+  split; [|now field]. now do 2 (apply Rmult_integral_contrapositive_currified; [|assumption]).
 Qed.
 
 (** * The normal form of a formula *)
@@ -332,8 +422,7 @@ Fixpoint normal (values : list fraction) (e : expr) : option fraction :=
   | _ => None
   end.
 
-Definition faithful (env : list R) (values : list fraction) : Prop :=
-  forall k v, nth_error values k = Some v -> List.nth k env 0 = meaning v.
+Definition faithful : list R -> list fraction -> Prop := stands fraction meaning.
 
 Lemma normal_sound env values : faithful env values ->
   forall e v, normal values e = Some v -> eval env e = meaning v.
@@ -348,51 +437,8 @@ Proof.
   - now rewrite meaning_add.
   - now rewrite meaning_add, meaning_opp.
   - now rewrite meaning_mul.
-  - symmetry. now apply meaning_div with c h.
+  - symmetry. now apply (meaning_div v w c h).
   - now rewrite meaning_pow.
-Qed.
-
-Fixpoint extended (values : list fraction) (definitions : list expr) : option (list fraction) :=
-  match definitions with
-  | [] => Some values
-  | d :: rest => match normal values d with Some v => extended (values ++ [v]) rest | None => None end
-  end.
-
-Lemma extended_faithful env definitions : forall values more,
-  faithful env values -> extended values definitions = Some more ->
-  all (defined env (length values) definitions) -> faithful env more.
-Proof.
-  induction definitions as [|d rest IH]; cbn [extended defined]; intros values more F E D; [now injection E as <-|].
-  destruct (normal values d) as [v|] eqn:N; [|discriminate].
-  rewrite all_cons in D. destruct D as [D1 D2].
-  apply IH with (values ++ [v]); [|assumption|now rewrite app_length, Nat.add_comm].
-  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [L|L].
-  - rewrite nth_error_app1 in H by assumption. now apply F.
-  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:K.
-    + simpl in H. injection H as <-. replace k with (length values) by lia.
-      rewrite D1. now apply normal_sound with values.
-    + destruct j; discriminate.
-Qed.
-
-(** The same of terms that a proof shares: their values are appended to the environment. *)
-Lemma extended_run shared : forall env values more, length env = length values ->
-  faithful env values -> extended values shared = Some more -> faithful (run env shared) more.
-Proof.
-  induction shared as [|d rest IH]; cbn [extended run]; intros env values more L F E; [now injection E as <-|].
-  destruct (normal values d) as [v|] eqn:N; [|discriminate].
-  apply IH with (values ++ [v]); [now rewrite !app_length, L| |assumption].
-  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [K|K].
-  - rewrite nth_error_app1 in H by assumption. rewrite app_nth1 by now rewrite L. now apply F.
-  - rewrite nth_error_app2 in H by assumption. rewrite app_nth2, L by now rewrite L.
-    destruct (k - length values)%nat as [|j]; [|destruct j; discriminate].
-    simpl in *. injection H as <-. now apply normal_sound with values.
-Qed.
-
-Lemma extended_length definitions : forall values more,
-  extended values definitions = Some more -> length more = (length values + length definitions)%nat.
-Proof.
-  induction definitions as [|d rest IH]; cbn [extended]; intros values more E; [injection E as <-; simpl; lia|].
-  destruct (normal values d); [|discriminate]. apply IH in E. rewrite E, app_length. simpl. lia.
 Qed.
 
 (** * What follows from constraints *)
@@ -479,26 +525,40 @@ Proof.
   unfold meaning; cbn [fst snd]. rewrite value_var, app_nth1 by assumption. destruct (map _ divisors); simpl; ring.
 Qed.
 
+(** The polynomials that formulas without division are. *)
+Definition polynomials (n : nat) : list expr -> option (list poly) := traverse (fun e => polynomial (normal [] (base n) e)).
+
+Lemma polynomials_regular xs es ps : polynomials (length xs) es = Some ps ->
+  Forall (fun e => eval xs e <> 0) es -> regular (map (value_of xs) ps).
+Proof.
+  intros E H. apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ E H). clear. intros e p E N.
+  destruct (normal [] (base (length xs)) e) as [[q [|]]|] eqn:Ne; try discriminate. injection E as ->.
+  assert (regular (map (value_of xs) [])) as R0 by constructor.
+  rewrite <- (app_nil_r xs) in N at 1.
+  rewrite (normal_sound xs [] R0 _ _ (base_faithful [] xs []) _ _ Ne) in N.
+  unfold meaning in N. cbn [fst snd powers map] in N. lra.
+Qed.
+
 (** Whether the goals follow from divisors and units that are not zero, definitions, and constraints that are zero;
     the first [n] variables are free, [m] are defined, and the goals have more that they share. *)
 Definition decided (n m : nat) (divisors definitions units constraints shared : list expr) (goals : list goal) : bool :=
-  match traverse (fun e => polynomial (normal [] (base n) e)) divisors with
+  match polynomials n divisors with
   | None => false
   | Some ps =>
-  match extended ps (base n) definitions with
+  match extended (normal ps) (base n) definitions with
   | None => false
   | Some values =>
   match traverse (normal ps values) units with
   | None => false
   | Some us =>
   let qs := (ps ++ map fst us)%list in
-  match extended qs (base n) definitions with
+  match extended (normal qs) (base n) definitions with
   | None => false
   | Some values =>
   match traverse (normal qs values) constraints with
   | None => false
   | Some cs =>
-  match extended qs values shared with
+  match extended (normal qs) values shared with
   | None => false
   | Some values => Nat.eqb m (length definitions) && forallb (reached qs values cs) goals
   end end end end end end.
@@ -512,23 +572,17 @@ Theorem follows xs ss divisors definitions units constraints shared goals :
   all (map (concludes (run (xs ++ ss) shared)) goals).
 Proof.
   unfold decided. rewrite !all_map. intros H Hd Hdef Hu Hc.
-  destruct (traverse _ divisors) as [ps|] eqn:Ed; [|discriminate].
-  destruct (extended ps _ definitions) as [values|] eqn:Ev; [|discriminate].
+  destruct (polynomials _ divisors) as [ps|] eqn:Ed; [|discriminate].
+  destruct (extended (normal ps) _ definitions) as [values|] eqn:Ev; [|discriminate].
   destruct (traverse (normal ps values) units) as [us|] eqn:Eu; [|discriminate].
-  destruct (extended (ps ++ map fst us)%list _ definitions) as [values'|] eqn:Ev'; [|discriminate].
+  destruct (extended (normal (ps ++ map fst us)) _ definitions) as [values'|] eqn:Ev'; [|discriminate].
   destruct (traverse (normal _ values') constraints) as [cs|] eqn:Ec; [|discriminate].
-  destruct (extended _ values' shared) as [more|] eqn:Es; [|discriminate].
+  destruct (extended (normal _) values' shared) as [more|] eqn:Es; [|discriminate].
   apply andb_prop in H as [Lm H]. apply Nat.eqb_eq in Lm.
   assert (length (base (length xs)) = length xs) as L by (unfold base; now rewrite map_length, seq_length).
-  assert (regular (map (value_of xs) ps)) as Rps.
-  { apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Ed Hd). intros d p E N.
-    destruct (normal [] (base (length xs)) d) as [[q [|]]|] eqn:Nd; try discriminate. injection E as ->.
-    assert (regular (map (value_of xs) [])) as R0 by constructor.
-    rewrite <- (app_nil_r xs) in N at 1.
-    rewrite (normal_sound xs [] R0 _ _ (base_faithful [] xs []) _ _ Nd) in N.
-    unfold meaning in N. cbn [fst snd powers map] in N. lra. }
+  pose proof (polynomials_regular xs divisors ps Ed Hd) as Rps.
   assert (faithful xs ps (xs ++ ss) values) as F.
-  { apply (extended_faithful xs ps Rps (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
+  { apply (defined_stands _ _ _ (normal_sound xs ps Rps) (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
     now rewrite L. }
   set (qs := (ps ++ map fst us)%list) in *.
   assert (regular (map (value_of xs) qs)) as Rqs.
@@ -536,11 +590,11 @@ Proof.
     rewrite map_map. apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Eu Hu). intros u v E N Z.
     apply N. rewrite (normal_sound xs ps Rps _ _ F _ _ E). unfold meaning. rewrite Z. ring. }
   assert (faithful xs qs (xs ++ ss) values') as F'.
-  { apply (extended_faithful xs qs Rqs (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
+  { apply (defined_stands _ _ _ (normal_sound xs qs Rqs) (xs ++ ss) definitions (base (length xs))); [apply base_faithful|assumption|].
     now rewrite L. }
   assert (faithful xs qs (run (xs ++ ss) shared) more) as Fs.
-  { apply (extended_run xs qs Rqs shared _ values'); [|assumption|assumption].
-    now rewrite (extended_length _ _ _ _ Ev'), L, app_length, Lm. }
+  { apply (run_stands _ _ _ (normal_sound xs qs Rqs) _ shared values'); [|assumption|assumption].
+    now rewrite (extended_length _ _ _ _ _ Ev'), L, app_length, Lm. }
   apply Forall_forall. intros g Hg. rewrite forallb_forall in H.
   apply (reached_sound xs qs Rqs _ _ cs g Fs); [|now apply H].
   refine (traverse_Forall _ _ _ _ _ _ Ec Hc). intros c v E Zc.
@@ -567,12 +621,6 @@ Fixpoint number (env : list Q) (e : expr) : option Q :=
   | Compare a b => both a b (fun p q => Some (if Qle_bool p q then 1%Q else 0%Q))
   end.
 
-Fixpoint numbers (env : list Q) (definitions : list expr) : option (list Q) :=
-  match definitions with
-  | [] => Some env
-  | d :: rest => match number env d with Some q => numbers (env ++ [q]) rest | None => None end
-  end.
-
 Definition holds (env : list Q) (l : literal) : bool :=
   let compare a b f := match number env a, number env b with Some p, Some q => f p q | _, _ => false end in
   match l with
@@ -587,10 +635,9 @@ Definition holds (env : list Q) (l : literal) : bool :=
   end.
 
 Definition evaluated (xs : list Q) (definitions : list expr) (literals : list literal) : bool :=
-  match numbers xs definitions with Some env => forallb (holds env) literals | None => false end.
+  match extended number xs definitions with Some env => forallb (holds env) literals | None => false end.
 
-Definition rational (env : list R) (values : list Q) : Prop :=
-  forall k q, nth_error values k = Some q -> List.nth k env 0 = Q2R q.
+Definition rational : list R -> list Q -> Prop := stands Q Q2R.
 
 Lemma Q2R_Z n : Q2R (inject_Z n) = IZR n.
 Proof. unfold Q2R, inject_Z; simpl; lra. Qed.
@@ -640,22 +687,6 @@ Proof.
   - apply Q2R_compared.
 Qed.
 
-Lemma numbers_rational env definitions : forall values more,
-  rational env values -> numbers values definitions = Some more ->
-  all (defined env (length values) definitions) -> rational env more.
-Proof.
-  induction definitions as [|d rest IH]; cbn [numbers defined]; intros values more F E D; [now injection E as <-|].
-  destruct (number values d) as [v|] eqn:N; [|discriminate].
-  rewrite all_cons in D. destruct D as [D1 D2].
-  apply IH with (values ++ [v])%list; [|assumption|now rewrite app_length, Nat.add_comm].
-  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [L|L].
-  - rewrite nth_error_app1 in H by assumption. now apply F.
-  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:K.
-    + simpl in H. injection H as <-. replace k with (length values) by lia.
-      rewrite D1. now apply number_sound with values.
-    + destruct j; discriminate.
-Qed.
-
 Lemma traverse_map {A} (f : A -> option Q) (g : A -> R) : (forall a q, f a = Some q -> g a = Q2R q) ->
   forall l qs, traverse f l = Some qs -> map g l = map Q2R qs.
 Proof.
@@ -700,34 +731,21 @@ Theorem computed xs ss definitions literals :
   all (map (says (map Q2R xs ++ ss)) literals).
 Proof.
   unfold evaluated. intros H D. rewrite all_map.
-  destruct (numbers xs definitions) as [values|] eqn:E; [|discriminate].
+  destruct (extended number xs definitions) as [values|] eqn:E; [|discriminate].
   apply Forall_forall. intros l Hl. rewrite forallb_forall in H.
   apply holds_sound with values; [|now apply H].
-  apply (numbers_rational _ definitions xs); [|assumption|assumption].
+  refine (defined_stands _ _ _ number_sound _ _ _ _ _ E D).
   intros k q N. rewrite app_nth1; [|rewrite map_length; apply nth_error_Some; now rewrite N].
   apply (map_nth_error Q2R) in N. now apply nth_error_nth.
 Qed.
 
 (** The same without variables, of terms that a proof shares. *)
-Lemma numbers_run shared : forall env values more, length env = length values ->
-  rational env values -> numbers values shared = Some more -> rational (run env shared) more.
-Proof.
-  induction shared as [|d rest IH]; cbn [numbers run]; intros env values more L F E; [now injection E as <-|].
-  destruct (number values d) as [v|] eqn:N; [|discriminate].
-  apply IH with (values ++ [v])%list; [now rewrite !app_length, L| |assumption].
-  intros k w H. destruct (Nat.lt_ge_cases k (length values)) as [K|K].
-  - rewrite nth_error_app1 in H by assumption. rewrite app_nth1 by now rewrite L. now apply F.
-  - rewrite nth_error_app2 in H by assumption. rewrite app_nth2, L by now rewrite L.
-    destruct (k - length values)%nat as [|j]; [|destruct j; discriminate].
-    simpl in *. injection H as <-. now apply number_sound with values.
-Qed.
-
 Theorem calculated shared literals :
   evaluated [] shared literals = true -> all (map (says (run [] shared)) literals).
 Proof.
-  unfold evaluated. intro H. rewrite all_map. destruct (numbers [] shared) as [values|] eqn:E; [|discriminate].
+  unfold evaluated. intro H. rewrite all_map. destruct (extended number [] shared) as [values|] eqn:E; [|discriminate].
   apply Forall_forall. intros l Hl. rewrite forallb_forall in H. apply holds_sound with values; [|now apply H].
-  apply (numbers_run shared [] []); [reflexivity| |assumption]. intros [|k] q N; discriminate.
+  refine (run_stands _ _ _ number_sound [] _ [] _ eq_refl _ E). intros [|k] q N; discriminate.
 Qed.
 
 (** * Proportional lists *)
@@ -873,12 +891,6 @@ Fixpoint differentiated (values : list dual) (e : expr) : option dual :=
   | _ => None
   end.
 
-Fixpoint drun (values : list dual) (definitions : list expr) : option (list dual) :=
-  match definitions with
-  | [] => Some values
-  | d :: rest => match differentiated values d with Some u => drun (values ++ [u]) rest | None => None end
-  end.
-
 (** A function has at 0 the value and the derivative of a pair. *)
 Definition has (f : R -> R) (u : dual) : Prop := f 0 = real (fst u) /\ derivable_pt_lim f 0 (real (snd u)).
 
@@ -922,8 +934,7 @@ Proof.
   - exact (has_times f (fun t => f t ^ S n) u _ H IH).
 Qed.
 
-Definition tracked (env : R -> list R) (values : list dual) : Prop :=
-  forall k u, nth_error values k = Some u -> has (fun t => List.nth k (env t) 0) u.
+Definition tracked : (R -> list R) -> list dual -> Prop := entries_mean R dual has.
 
 Lemma differentiated_sound env values : tracked env values ->
   forall e u, differentiated values e = Some u -> has (fun t => eval (env t) e) u.
@@ -943,29 +954,12 @@ Proof.
   - now apply has_power.
 Qed.
 
-Lemma drun_sound definitions : forall env values more, (forall t, length (env t) = length values) ->
-  tracked env values -> drun values definitions = Some more -> tracked (fun t => run (env t) definitions) more.
-Proof.
-  induction definitions as [|d rest IH]; cbn [drun run]; intros env values more L T E; [now injection E as <-|].
-  destruct (differentiated values d) as [u|] eqn:D; [|discriminate].
-  apply (IH (fun t => env t ++ [eval (env t) d])%list (values ++ [u])%list); [| |assumption].
-  { intro t. rewrite !app_length, L. reflexivity. }
-  intros k v H. destruct (Nat.lt_ge_cases k (length values)) as [K|K].
-  - rewrite nth_error_app1 in H by assumption. destruct (T k v H) as [E1 D1]. split.
-    + rewrite app_nth1 by (rewrite L; assumption). exact E1.
-    + apply (derivable_pt_lim_ext (fun t => List.nth k (env t) 0)); [|assumption].
-      intro t. symmetry. apply app_nth1. rewrite L. assumption.
-  - rewrite nth_error_app2 in H by assumption. destruct (k - length values)%nat as [|j] eqn:J; [|destruct j; discriminate].
-    simpl in H. injection H as <-. replace k with (length values) by lia.
-    destruct (differentiated_sound env values T d u D) as [E1 D1]. split.
-    + rewrite app_nth2 by (rewrite L; apply le_n). rewrite L, Nat.sub_diag. exact E1.
-    + apply (derivable_pt_lim_ext (fun t => eval (env t) d)); [|assumption].
-      intro t. rewrite app_nth2 by (rewrite L; apply le_n). rewrite L, Nat.sub_diag. reflexivity.
-Qed.
+Lemma has_same f g u : (forall t, f t = g t) -> has f u -> has g u.
+Proof. intros E [V D]. split; [now rewrite <- E|now apply (derivable_pt_lim_ext f)]. Qed.
 
 (** The derivatives of the results of a program, if its variables have values and derivatives. *)
 Definition derived (values : list dual) (definitions results : list expr) : option (list A) :=
-  match drun values definitions with
+  match extended differentiated values definitions with
   | Some more => option_map (map snd) (traverse (differentiated more) results)
   | None => None
   end.
@@ -1003,10 +997,10 @@ Lemma derived_sound x v values definitions results slopes F :
   forall i, slope F x v i (List.nth i (map real slopes) 0).
 Proof.
   intros Lv L V E H i. unfold derived in H.
-  destruct (drun values definitions) as [more|] eqn:R0; [|discriminate].
+  destruct (extended differentiated values definitions) as [more|] eqn:R0; [|discriminate].
   destruct (traverse (differentiated more) results) as [pairs|] eqn:P; [|discriminate]. injection H as <-.
   assert (tracked (fun t => run (moved x v t) definitions) more) as T.
-  { apply (drun_sound definitions (fun t => moved x v t) values); [| |assumption].
+  { refine (extended_run R dual differentiated has has_same differentiated_sound definitions (moved x v) values _ _ _ R0).
     - intro t. now rewrite length_moved by assumption.
     - intros k u H. destruct (V k u H) as [V1 V2]. split.
       + rewrite nth_moved by assumption. rewrite V1. ring.
@@ -1033,21 +1027,8 @@ End Dual.
 
 (** ** Along a direction that is given by formulas *)
 
-Lemma fdiv_regular xs divisors v w c h u : regular (map (value_of xs) divisors) -> fdiv divisors v w c h = Some u ->
-  meaning xs divisors w <> 0 /\ meaning xs divisors u = meaning xs divisors v / meaning xs divisors w.
-Proof.
-  intros Hr H. split; [|now apply (meaning_div xs divisors Hr) with c h].
-  unfold fdiv in H. destruct (_ && _)%bool eqn:B; [|discriminate].
-  apply andb_prop in B as [B Hh]. apply andb_prop in B as [B Hc]. apply Bool.negb_true_iff in Hc.
-  assert (Forall (fun n => (0 <= n)%Z) h) as N.
-  { apply Forall_forall. intros n Hn. rewrite forallb_forall in Hh. now apply Z.leb_le, Hh. }
-  unfold meaning. rewrite (value_eq xs _ _ B), value_mul, value_constant, value_lift by assumption.
-  apply Rmult_integral_contrapositive_currified; [|now apply powers_nonzero].
-  apply Rmult_integral_contrapositive_currified; [now apply Q2R_nonzero|now apply powers_nonzero].
-Qed.
-
 Definition still (n : nat) (divisors direction definitions results : list expr) : bool :=
-  match traverse (fun e => polynomial (normal [] (base n) e)) divisors with
+  match polynomials n divisors with
   | None => false
   | Some ps =>
   match traverse (normal ps (base n)) direction with
@@ -1067,22 +1048,16 @@ Theorem stationary_by xs direction divisors definitions results F :
   stationary F xs (map (eval xs) direction).
 Proof.
   unfold still. rewrite all_map. intros H Hd E i.
-  destruct (traverse _ divisors) as [ps|] eqn:Ed; [|discriminate].
+  destruct (polynomials _ divisors) as [ps|] eqn:Ed; [|discriminate].
   destruct (traverse (normal ps _) direction) as [v|] eqn:Ev; [|discriminate].
   apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
   destruct (derived _ _ _ _ _ _ _ definitions results) as [slopes|] eqn:D; [|discriminate].
-  assert (regular (map (value_of xs) ps)) as Rps.
-  { apply Forall_map. refine (traverse_Forall _ _ _ _ _ _ Ed Hd). intros d p Ep N.
-    destruct (normal [] (base (length xs)) d) as [[q [|]]|] eqn:Nd; try discriminate. injection Ep as ->.
-    assert (regular (map (value_of xs) [])) as R0 by constructor.
-    rewrite <- (app_nil_r xs) in N at 1.
-    rewrite (normal_sound xs [] R0 _ _ (base_faithful [] xs []) _ _ Nd) in N.
-    unfold meaning in N. cbn [fst snd powers map] in N. lra. }
+  pose proof (polynomials_regular xs divisors ps Ed Hd) as Rps.
   assert (faithful xs ps xs (base (length xs))) as B by (rewrite <- (app_nil_r xs) at 2; apply base_faithful).
   assert (length (base (length xs)) = length xs) as Lb by (unfold base; now rewrite map_length, seq_length).
   pose proof (derived_sound fraction (meaning xs ps) fconstant (fadd ps) fmul fopp (fdiv ps)
     (meaning_constant xs ps Rps) (meaning_add xs ps Rps) (meaning_mul xs ps Rps) (meaning_opp xs ps)
-    (fun a b c h q => fdiv_regular xs ps a b c h q Rps)
+    (meaning_div xs ps Rps)
     xs (map (eval xs) direction) (combine (base (length xs)) v) definitions results slopes F) as S.
   assert (length direction = length xs) as Ldir by now rewrite <- (traverse_length _ _ _ Ev).
   replace 0 with (List.nth i (map (meaning xs ps) slopes) 0).

@@ -146,8 +146,8 @@ def _run(program: str, folder: Path, name: str, *arguments: str) -> tuple[Compil
     )
 
 
-def _shortened(message: str, limit: int = 2000) -> str:
-    return message if len(message) <= limit else f"{message[: limit // 2]}\n...\n{message[-limit // 2 :]}"
+def _shortened(message: str) -> str:
+    return message if len(message) <= 2000 else f"{message[:1000]}\n...\n{message[-1000:]}"
 
 
 def axioms(output: str) -> tuple[str, ...]:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from importlib.resources import files as resources
-from multiprocessing import get_context
 from typing import Any
 
 from algebroproj_sym.exporting.claims import Proved, theorems
@@ -18,6 +16,7 @@ from algebroproj_sym.exporting.reals import theorems_of_claim
 from algebroproj_sym.exporting.refusal import AnotherForm, NotExportable, Silent
 from algebroproj_sym.exporting.terms import free
 from algebroproj_sym.exporting.theorems import Theorem
+from algebroproj_sym.processes import mapped
 from algebroproj_sym.replaying import Replayed, replay_claim
 
 ASSUMPTIONS = "assumptions"
@@ -182,14 +181,11 @@ def export(
     """
     said = [None] * len(records) if replayed is None else replayed
     made = [(objects or {}).get((str(r.get("paper")), str(r.get("number"))), "") for r in records]
-    if jobs == 1:
-        yield from map(_judged, records, said, made)
-        return
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(_judged, records, said, made, chunksize=8)
+    return mapped(_judged, list(zip(records, said, made, strict=True)), jobs)
 
 
-def _judged(record: Mapping[str, Any], replayed: Replayed | None, made: Object | str) -> Exported:
+def _judged(claim: tuple[Mapping[str, Any], Replayed | None, Object | str]) -> Exported:
+    record, replayed, made = claim
     if replayed is None:
         return exported(record, made)
     if replayed.status == "replayed":

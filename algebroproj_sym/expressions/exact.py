@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any
 
 import flint
-import sympy
-
-ExactPoint: TypeAlias = dict[sympy.Symbol, Any]
-"""A point whose coordinates are FLINT's rational numbers."""
 
 
 def fmpq(value: Fraction) -> Any:
@@ -27,14 +22,3 @@ def fraction(value: Any) -> Fraction:
     Fraction(4, 3)
     """
     return Fraction(int(value.p), int(value.q))
-
-
-def exact(point: Mapping[sympy.Symbol, Fraction]) -> ExactPoint:
-    """Return a point with FLINT's rational numbers as coordinates.
-
-    Examples
-    --------
-    >>> exact({sympy.Symbol("x"): Fraction(1, 2)})
-    {x: 1/2}
-    """
-    return {symbol: fmpq(value) for symbol, value in point.items()}

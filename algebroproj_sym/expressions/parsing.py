@@ -21,7 +21,6 @@ still has the pole it was written with.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
 from dataclasses import dataclass
 
 import sympy
@@ -101,7 +100,7 @@ class _Value:
         return self.extent.divided
 
 
-def parse(text: str, argument: str = "text", variables: Collection[str] | None = None) -> Expression:
+def parse(text: str, argument: str = "text") -> Expression:
     """Read an expression, or a matrix of expressions, from text.
 
     Parameters
@@ -110,8 +109,6 @@ def parse(text: str, argument: str = "text", variables: Collection[str] | None =
         In the grammar of this module.
     argument : str
         The name of the text in error messages.
-    variables : collection of str, optional
-        The names that may occur; by default any.
 
     Returns
     -------
@@ -142,15 +139,15 @@ def parse(text: str, argument: str = "text", variables: Collection[str] | None =
     """
     if not isinstance(text, str):
         raise TypeError(f"{argument}: expected text, got {type(text).__name__}")
-    return _Parser(text, argument, variables).whole()
+    return _Parser(text, argument).whole()
 
 
-def parse_zero(text: str, argument: str = "text", variables: Collection[str] | None = None) -> sympy.Expr:
+def parse_zero(text: str, argument: str = "text") -> sympy.Expr:
     """Return the scalar expression that a text says is zero: an expression, or left minus right of an equation.
 
     Parameters
     ----------
-    text, argument, variables
+    text, argument
         As for `parse`; the text may contain one ``=``.
 
     Raises
@@ -165,14 +162,13 @@ def parse_zero(text: str, argument: str = "text", variables: Collection[str] | N
     """
     if not isinstance(text, str):
         raise TypeError(f"{argument}: expected text, got {type(text).__name__}")
-    return _Parser(text, argument, variables).zero()
+    return _Parser(text, argument).zero()
 
 
 class _Parser:
-    def __init__(self, text: str, argument: str, variables: Collection[str] | None) -> None:
+    def __init__(self, text: str, argument: str) -> None:
         self._argument = argument
         self._symbols: dict[str, sympy.Symbol] = {}
-        self._variables = variables
         self._tokens = self._scan(text)
         self._place = 0
         self._depth = 0
@@ -332,9 +328,6 @@ class _Parser:
             read = _number(token.text)
             return _Value(read, number(read))
         if self._take("name"):
-            if self._variables is not None and token.text not in self._variables:
-                declared = ", ".join(sorted(self._variables)) or "no names"
-                raise self._error(token.position, f"one of the variables {declared}", repr(token.text))
             return _Value(self._symbols[token.text], Extent(VARIABLE))
         if self._take("("):
             self._enter()

@@ -25,7 +25,7 @@ from algebroproj_sym.generating.compensation import compensated, with_sums_round
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import Lowered, lowered_form, program_of
-from algebroproj_sym.generating.program import Program, named, run
+from algebroproj_sym.generating.program import Program, run
 from algebroproj_sym.generating.samples import Sample, on_sum, stratified
 
 Numbers: TypeAlias = "NDArray[np.float64]"
@@ -54,24 +54,13 @@ class _Candidate:
         return float(np.median(self.ulps))
 
 
-def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
+def lower(kernel: Kernel) -> Lowered:
     """Lower a kernel, prove the program, and choose it among those of equal forms.
 
     The cheapest one is taken each of whose errors is small, or not much larger than the least one of any program there,
     and of these one that keeps the zeros of the results, if any does.  If there is none, the one that exceeds that
     least is taken.  Programs with primitive functions, which are not exact on fractions, cannot be compared: there the
     first form is taken.
-
-    Parameters
-    ----------
-    kernel : Kernel
-        As declared by a derivation.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic for the proof.
-
-    Returns
-    -------
-    Lowered
 
     Raises
     ------
@@ -80,13 +69,13 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
         fraction, which integers cannot give.
     """
     if any(stage.primitive != "let" for stage in kernel.stages):
-        return lowered_form(kernel, engine)
-    lowered = list(_distinct(kernel, engine))
+        return lowered_form(kernel)
+    lowered = list(_distinct(kernel))
     if len(lowered) == 1:
         return lowered[0]
     places = [place for place, output in enumerate(lowered[0].plain.outputs) if not isinstance(output, int)]
     inputs, truths = _truths(lowered[0].plain, stratified(lowered[0], SAMPLES), places)
-    zeros = _truths(lowered[0].plain, _on_sums(kernel, engine), places)
+    zeros = _truths(lowered[0].plain, _on_sums(kernel), places)
     candidates = [_measured(each, inputs, truths, zeros, places) for each in lowered]
     median = max(MEDIAN_ULP, min(candidate.median_ulp for candidate in candidates))
     most = np.fmax(MAX_ULP, NOT_WORSE * np.min([candidate.ulps for candidate in candidates], axis=0))
@@ -102,16 +91,16 @@ def lower(kernel: Kernel, engine: str = "flint") -> Lowered:
     return replace(best.lowered, forms=len(lowered))
 
 
-def _distinct(kernel: Kernel, engine: str) -> Iterator[Lowered]:
+def _distinct(kernel: Kernel) -> Iterator[Lowered]:
     """Yield the lowered forms of a kernel whose programs differ."""
     forms = [kernel, *kernel.alternatives]
-    forms += [form for form in (factored(kernel, engine),) if form is not None]
+    forms += [form for form in (factored(kernel),) if form is not None]
     programs: set[Program] = set()
     for form in forms:
         for reciprocals in (False, True):
             if reciprocals and program_of(form, (), reciprocals) == program_of(form, ()):
                 continue
-            lowered = lowered_form(form, engine, reciprocals)
+            lowered = lowered_form(form, reciprocals)
             wide = lowered.program, compensated(lowered.plain, throughout=True)
             for program in (*wide, *map(with_sums_rounded_twice, wide)):
                 if program not in programs:
@@ -119,9 +108,9 @@ def _distinct(kernel: Kernel, engine: str) -> Iterator[Lowered]:
                     yield replace(lowered, program=program)
 
 
-def _on_sums(kernel: Kernel, engine: str) -> list[Sample]:
+def _on_sums(kernel: Kernel) -> list[Sample]:
     """Return samples at which a factor of a result is exactly zero that is a sum of inputs."""
-    form = factored(kernel, engine)
+    form = factored(kernel)
     if form is None:
         return []
     names = dict(form.where)
@@ -151,7 +140,7 @@ def _truths(
 def _results(program: Program, sample: Sample) -> tuple[Any, ...] | None:
     """Return the exact results, None where there are none."""
     try:
-        return run(program, {name: fmpq(Fraction(value)) for name, value in sample.values.items()}, named)
+        return run(program, {name: fmpq(Fraction(value)) for name, value in sample.values.items()})
     except ZeroDivisionError:
         return None
 

@@ -11,26 +11,16 @@ last.
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import count
 
 from algebroproj_sym.declaring import LINEAR
-from algebroproj_sym.generating.program import Call, Operand, Program, Step, with_names
+from algebroproj_sym.generating.program import Call, Operand, Program, Step, fresh_names, with_names
 
 
 def compensated(program: Program, throughout: bool = False) -> Program:
     """Return a program of the same value in which the operands of sums that may cancel have twice the digits.
 
-    Parameters
-    ----------
-    program : Program
-        What is to be computed.
-    throughout : bool
-        Whether products and quotients are computed with twice the digits too, and only the results are rounded.
-
-    Returns
-    -------
-    Program
-        Without calls of ``let``.
+    If it is so throughout, products and quotients are computed with twice the digits too, and only the results are
+    rounded. There are no calls of ``let`` in it.
 
     Examples
     --------
@@ -53,15 +43,6 @@ def with_sums_rounded_twice(program: Program) -> Program:
     That spares six operations where nothing else is done with such a sum.  It is done where both operands are products,
     or one is a sum of inputs: a first part that cancels so far that the second one matters is exact there, but near
     several zeros at once.
-
-    Parameters
-    ----------
-    program : Program
-        A compensated one.
-
-    Returns
-    -------
-    Program
 
     Examples
     --------
@@ -164,8 +145,7 @@ def _written(program: Program, doubled: set[Operand]) -> Program:
     """Write the program; a value of twice the digits has a name of its own where it is also taken rounded."""
     rounding = [step for step in program.steps if not _refines(step) and doubled.isdisjoint(step.names)]
     also_rounded = {operand for step in rounding for operand in step.operands} | {*program.outputs}
-    taken = {*program.inputs} | {name for step in program.steps for name in step.names}
-    fresh = (name for place in count() if (name := f"t{place}") not in taken)
+    fresh = fresh_names(program.names)
     wide: dict[Operand, Operand] = {}
     steps: list[Step | Call] = []
 

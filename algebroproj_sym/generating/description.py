@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import product
+from collections.abc import Iterable
+from itertools import groupby, product
 
 import sympy
 
@@ -16,8 +17,24 @@ LONGEST_LINE = 400
 MOST_LINES = 60
 
 
-def _places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
+def places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
+    """Return the places of the entries of an array, row by row."""
     return list(product(*map(range, shape)))
+
+
+def by_module(lowered: Iterable[Lowered]) -> dict[str, list[Lowered]]:
+    """Return kernels by the names of their modules, in the order of these."""
+
+    def module(low: Lowered) -> str:
+        return low.kernel.module
+
+    return {name: list(group) for name, group in groupby(sorted(lowered, key=module), module)}
+
+
+def origin(kernel: Kernel) -> str:
+    """Return where a formula is from, and what proves it."""
+    claims = ", ".join(f"({number})" for number in kernel.claims)
+    return f"{kernel.paper}, section {kernel.section}; proved by {claims}."
 
 
 def formula(kernel: Kernel) -> list[str]:
@@ -43,7 +60,7 @@ def _stage(stage: Stage) -> list[str]:
 def _result(result: Result) -> list[str]:
     return [
         f"{result.name}{list(place) if place else ''} = {_in_order(entry)}"
-        for place, entry in zip(_places(result.shape), entries(result.form), strict=True)
+        for place, entry in zip(places(result.shape), entries(result.form), strict=True)
     ]
 
 

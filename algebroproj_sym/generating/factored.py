@@ -6,14 +6,14 @@ A derivative, for one, is a difference of quotients by the quotient rule, where 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TypeAlias
 
 import sympy
 
 from algebroproj_sym.declaring import Kernel
-from algebroproj_sym.expressions import Expression, Matrix, Scalar, entries, evaluate, over, shape
+from algebroproj_sym.expressions import Matrix, Scalar, entries, evaluate, over, shape
 from algebroproj_sym.proving import RationalFunction, RationalFunctionField
 
 Abbreviations: TypeAlias = "tuple[tuple[sympy.Symbol, sympy.Expr], ...]"
@@ -25,7 +25,7 @@ LARGEST = 500
 """Numerators with more terms than that are not factored."""
 
 
-def factored(kernel: Kernel, engine: str = "flint") -> Kernel | None:
+def factored(kernel: Kernel) -> Kernel | None:
     """Return a kernel with its results in factored form, None if that has long factors or there are stages.
 
     Examples
@@ -39,7 +39,7 @@ def factored(kernel: Kernel, engine: str = "flint") -> Kernel | None:
     """
     if kernel.stages:
         return None
-    field = RationalFunctionField(kernel.symbols, engine)
+    field = RationalFunctionField(kernel.symbols, "flint")
     names = _abbreviations(kernel, field)
     forms = list[Scalar]()
     for value in evaluate(kernel.derived, field.variables, field.lift):
@@ -52,7 +52,8 @@ def factored(kernel: Kernel, engine: str = "flint") -> Kernel | None:
     for result in kernel.results:
         size = shape(result.derived)
         written = [next(rest) for _ in entries(result.derived)]
-        results.append(replace(result, form=_shaped(written, size)))
+        columns = size[1] if len(size) > 1 else 1
+        results.append(replace(result, form=Matrix(size[0], columns, written) if size else written[0]))
     return replace(kernel, results=tuple(results), where=_needed(kernel.where, used))
 
 
@@ -95,10 +96,6 @@ def _quotient(value: RationalFunction, names: Mapping[int, Scalar]) -> Scalar | 
 
 def _is_small(value: RationalFunction) -> bool:
     return 0 < len(value.field.ring.terms(value.numerator)) <= LARGEST
-
-
-def _shaped(forms: Sequence[Scalar], size: tuple[int, ...]) -> Expression:
-    return Matrix(size[0], size[1] if len(size) > 1 else 1, forms) if size else forms[0]
 
 
 def _needed(where: Abbreviations, used: set[sympy.Symbol]) -> Abbreviations:

@@ -68,15 +68,7 @@ class Graph:
         return (1 if value >= 0 else -1), self.place(Node("number", value=abs(value)))
 
     def add(self, expression: sympy.Expr, known: Mapping[sympy.Symbol, Signed]) -> Signed:
-        """Return a rational expression as a signed node.
-
-        Parameters
-        ----------
-        expression : sympy.Expr
-            A rational expression.
-        known : mapping of Symbol to (sign, place)
-            What the symbols stand for.
-        """
+        """Return a rational expression as a signed node."""
         if isinstance(expression, sympy.Symbol):
             return known[expression]
         if isinstance(expression, sympy.Rational):

@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
-from itertools import count
 from typing import Any
 
 import sympy
@@ -20,7 +19,17 @@ from algebroproj_sym.declaring import Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, determinant, divided, entries, evaluate, vector
 from algebroproj_sym.generating.compensation import compensated
 from algebroproj_sym.generating.graph import Graph, Signed
-from algebroproj_sym.generating.program import Call, Operand, Program, Recorder, Step, operand_of, run, with_names
+from algebroproj_sym.generating.program import (
+    Call,
+    Operand,
+    Program,
+    Recorder,
+    Step,
+    fresh_names,
+    operand_of,
+    run,
+    with_names,
+)
 from algebroproj_sym.generating.sharing import share_pairs, share_reciprocals
 from algebroproj_sym.proving import RationalFunctionField
 
@@ -68,21 +77,10 @@ class Lowered:
         return tuple(determinant(m) for m in systems if not m.free_symbols & {*self.kernel.intermediate})
 
 
-def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = False) -> Lowered:
+def lowered_form(kernel: Kernel, reciprocals: bool = False) -> Lowered:
     """Lower the form of a kernel and prove the program.
 
-    Parameters
-    ----------
-    kernel : Kernel
-        As declared by a derivation.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic for the proof.
-    reciprocals : bool
-        Whether quotients with one divisor are products with its reciprocal.
-
-    Returns
-    -------
-    Lowered
+    Quotients with one divisor can be products with its reciprocal.
 
     Raises
     ------
@@ -90,7 +88,7 @@ def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = Fals
         If the program, run on rational functions, does not give the derived expression, or an entry is a constant
         fraction, which integers cannot give.
     """
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), engine)
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)
     derived = [value for expression in wanted for value in evaluate(expression, field.variables, field.lift)]
     hypotheses = field.divisors()
@@ -100,13 +98,13 @@ def lowered_form(kernel: Kernel, engine: str = "flint", reciprocals: bool = Fals
         raise LoweringError(
             f"kernel {kernel.qualified_name}, form: expected no constant fraction, which floating point would round"
         )
-    divisors = divisors_of(kernel, unguarded, engine)
+    divisors = divisors_of(kernel, unguarded)
     guarded = tuple(factor for factor in hypotheses if factor not in divisors)
     program = program_of(kernel, guarded, reciprocals)
     for place, (expected, value) in enumerate(zip(derived, computed_values(program, field), strict=True)):
         if not (expected - value).is_zero:
             raise LoweringError(f"kernel {kernel.qualified_name}, form: entry {place} differs from the derivation")
-    hypotheses = divisors_of(kernel, program, engine)
+    hypotheses = divisors_of(kernel, program)
     return Lowered(kernel, compensated(program), program, hypotheses, guarded)
 
 
@@ -126,9 +124,9 @@ def computed_values(program: Program, field: RationalFunctionField) -> tuple[Any
     return (*given, *outputs)
 
 
-def divisors_of(kernel: Kernel, program: Program, engine: str) -> tuple[Scalar, ...]:
+def divisors_of(kernel: Kernel, program: Program) -> tuple[Scalar, ...]:
     """Return the irreducible factors by which a program divides."""
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), engine)
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     computed_values(program, field)
     return field.divisors()
 
@@ -175,8 +173,7 @@ def _with_guards_of_sums_of_squares(program: Program) -> Program:
     sums = [divisor for divisor in dict.fromkeys(divisors) if is_sum_of_squares(divisor)]
     if not sums:
         return program
-    taken = {*program.inputs} | {name for step in program.steps for name in step.names}
-    fresh = (name for place in count() if (name := f"t{place}") not in taken)
+    fresh = fresh_names(program.names)
     added: list[Step] = []
 
     def appended(operator: str, *operands: Operand) -> Operand:

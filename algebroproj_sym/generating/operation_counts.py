@@ -14,14 +14,8 @@ from algebroproj_sym.generating.lowering import Lowered
 class OperationCounts:
     """How many binary operations and negations a kernel takes.
 
-    Attributes
-    ----------
-    derived : int
-        The derived expressions, of the stages and of the results, evaluated as they are written.
-    sympy_cse : int
-        The same after `sympy.cse`.
-    program : int
-        The program, guards included, changes of digits not counted.
+    Of the derived expressions as they are written, of the same after `sympy.cse`, and of the program: its guards count,
+    and changes of digits do not.
     """
 
     derived: int

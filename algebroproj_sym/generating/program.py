@@ -9,7 +9,7 @@ only; each operation is written down once.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 from operator import add, mul, neg, sub, truediv
@@ -77,14 +77,7 @@ Interpretation: TypeAlias = "Callable[[Call, tuple[tuple[Any, ...], ...]], tuple
 class Program:
     """A straight-line program.
 
-    Attributes
-    ----------
-    inputs : tuple of str
-        The names of the inputs.
-    steps : tuple of Step or Call
-        The operations in order; each name is assigned once.
-    outputs : tuple of str or int
-        The results.
+    Each name is assigned once, and used after that.
 
     Examples
     --------
@@ -96,6 +89,11 @@ class Program:
     inputs: tuple[str, ...]
     steps: tuple[Step | Call, ...]
     outputs: tuple[Operand, ...]
+
+    @property
+    def names(self) -> set[str]:
+        """The names of the inputs and of what is computed."""
+        return {*self.inputs} | {name for step in self.steps for name in step.names}
 
     def operations(self) -> Counter[str]:
         """Return how often each operator, and each primitive function that computes something, occurs."""
@@ -125,13 +123,8 @@ def without_unused(program: Program) -> Program:
 def with_names(program: Program, bindings: Iterable[tuple[str, Operand]]) -> Program:
     """Give steps other names.
 
-    Parameters
-    ----------
-    program : Program
-        Any program.
-    bindings : iterable of (str, operand)
-        What a name stands for: a step gets the first name that it is bound to; a further one, or one of something that
-        is no step, stands for what it is bound to.
+    A step gets the first name that it is bound to; a further one, or one of something that is no step, stands for what
+    it is bound to.
 
     Examples
     --------
@@ -156,36 +149,21 @@ def with_names(program: Program, bindings: Iterable[tuple[str, Operand]]) -> Pro
     return Program(program.inputs, tuple(map(changed, program.steps)), renamed(program.outputs))
 
 
-def _no_calls(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
-    raise TypeError(f"run: expected an interpretation of {call.primitive}, got none")
-
-
-def named(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
+def _named(call: Call, rows: tuple[tuple[Any, ...], ...]) -> tuple[Any, ...]:
     """Interpret ``let``, which gives names: all that a rational function calls."""
-    assert call.primitive == "let"
+    if call.primitive != "let":
+        raise TypeError(f"run: expected an interpretation of {call.primitive}, got none")
     return rows[0]
 
 
 def run(
     program: Program,
     inputs: Mapping[str, Any],
-    interpretation: Interpretation = _no_calls,
+    interpretation: Interpretation = _named,
 ) -> tuple[Any, ...]:
     """Run a program on any numbers that know + - * / and can be mixed with integers.
 
-    Parameters
-    ----------
-    program : Program
-        What to run.
-    inputs : mapping of str to number
-        A value for every input.
-    interpretation : callable
-        From a call and the values of its rows to its results; not needed by a program without calls.
-
-    Returns
-    -------
-    tuple
-        The values of the outputs.
+    An interpretation goes from a call and the values of its rows to its results; a rational function needs none.
     """
     values: dict[Operand, Any] = dict(inputs.items())
 
@@ -228,8 +206,7 @@ class Recorder:
         self.names = tuple(inputs)
         self.steps: list[Step | Call] = []
         self._known: dict[tuple[str, tuple[Operand, ...]], _Recorded] = {}
-        taken = {*inputs, *taken}
-        self._fresh = (name for place in count() if (name := f"t{place}") not in taken)
+        self._fresh = fresh_names({*inputs, *taken})
 
     @property
     def inputs(self) -> list[Any]:
@@ -253,6 +230,11 @@ class Recorder:
     def program(self, outputs: Iterable[Any]) -> Program:
         """Return what was recorded and is needed for some outputs."""
         return without_unused(Program(self.names, tuple(self.steps), tuple(map(operand_of, outputs))))
+
+
+def fresh_names(taken: Collection[str]) -> Iterator[str]:
+    """Yield names of steps, without those that are taken."""
+    return (name for place in count() if (name := f"t{place}") not in taken)
 
 
 def operand_of(value: Any) -> Operand:

@@ -15,31 +15,11 @@ from math import inf
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 
+DIGITS, LEAST, MOST = 53, -1022, 1024
+"""Of binary64: its digits, and the exponents of the least normal number and of the power of two that is too large."""
 
-@dataclass(frozen=True)
-class Format:
-    """A binary format.
-
-    Attributes
-    ----------
-    digits : int
-        Of its significands.
-    least, most : int
-        The exponents of the least normal number, and of the power of two that is too large.
-    """
-
-    digits: int
-    least: int
-    most: int
-
-    @property
-    def tiniest(self) -> int:
-        """The exponent of the least positive number."""
-        return self.least - self.digits + 1
-
-
-BINARY64 = Format(53, -1022, 1024)
-BINARY32 = Format(24, -126, 128)
+TINIEST = LEAST - DIGITS + 1
+"""The exponent of the least positive number."""
 
 
 @dataclass(frozen=True)
@@ -54,15 +34,10 @@ class _Exponents:
 _ZERO = _Exponents(inf, inf, -inf)
 
 
-def reach(program: Program, numbers: Format = BINARY64) -> int | None:
+def reach(program: Program) -> int | None:
     """Return the largest k for which nothing overflows or underflows, None for a program with calls.
 
-    Parameters
-    ----------
-    program : Program
-        Any.  The errors of its products are taken in one operation, or from halves.
-    numbers : Format
-        What it computes with.
+    The errors of products are taken in one operation, or from halves.
 
     Examples
     --------
@@ -72,27 +47,27 @@ def reach(program: Program, numbers: Format = BINARY64) -> int | None:
     single = expanded(program)
     if any(isinstance(step, Call) for step in single.steps):
         return None
-    fitting, too_large = 0, 1 - numbers.least
-    if not _fits(single, fitting, numbers):
+    fitting, too_large = 0, 1 - LEAST
+    if not _fits(single, fitting):
         return None
     while too_large - fitting > 1:
         middle = (fitting + too_large) // 2
-        fitting, too_large = (middle, too_large) if _fits(single, middle, numbers) else (fitting, middle)
+        fitting, too_large = (middle, too_large) if _fits(single, middle) else (fitting, middle)
     return fitting
 
 
-def _fits(program: Program, k: int, numbers: Format) -> bool:
-    known: dict[Operand, _Exponents] = {name: _Exponents(-k - numbers.digits + 1, -k, k) for name in program.inputs}
+def _fits(program: Program, k: int) -> bool:
+    known: dict[Operand, _Exponents] = {name: _Exponents(-k - DIGITS + 1, -k, k) for name in program.inputs}
     for step in program.steps:
         assert isinstance(step, Step)
-        found = _found(step, known, numbers)
-        if found is None or found.high >= numbers.most:
+        found = _found(step, known)
+        if found is None or found.high >= MOST:
             return False
         known[step.name] = found
     return True
 
 
-def _found(step: Step, known: Mapping[Operand, _Exponents], numbers: Format) -> _Exponents | None:
+def _found(step: Step, known: Mapping[Operand, _Exponents]) -> _Exponents | None:
     """Return the exponents of the result of a step, None if it may underflow."""
     x, *others = (known[operand] if isinstance(operand, str) else _of_integer(operand) for operand in step.operands)
     if step.operator == "neg":
@@ -105,16 +80,16 @@ def _found(step: Step, known: Mapping[Operand, _Exponents], numbers: Format) -> 
         return _Exponents(grid, grid, max(x.high, y.high) + 1)
     if step.operator == "/":
         low = x.low - y.high
-        return None if low < numbers.least else _Exponents(low - numbers.digits + 1, low, x.high - y.low)
+        return None if low < LEAST else _Exponents(low - DIGITS + 1, low, x.high - y.low)
     grid, low, high = x.grid + y.grid, x.low + y.low, x.high + y.high
     if step.operator == "*":
-        grid = max(grid, low - numbers.digits + 1)
-        return None if max(grid - numbers.tiniest, low - numbers.least) < 0 else _Exponents(grid, low, high)
+        grid = max(grid, low - DIGITS + 1)
+        return None if max(grid - TINIEST, low - LEAST) < 0 else _Exponents(grid, low, high)
     assert step.operator == "product_error"
-    halves = max(x.high, y.high) + numbers.digits // 2 + 2
-    if low < numbers.least + numbers.digits or halves >= numbers.most:
+    halves = max(x.high, y.high) + DIGITS // 2 + 2
+    if low < LEAST + DIGITS or halves >= MOST:
         return None
-    return _Exponents(grid, grid, high - numbers.digits)
+    return _Exponents(grid, grid, high - DIGITS)
 
 
 def _of_integer(value: int) -> _Exponents:

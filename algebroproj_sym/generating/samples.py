@@ -17,7 +17,7 @@ import sympy
 from algebroproj_sym.expressions import Scalar, evaluate
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.program import Program, named, run, without_unused
+from algebroproj_sym.generating.program import Program, run, without_unused
 from algebroproj_sym.proving import seed_of
 
 DISTANCES = tuple(range(1, 15))
@@ -39,18 +39,7 @@ class Sample:
 def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]:
     """Draw samples for a kernel.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel, with the factors that must not vanish.
-    size : int
-        How many samples in each stratum.
-    seed : int
-        Varies the draw.
-
-    Returns
-    -------
-    tuple of Sample
+    There are at most `size` samples in each stratum.
     """
     generator = random.Random(seed_of(lowered.kernel.qualified_name, seed))
     symbols = lowered.kernel.symbols
@@ -70,30 +59,38 @@ def on_factor(factor: Scalar, symbols: Sequence[sympy.Symbol], size: int) -> tup
 
     All coordinates are small multiples of a power of two, so that no operation of a short program rounds.
     """
-    generator = random.Random(seed_of(factor))
-    found: list[dict[str, float]] = []
-    for _ in range(100 * size):
-        point = {symbol: Fraction(generator.choice((-3, -2, -1, 1, 2, 3)), 2) for symbol in symbols}
-        moved = moved_to(value_of(factor), factor.free_symbols, point, Fraction(0), generator)
-        if moved is not None and all(_is_short(value) for value in moved.values()):
-            found.append({symbol.name: float(value) for symbol, value in moved.items()})
-        if len(found) == size:
-            break
-    return tuple(found)
+
+    def drawn(symbol: sympy.Symbol, generator: random.Random) -> Fraction:
+        return Fraction(generator.choice((-3, -2, -1, 1, 2, 3)), 2)
+
+    found = _on(factor, symbols, 100 * size, drawn, _is_short)
+    return tuple({symbol.name: float(value) for symbol, value in point.items()} for point in islice(found, size))
 
 
 def on_sum(factor: Scalar, symbols: Sequence[sympy.Symbol], size: int) -> tuple[Sample, ...]:
     """Return inputs on which a sum of inputs is zero, exactly; the others have all digits of a machine number."""
+    found = _on(factor, symbols, 10 * size, _coordinate, lambda value: Fraction(float(value)) == value)
+    return tuple(_sample(f"on {factor}", point) for point in islice(found, size))
+
+
+def _on(
+    factor: Scalar,
+    symbols: Sequence[sympy.Symbol],
+    trials: int,
+    drawn: Callable[[sympy.Symbol, random.Random], Fraction],
+    is_kept: Callable[[Fraction], bool],
+) -> Iterator[Point]:
+    """Yield points on which a factor is zero, and all of whose coordinates are of some kind."""
     generator = random.Random(seed_of(factor))
-    found: list[Sample] = []
-    for _ in range(10 * size):
-        point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
+    for _ in range(trials):
+        point = {symbol: drawn(symbol, generator) for symbol in symbols}
         moved = moved_to(value_of(factor), factor.free_symbols, point, Fraction(0), generator)
-        if moved is not None and all(Fraction(float(value)) == value for value in moved.values()):
-            found.append(_sample(f"on {factor}", moved))
-        if len(found) == size:
-            break
-    return tuple(found)
+        if moved is not None and all(map(is_kept, moved.values())):
+            yield moved
+
+
+def _coordinate(symbol: sympy.Symbol, generator: random.Random) -> Fraction:
+    return Fraction(_ordinary([symbol], generator)[symbol.name])
 
 
 def _ordinary(symbols: Sequence[sympy.Symbol], generator: random.Random) -> dict[str, float]:
@@ -138,7 +135,7 @@ def value_of(factor: Scalar) -> Callable[[Point], Fraction]:
 
 def _value_of_program(program: Program, point: Point) -> Fraction:
     inputs = {symbol.name: fmpq(value) for symbol, value in point.items()}
-    (value,) = run(program, inputs, named)
+    (value,) = run(program, inputs)
     return fraction(value)
 
 
@@ -157,7 +154,7 @@ def _points_near(
     while found:
         found = False
         for digits in generator.sample(DISTANCES, len(DISTANCES)):
-            point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
+            point = {symbol: _coordinate(symbol, generator) for symbol in symbols}
             distance = Fraction(generator.choice((-1, 1)), 10**digits)
             moved = moved_to(value_at, variables, point, distance, generator)
             if moved is not None:
@@ -171,7 +168,7 @@ def _near_several(
     """Yield samples near the zeros of as many factors as single coordinates reach; none if that is less than two."""
     stuck = 0
     while len(factors) > 1 and stuck < 20:
-        point = {symbol: Fraction(_ordinary([symbol], generator)[symbol.name]) for symbol in symbols}
+        point = {symbol: _coordinate(symbol, generator) for symbol in symbols}
         fixed: set[sympy.Symbol] = set()
         reached = 0
         for factor in generator.sample(factors, len(factors)):

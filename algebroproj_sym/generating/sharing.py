@@ -19,12 +19,7 @@ Pair: TypeAlias = tuple[Kind, Signed, Signed]
 def share_pairs(graph: Graph, outputs: Sequence[Signed]) -> None:
     """Rewrite the sums and products below some outputs, so that common pairs are nodes of their own.
 
-    Parameters
-    ----------
-    graph : Graph
-        The graph, which is changed in place; the places of its nodes stay what they are.
-    outputs : sequence of (sign, place)
-        What is to be computed.
+    The graph is changed in place; the places of its nodes stay what they are.
 
     Examples
     --------

@@ -12,7 +12,7 @@ from algebroproj_sym.declaring.claim import expressions_of, in_derived_terms
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import entries, size, vector, written
 from algebroproj_sym.mutating.forms import mutants, sampled
-from algebroproj_sym.proving import Proof, UndefinedError, seed_of
+from algebroproj_sym.proving import UndefinedError, seed_of
 
 Fate = Literal["refuted", "undefined", "equivalent", "explained", "survived"]
 
@@ -47,14 +47,7 @@ class MutantFate:
 class MutatedClaim:
     """The mutants of a claim.
 
-    Attributes
-    ----------
-    paper, number, kind : str
-        Which claim.
-    total : int
-        How many mutants there are; those that were tried are `fates`.
-    fates : tuple of MutantFate
-        What became of them.
+    There are `total` of them; those that were tried have a fate.
     """
 
     paper: str
@@ -64,17 +57,10 @@ class MutatedClaim:
     fates: tuple[MutantFate, ...]
 
 
-def mutate_claim(claim: Claim, limit: int = 0, engine: str = "flint") -> MutatedClaim:
+def mutate_claim(claim: Claim, limit: int = 0) -> MutatedClaim:
     """Change the printed form of a proved claim in single places, and judge what comes out.
 
-    Parameters
-    ----------
-    claim : Claim
-        A claim; if it is not proved, there are no mutants.
-    limit : int
-        How many mutants to try at most, chosen by the number of the claim; 0 for all.
-    engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+    At most `limit` changes are tried, chosen by the number of the claim; all if it is 0.
 
     Examples
     --------
@@ -84,23 +70,24 @@ def mutate_claim(claim: Claim, limit: int = 0, engine: str = "flint") -> Mutated
     >>> [(fate.form, fate.fate) for fate in mutate_claim(claim).fates]
     [('x**(-2)', 'refuted'), ('x**3', 'refuted')]
     """
-    if claim.expected != "proved" or judge(claim, engine).verdict != "proved":
+    if claim.expected != "proved" or judge(claim).verdict != "proved":
         return MutatedClaim(claim.paper, claim.number, claim.kind, 0, ())
     found = mutants(claim)
     chosen = sampled(found, limit, seed_of(claim.paper, claim.number))
     is_long = sum(size(form, SHORT) for form in expressions_of(claim.printed)) > SHORT
     fates = []
     for mutant in chosen:
-        fate, reason = _fate(claim, mutant.form, engine)
+        fate, reason = _fate(claim, mutant.form)
         shown = "" if is_long and fate in ("refuted", "undefined") else _shown(mutant.form)
         fates.append(MutantFate(mutant.change, shown, fate, reason))
     return MutatedClaim(claim.paper, claim.number, claim.kind, len(found), tuple(fates))
 
 
-def _fate(claim: Claim, form: Any, engine: str) -> tuple[Fate, str]:
+def _fate(claim: Claim, form: Any) -> tuple[Fate, str]:
     """Return what becomes of a changed form, and why it survives or is undefined."""
     try:
-        proof = _compared(*_where_changed(claim, form), engine)
+        asked, changed = _where_changed(claim, form)
+        proof = KINDS[claim.kind].compare(asked, in_derived_terms(changed, claim.where), "flint")
     except (UndefinedError, DeclarationError, ZeroDivisionError) as error:
         return "undefined", str(error).partition("\n")[0][:200]
     if proof.verdict == "refuted":
@@ -127,10 +114,6 @@ def _shown(form: Any) -> str:
     if isinstance(form, tuple):
         return written(sympy.Tuple(*form))
     return written(form) if isinstance(form, sympy.Basic | sympy.MatrixBase) else str(form)
-
-
-def _compared(claim: Claim, form: Any, engine: str) -> Proof:
-    return KINDS[claim.kind].compare(claim, in_derived_terms(form, claim.where), engine)
 
 
 def _is_same(claim: Claim, form: Any) -> bool:

@@ -18,14 +18,7 @@ FILE = "survivors.toml"
 class Explanation:
     """Why a changed form holds as well as the printed one.
 
-    Attributes
-    ----------
-    claim : str
-        The claim, as a selector.
-    form : str
-        The changed form.
-    why : str
-        The reason.
+    The claim is a selector.
     """
 
     claim: str

@@ -14,8 +14,6 @@ from algebroproj_sym.declaring import Claim, Statement
 from algebroproj_sym.expressions import TextForm, entries, over, written
 from algebroproj_sym.mutating.letters import changes_in_letters
 
-_ENTRYWISE = ("identity", "identity under constraints", "identity up to scale", "limit")
-
 
 class Mutant(NamedTuple):
     """A changed form and what was changed."""
@@ -142,7 +140,7 @@ def _siblings(symbols: Any) -> dict[Any, list[tuple[str, Any]]]:
     return {
         symbol: [
             (what, other)
-            for what, alike in (("index", _same_but_index), ("prime", _same_but_prime))
+            for what, alike in (("index", same_but_index), ("prime", _same_but_prime))
             for other in [next((o for o in ordered if o != symbol and alike(symbol.name, o.name)), None)]
             if other is not None
         ]
@@ -150,7 +148,7 @@ def _siblings(symbols: Any) -> dict[Any, list[tuple[str, Any]]]:
     }
 
 
-def _same_but_index(name: str, other: str) -> bool:
+def same_but_index(name: str, other: str) -> bool:
     """Whether two names differ in one digit."""
     differing = [(a, b) for a, b in zip(name, other, strict=False) if a != b]
     return len(name) == len(other) and len(differing) == 1 and "".join(differing[0]).isdecimal()

@@ -9,7 +9,7 @@ from types import ModuleType
 
 import numpy as np
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import Sample, stratified
 from algebroproj_sym.mutating.forms import sampled
 from algebroproj_sym.mutating.sources import SourceMutant, recompiled, source_mutants
@@ -64,23 +64,11 @@ class MutatedKernel:
     fates: tuple[SourceFate, ...]
 
 
-def mutate_kernel(
-    lowered: Lowered, package: ModuleType, limit: int = 0, size: int = 50, engine: str = "flint"
-) -> MutatedKernel:
+def mutate_kernel(lowered: Lowered, package: ModuleType, limit: int = 0, size: int = 50) -> MutatedKernel:
     """Change the source of a generated function in single places, and see what notices.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    package : module
-        Where the generated function is.
-    limit : int
-        How many mutants to try at most, chosen by the name of the function; 0 for all.
-    size : int
-        Samples in each stratum of the numeric comparison.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic for the proof of the source.
+    At most `limit` changes are tried, chosen by the name of the function; all if it is 0. There are `size` samples in
+    each stratum.
 
     Raises
     ------
@@ -91,7 +79,7 @@ def mutate_kernel(
     function = function_of(kernel, package)
     found = source_mutants(function)
     chosen = sampled(found, limit, seed_of(kernel.qualified_name))
-    points, general = at_points(kernel, POINTS), in_general(kernel, engine)
+    points, general = at_points(kernel, POINTS), in_general(kernel)
     samples = _strata_in_turn(stratified(lowered, size))
     known = truths(lowered, samples)
     unchanged = recompiled(function)

@@ -11,7 +11,8 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from algebroproj_sym.generating.runtime.pairs import DIGITS, ROUNDINGS
-from algebroproj_sym.verifying import without_twin
+from algebroproj_sym.mutating.forms import same_but_index
+from algebroproj_sym.verifying.shipped import without_twin
 
 _SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
     ast.Add: ast.Sub,
@@ -125,7 +126,7 @@ def _changes(node: ast.AST, names: list[str]) -> Iterator[tuple[str, ast.expr]]:
     elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         yield "sign", node.operand
     elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
-        other = next((name for name in names if _is_sibling(node.id, name)), None)
+        other = next((name for name in names if same_but_index(node.id, name)), None)
         if other is not None:
             yield "index", ast.Name(other, ast.Load())
     elif isinstance(node, ast.Constant) and type(node.value) is int:
@@ -138,8 +139,3 @@ def _without_left(operator: ast.operator, right: ast.expr) -> ast.expr:
     if isinstance(operator, ast.Sub):
         return ast.UnaryOp(ast.USub(), right)
     return ast.BinOp(ast.Constant(1), operator, right)
-
-
-def _is_sibling(name: str, other: str) -> bool:
-    differing = [(a, b) for a, b in zip(name, other, strict=False) if a != b]
-    return len(name) == len(other) and len(differing) == 1 and "".join(differing[0]).isdecimal()

@@ -2,22 +2,16 @@
 
 The polynomials are FLINT's, in degree reverse lexicographic order; steps are counted, not timed, so that the result
 does not depend on the machine.  What is found here is only a suggestion: whoever uses it multiplies it out again.
-
-Most of the time goes into finding a monomial that divides another.  Exponents are therefore packed into one number, a
-field of bits for each with a guard bit on top: a divides b if no guard is borrowed from in ``(guards + b) - a``.
 """
 
 from __future__ import annotations
 
-import sys
-from array import array
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import heapify, heappop, heappush
+from operator import le
 from typing import Any
 
-import flint
-
-from algebroproj_sym.proving.polynomials import EffortExceededError
+from algebroproj_sym.proving.polynomials import EffortExceededError, relation
 
 Powers = tuple[int, ...]
 
@@ -86,8 +80,6 @@ class GroebnerBasis:
         self._steps = steps
         self._elements: list[Any] = []
         self._leading: list[Powers] = []
-        self._packed: list[int] = []
-        self._guards = _number(array("H", [2**15] * len(self._context.names())))
         self._recipes: list[dict[int, Any]] = []
         self._known: dict[int, list[Any]] = {}
         self._pairs: list[tuple[int, Powers, int, int]] = []
@@ -140,20 +132,11 @@ class GroebnerBasis:
         >>> GroebnerBasis([x**2 - 2]).relation([x**0, x, x**2, x**3])
         [-2, 0, 1]
         """
-        rows: list[tuple[dict[Powers, Any], list[Any]]] = []
-        for place, polynomial in enumerate(polynomials):
-            rest = {tuple(map(int, powers)): value for powers, value in self.normal_form(polynomial).to_dict().items()}
-            numbers = [flint.fmpq(int(k == place)) for k in range(place + 1)]
-            for row, combination in rows:
-                factor = rest.get(max(row), 0)
-                if factor:
-                    rest = {p: rest.get(p, 0) - factor * row.get(p, 0) for p in {*rest, *row}}
-                    rest = {p: value for p, value in rest.items() if value}
-                    numbers = [n - factor * c for n, c in zip(numbers, combination + [0] * place, strict=False)]
-            if not rest:
-                return numbers
-            scale = 1 / rest[max(rest)]
-            rows.append(({p: value * scale for p, value in rest.items()}, [n * scale for n in numbers]))
+        forms = list[Any]()
+        for polynomial in polynomials:
+            forms.append(self.normal_form(polynomial))
+            if (found := relation(forms)) is not None:
+                return found
         return None
 
     def free(self) -> set[int]:
@@ -218,9 +201,7 @@ class GroebnerBasis:
 
     def _divisor(self, powers: Powers) -> int | None:
         """Return the first element whose leading monomial divides a monomial."""
-        guards = self._guards
-        whole = guards + _packed(powers)
-        return next((i for i, lead in enumerate(self._packed) if (whole - lead) & guards == guards), None)
+        return next((i for i, lead in enumerate(self._leading) if _divides(lead, powers)), None)
 
     def _enter(self, polynomial: Any, recipe: dict[int, Any]) -> None:
         if polynomial == 0:
@@ -231,25 +212,20 @@ class GroebnerBasis:
             raise EffortExceededError
         self._elements.append(polynomial * unit)
         self._leading.append(tuple(map(int, polynomial.monomial(0))))
-        self._packed.append(_packed(self._leading[-1]))
         self._recipes.append({index: part * unit for index, part in recipe.items()})
         self._update(place)
 
     def _update(self, new: int) -> None:
-        lead, guards = self._leading, self._guards
-        fresh, packed_fresh = lead[new], self._packed[new]
+        lead = self._leading
+        fresh = lead[new]
         for pair, common in list(self._live.items()):
-            divided = _divides(packed_fresh, _packed(common), guards)
-            if divided and _lcm(lead[pair[0]], fresh) != common != _lcm(lead[pair[1]], fresh):
+            if _divides(fresh, common) and _lcm(lead[pair[0]], fresh) != common != _lcm(lead[pair[1]], fresh):
                 del self._live[pair]
         candidates = {i: _lcm(lead[i], fresh) for i in range(new)}
         kept: list[int] = []
-        divisors: list[int] = []
         for i, common in sorted(candidates.items(), key=lambda item: (sum(item[1]), not self._coprime(item[0], new))):
-            packed = _packed(common)
-            if not any(_divides(divisor, packed, guards) for divisor in divisors):
+            if not any(_divides(candidates[other], common) for other in kept):
                 kept.append(i)
-                divisors.append(packed)
         for i in kept:
             if not self._coprime(i, new):
                 self._live[i, new] = candidates[i]
@@ -284,21 +260,9 @@ def _degree(polynomial: Any) -> int:
     return int(polynomial.total_degree()) if polynomial != 0 else 0
 
 
-def _divides(left: int, right: int, guards: int) -> bool:
-    """Whether one packed monomial divides another."""
-    return (guards + right - left) & guards == guards
-
-
-def _packed(powers: Powers) -> int:
-    """Return exponents in one number; those that reach into a guard bit are too large to go on with."""
-    try:
-        return _number(array("h", powers))
-    except OverflowError:
-        raise EffortExceededError from None
-
-
-def _number(fields: array[int]) -> int:
-    return int.from_bytes(fields.tobytes(), sys.byteorder)
+def _divides(left: Powers, right: Powers) -> bool:
+    """Whether one monomial divides another."""
+    return all(map(le, left, right))
 
 
 def _minus(left: Powers, right: Powers) -> Powers:

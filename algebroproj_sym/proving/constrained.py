@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
-from typing import Any, Literal
+from typing import Any
 
 import flint
 import sympy
@@ -27,6 +27,7 @@ from algebroproj_sym.proving.cases import case_distinction
 from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.consequences import Case, End, flattened, follows, method_of, pruned, recorded
 from algebroproj_sym.proving.elimination import Elimination
+from algebroproj_sym.proving.proof import Proof, undecided
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 from algebroproj_sym.proving.translation import Frame, does_not_change, frame_of
 from algebroproj_sym.proving.varieties import Value, real_points, value_at
@@ -41,25 +42,6 @@ MORE_TRIES = 300
 FURTHER_TRIES = 100
 MOST_STEPS = 4
 MOST_OF_SEARCH = 3_000_000
-
-
-@dataclass(frozen=True)
-class Finding:
-    """What became of a question.
-
-    Attributes
-    ----------
-    verdict : {"proved", "refuted", "open"}
-        The decision.
-    certificate : mapping
-        The evidence, or the reason why there is none.
-    point : mapping of Symbol to Fraction or sympy.Expr, or None
-        A counterexample.
-    """
-
-    verdict: Literal["proved", "refuted", "open"]
-    certificate: Mapping[str, Any]
-    point: RealPoint | None = None
 
 
 class Problem:
@@ -83,6 +65,8 @@ class Problem:
         Points that satisfy the constraints.
     admits : callable
         Whether a point is one that the question is about.
+    engine : {"flint", "sympy"}
+        For the record.
     """
 
     def __init__(
@@ -96,6 +80,7 @@ class Problem:
         seed: int,
         given: Sequence[Mapping[sympy.Symbol, Fraction]] = (),
         admits: Callable[[RealPoint], bool] = lambda point: True,
+        engine: str = "flint",
     ) -> None:
         self.field = field
         self.left, self.right = left, right
@@ -104,6 +89,7 @@ class Problem:
         self.seed = seed
         self.given = given
         self.admits = admits
+        self.engine = engine
         names = (*(f"x{place}" for place in range(len(field.symbols))), "spare")
         self.context = flint.fmpq_mpoly_ctx.get(names, flint.Ordering.degrevlex)
         self.claims = [*map(self._into, numerators)]
@@ -133,28 +119,28 @@ class Problem:
     def _eliminated(self, zeros: Sequence[Any], units: Sequence[Any]) -> System:
         return System(Elimination(self.context, [*zeros], [*range(len(zeros))], [*units]).advanced())
 
-    def decided(self) -> Finding:
+    def decided(self) -> Proof:
         """Return what becomes of the question, if need be after what holds over the reals alone."""
         given = chain.from_iterable(self._judged(_Place(point, None)) for point in self.given)
         found = self._refuted_among(given) or self._refuted_among(self._places(FIRST_TRIES), ENOUGH_POINTS)
         if found is None and self.witness is None and self.system.is_inconsistent:
-            return _open(self._contradiction())
+            return self._open(self._contradiction())
         for _ in range(MOST_STEPS + 1):
             found = found or self._attempted()
             if found is not None or not self._knows_more():
                 break
         found = found or self._refuted_among(self._further_places())
-        found = found or (self._proved(self._by_cases(real=True)) if self.witness else _open(NO_POINT))
-        return found or _open(
+        found = found or (self._proved(self._by_cases(real=True)) if self.witness else self._open(NO_POINT))
+        return found or self._open(
             "no combination of the constraints was found, and no real point at which the sides differ"
         )
 
-    def _attempted(self) -> Finding | None:
+    def _attempted(self) -> Proof | None:
         """Return a proof or a refutation by what is known."""
         proof = self._combination()
         if proof is None and self.witness is not None:
             proof = self._by_cases()
-        found: Finding | None = None
+        found: Proof | None = None
         if proof is None or self.witness is None:
             found = self._refuted_among(self._places(MORE_TRIES, extension=True), MORE_TRIES if proof is None else 1)
         if found is None and self.witness is None:
@@ -227,7 +213,7 @@ class Problem:
         end = self.system.end(asked.goal)
         return None if end is None else Case(None, asked.steps, end)
 
-    def _proved(self, proof: Case | None) -> Finding | None:
+    def _proved(self, proof: Case | None) -> Proof | None:
         """Return a proof with a witness, if all of it multiplies out in the engine of the question."""
         if proof is None or self.witness is None:
             return None
@@ -254,7 +240,7 @@ class Problem:
             "entries": record["cases"],
             "witness": self.witness.texts(),
         }
-        return Finding("proved", certificate | self.witness.extension())
+        return Proof("proved", self.field.divisors(), certificate | self.witness.extension(), None, self.engine)
 
     def _everywhere(self, end: Any) -> Case:
         """Return what is a combination at the origin as one at all points."""
@@ -274,7 +260,7 @@ class Problem:
 
     # -- points
 
-    def _refuted_among(self, places: Iterator[tuple[_Place, bool]], enough: int = MORE_TRIES) -> Finding | None:
+    def _refuted_among(self, places: Iterator[tuple[_Place, bool]], enough: int = MORE_TRIES) -> Proof | None:
         """Return a refutation by one of some places; the first place where the sides do not differ is the witness."""
         for count, (place, differs) in enumerate(places, 1):
             if differs:
@@ -315,11 +301,15 @@ class Problem:
         on_all = all(value_at(generator, values) == 0 for generator in self.generators)
         return values if on_all and all(value_at(unit, values) != 0 for unit in self.units) else None
 
-    def _refuted(self, place: _Place) -> Finding:
+    def _refuted(self, place: _Place) -> Proof:
         sides = {"left": place.values(self.left), "right": place.values(self.right)}
         shown = {name: [*map(_text, values)] for name, values in sides.items()}
         point = {"point": place.texts()} if place.field else {}
-        return Finding("refuted", {"method": "counterexample"} | shown | point | place.extension(), place.shown())
+        certificate = {"method": "counterexample"} | shown | point | place.extension()
+        return Proof("refuted", (), certificate, place.shown(), self.engine)
+
+    def _open(self, reason: str) -> Proof:
+        return undecided(reason, self.engine, self.field.divisors())
 
 
 def _one_by_one(proof: Case) -> list[Case]:
@@ -362,7 +352,3 @@ def _text(value: Any) -> str:
 
 def _shown(value: Any) -> Any:
     return value.expression if isinstance(value, Algebraic) else value
-
-
-def _open(reason: str) -> Finding:
-    return Finding("open", {"method": "none", "reason": reason})

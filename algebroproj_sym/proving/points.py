@@ -10,8 +10,7 @@ from typing import Any, TypeAlias
 
 import sympy
 
-from algebroproj_sym.expressions import evaluate, free_symbols
-from algebroproj_sym.expressions.exact import ExactPoint, exact, fmpq, fraction
+from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.proving.buchberger import Work
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 from algebroproj_sym.proving.varieties import real_points
@@ -19,7 +18,6 @@ from algebroproj_sym.proving.varieties import real_points
 Point = dict[sympy.Symbol, Fraction]
 
 _ANY: Mapping[sympy.Symbol, Sequence[Fraction]] = {}
-_PLACES = tuple(fmpq(Fraction(place)) for place in range(3))
 
 
 def seed_of(*parts: object) -> int:
@@ -48,26 +46,6 @@ def _coordinate(generator: random.Random, attempt: int, values: Sequence[Fractio
     return Fraction(generator.choice((-1, 1)) * generator.randint(1, height), denominator)
 
 
-def points_on(
-    constraints: Sequence[sympy.Expr],
-    symbols: Sequence[sympy.Symbol],
-    seed: int,
-    tries: int,
-    values: Values = _ANY,
-) -> Iterator[Point]:
-    """Yield rational points on which all the constraints vanish; given values are where the search starts.
-
-    Each constraint is solved for a variable in which it is affine once the others have values.  This finds points
-    on triangular systems only: that none is found proves nothing.
-    """
-    source = rational_points(symbols, seed, values)
-    generator = random.Random(seed)
-    for _ in range(tries):
-        point = _onto(constraints, next(source), generator)
-        if point is not None and _vanish(constraints, point):
-            yield point
-
-
 def rational_zeros(
     expressions: Sequence[sympy.Expr],
     symbols: Sequence[sympy.Symbol],
@@ -88,36 +66,12 @@ def rational_zeros(
     polynomials = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
     for values in real_points(polynomials, polynomials[0].context(), seed, tries, work=work):
         point: Point = dict(zip(symbols, values, strict=True))  # type: ignore[arg-type]
-        if _vanish(expressions, point):
+        if vanish(expressions, point):
             yield point
 
 
-def _onto(constraints: Sequence[sympy.Expr], start: Point, generator: random.Random) -> Point | None:
-    point, solved = exact(start), set[sympy.Symbol]()
-    for constraint in constraints:
-        free = sorted(free_symbols(constraint) - solved, key=lambda symbol: symbol.name)
-        generator.shuffle(free)
-        for variable in free:
-            root = _affine_root(constraint, point, variable)
-            if root is not None:
-                point[variable] = root
-                solved |= free_symbols(constraint)
-                break
-        else:
-            return None
-    return {symbol: fraction(value) for symbol, value in point.items()}
-
-
-def _affine_root(constraint: sympy.Expr, point: ExactPoint, variable: sympy.Symbol) -> Any:
-    try:
-        at_0, at_1, at_2 = (evaluate(constraint, {**point, variable: place}, fmpq)[0] for place in _PLACES)
-    except ZeroDivisionError:
-        return None
-    slope = at_1 - at_0
-    return None if slope == 0 or at_2 - at_1 != slope else -at_0 / slope
-
-
-def _vanish(constraints: Sequence[sympy.Expr], point: Point) -> bool:
+def vanish(constraints: Sequence[sympy.Expr], point: Point) -> bool:
+    """Whether expressions are defined and zero at a point."""
     try:
         return all(evaluate(constraint, point)[0] == 0 for constraint in constraints)
     except ZeroDivisionError:

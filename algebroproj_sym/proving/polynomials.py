@@ -72,6 +72,23 @@ def by_degree(polynomial: Any, variable: int) -> dict[int, Any]:
     return {degree: polynomial.context().from_dict(terms) for degree, terms in parts.items()}
 
 
+def relation(polynomials: Sequence[Any]) -> list[Any] | None:
+    """Return numbers, not all zero, with which polynomials add up to zero; None if there are none.
+
+    Examples
+    --------
+    >>> (x,) = flint.fmpq_mpoly_ctx.get(("x",), flint.Ordering.degrevlex).gens()
+    >>> relation([x, x**2 + 1, x**2 + x + 1])
+    [-1, -1, 1]
+    """
+    rows: dict[Any, list[Any]] = {}
+    for column, polynomial in enumerate(polynomials):
+        for powers, value in polynomial.to_dict().items():
+            rows.setdefault(powers, [flint.fmpq(0)] * len(polynomials))[column] = value
+    found = null_space([*rows.values()], len(polynomials))
+    return found[0][1] if found else None
+
+
 def null_space(rows: list[list[Any]], width: int) -> list[tuple[int, list[Any]]]:
     """Return vectors that span the null space of a matrix, each with the place of a one where the others have zeros.
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
-from typing import Any, Literal
+from typing import Any
 
 import sympy
 
@@ -31,56 +31,18 @@ from algebroproj_sym.expressions import (
     values_of,
     written,
 )
-from algebroproj_sym.expressions.exact import exact, fmpq
+from algebroproj_sym.expressions.exact import fmpq
 from algebroproj_sym.proving.constrained import NO_POINT, Problem
 from algebroproj_sym.proving.engines import ENGINES
-from algebroproj_sym.proving.points import Point, rational_points, seed_of
+from algebroproj_sym.proving.points import Point, rational_points, seed_of, vanish
+from algebroproj_sym.proving.proof import Proof, UndefinedError, undecided
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
-
-Decision = Literal["proved", "refuted", "open"]
 
 FILTER_POINTS = 3
 SEARCH_POINTS = 400
 FILLINGS = 100
 
 Witness = Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
-
-
-class UndefinedError(ValueError):
-    """An expression has a denominator that is identically zero."""
-
-
-@dataclass(frozen=True)
-class Proof:
-    """The result of a proof.
-
-    Attributes
-    ----------
-    verdict : {"proved", "refuted", "open"}
-        The decision.
-    hypotheses : tuple of sympy.Expr, or of str
-        The irreducible factors of every denominator met: the statement holds where none of them vanishes.
-        With real functions the conditions under which both sides are real, as text such as ``"x >= 0"``.
-    certificate : mapping or None
-        The evidence of a proof, or why the statement stays open.
-    counterexample : mapping of Symbol to Fraction, or None
-        A point at which both sides are defined and differ; with constraints it may have SymPy's real algebraic numbers.
-    engine : str
-        The polynomial arithmetic that was used.
-    assumptions : tuple of sympy.Symbol, or of str
-        Symbols of which SymPy assumes more than that they are real: the statement is made for such numbers alone.
-        With real functions all that is assumed, as text.
-    scope : str
-        For a statement in letters: what it was decided for, ``for every size`` or some sizes.
-    """
-
-    verdict: Decision
-    hypotheses: tuple[Any, ...]
-    certificate: Mapping[str, Any] | None
-    counterexample: Mapping[sympy.Symbol, Fraction] | None
-    engine: str
-    assumptions: tuple[Any, ...] = ()
-    scope: str = ""
 
 
 def prove(
@@ -181,7 +143,7 @@ def _decided(question: _Question) -> Proof:
     given = question.given_witnesses() if question.constraints else []
     reason = _contradiction(question)
     if reason is not None:
-        return Proof("open", (), {"method": "none", "reason": reason}, None, question.engine)
+        return undecided(reason, question.engine)
     return _prove_constrained(question, given) if question.constraints else _prove_identity(question)
 
 
@@ -243,7 +205,7 @@ class _Question:
         """Whether the sides differ at a point; None where a side is undefined or a hypothesis or assumption fails."""
         if not self.admits(point):
             return None
-        at = exact(point)
+        at = {symbol: fmpq(value) for symbol, value in point.items()}
         try:
             if any(evaluate(unit, at, fmpq)[0] == 0 for unit in self.nonzero):
                 return None
@@ -262,7 +224,7 @@ class _Question:
         found = list[Point]()
         for place, filling in enumerate(islice(rational_points(self.symbols, self.seed, self.values), FILLINGS)):
             point = filling | self.witness
-            wrong = next((constraint for constraint in self.constraints if not _vanishes(constraint, point)), None)
+            wrong = next((constraint for constraint in self.constraints if not vanish([constraint], point)), None)
             if wrong is not None and place == 0:
                 raise ValueError(f"witness: expected a point with {wrong} = 0, got {dict(self.witness)}")
             if wrong is None and self.differs_at(point) is not None:
@@ -293,13 +255,6 @@ def _exact(value: Any, argument: str) -> Fraction:
     return Fraction(int(number.p), int(number.q))
 
 
-def _vanishes(constraint: sympy.Expr, point: Point) -> bool:
-    try:
-        return bool(evaluate(constraint, point)[0] == 0)
-    except ZeroDivisionError:
-        return False
-
-
 def _prove_identity(question: _Question) -> Proof:
     first = islice(rational_points(question.symbols, 0, question.values), FILTER_POINTS)
     suspicious = next(filter(question.differs_at, first), None)
@@ -308,18 +263,19 @@ def _prove_identity(question: _Question) -> Proof:
     field, difference = _normal_form(question)
     if all(entry.is_zero for entry in difference):
         if question.assumed and all(question.differs_at(point) is None for point in question.points()):
-            return _open(question, field, NO_POINT)
+            return undecided(NO_POINT, question.engine, field.divisors())
         certificate = {"method": "normal form", "denominators": [text(factor) for factor in field.divisors()]}
         return Proof("proved", field.divisors(), certificate, None, question.engine)
     refuting = _first_difference(question, SEARCH_POINTS)
     if refuting is not None:
         return _refuted(question, refuting)
-    return _open(question, field, "the normal form is not zero, but no counterexample was found")
+    reason = "the normal form is not zero, but no counterexample was found"
+    return undecided(reason, question.engine, field.divisors())
 
 
 def _prove_constrained(question: _Question, given: Sequence[Point]) -> Proof:
     field, difference = _normal_form(question)
-    finding = Problem(
+    return Problem(
         field=field,
         left=question.left,
         right=question.right,
@@ -329,9 +285,8 @@ def _prove_constrained(question: _Question, given: Sequence[Point]) -> Proof:
         seed=question.seed,
         given=given,
         admits=question.admits,
+        engine=question.engine,
     ).decided()
-    hypotheses = () if finding.verdict == "refuted" else field.divisors()
-    return Proof(finding.verdict, hypotheses, finding.certificate, finding.point, question.engine)
 
 
 def _normal_form(question: _Question) -> tuple[RationalFunctionField, list[RationalFunction]]:
@@ -363,7 +318,3 @@ def _refuted(question: _Question, point: Point) -> Proof:
     }
     used = {symbol: point[symbol] for symbol in question.symbols}
     return Proof("refuted", (), certificate, used, question.engine)
-
-
-def _open(question: _Question, field: RationalFunctionField, reason: str) -> Proof:
-    return Proof("open", field.divisors(), {"method": "none", "reason": reason}, None, question.engine)

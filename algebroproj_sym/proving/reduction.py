@@ -10,7 +10,7 @@ from algebroproj_sym.proving.rational_function import RationalFunction, Rational
 MOST_TERMS = 2000
 
 
-def reduced(expression: Expression, engine: str = "flint") -> Expression:
+def reduced(expression: Expression) -> Expression:
     """Return an expression in lowest terms, or as it is if that is shorter.
 
     The result is the same rational function; divisors that cancel are no longer seen in it.
@@ -19,8 +19,6 @@ def reduced(expression: Expression, engine: str = "flint") -> Expression:
     ----------
     expression : sympy.Expr or sympy matrix
         A rational expression, defined somewhere.
-    engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
 
     Returns
     -------
@@ -32,7 +30,7 @@ def reduced(expression: Expression, engine: str = "flint") -> Expression:
     >>> reduced((x**2 - y**2) / (x**2 + 2*x*y + y**2))
     (x - y)/(x + y)
     """
-    field = RationalFunctionField(symbols_of((expression,)), engine)
+    field = RationalFunctionField(symbols_of((expression,)), "flint")
     values = evaluate(expression, field.variables, field.lift)
     written = [_written(divided(entry), value) for entry, value in zip(entries(expression), values, strict=True)]
     if isinstance(expression, sympy.MatrixBase):

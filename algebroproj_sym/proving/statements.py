@@ -17,7 +17,8 @@ from algebroproj_sym.expressions import (
     parse_zero,
     require_bounded,
 )
-from algebroproj_sym.proving.prove import Proof, Witness
+from algebroproj_sym.proving.proof import Proof
+from algebroproj_sym.proving.prove import Witness
 from algebroproj_sym.proving.prove import prove as decided
 
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")

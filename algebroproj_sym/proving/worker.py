@@ -169,15 +169,14 @@ class _Worker:
 
     def _start(self) -> bool:
         context = get_context("spawn")
-        self._connection, other = context.Pipe()
-        self._process = context.Process(target=_serve, args=(other, self._engine), daemon=True)
-        self._process.start()
-        other.close()
-        try:
-            if self._connection.poll(STARTING_SECONDS):
-                return bool(self._connection.recv() == "ready")
-        except (EOFError, OSError):
-            pass
+        connection, other = context.Pipe()
+        process = context.Process(target=_serve, args=(other, self._engine), daemon=True)
+        with suppress(EOFError, OSError):
+            process.start()
+            self._process, self._connection = process, connection
+            other.close()
+            if connection.poll(STARTING_SECONDS) and connection.recv() == "ready":
+                return True
         self.stop()
         return False
 
@@ -205,7 +204,7 @@ def _serve(connection: Any, engine: str) -> None:
 
 def _decided(question: Question, engine: str) -> Outcome:
     from algebroproj_sym.proving.points import point_record
-    from algebroproj_sym.proving.prove import UndefinedError
+    from algebroproj_sym.proving.proof import UndefinedError
     from algebroproj_sym.proving.statements import prove
 
     start = monotonic()
@@ -228,8 +227,7 @@ def _decided(question: Question, engine: str) -> Outcome:
     except (ValueError, TypeError) as error:
         return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
     certificate = dict(proof.certificate or {})
-    certified = certificate.get("method") in ("real laws", "enclosures")
-    is_whole = question.letters is not None or certified
+    is_whole = question.letters is not None or certificate.get("method") in ("real laws", "enclosures")
     if not is_whole and "witness" in certificate:
         certificate["witness"] = _whole(certificate["witness"], question)
     point = certificate.pop("point", None) or (proof.counterexample and point_record(proof.counterexample))
@@ -245,21 +243,23 @@ def _decided(question: Question, engine: str) -> Outcome:
 
 
 def _require_variables(question: Question) -> None:
-    from algebroproj_sym.expressions import names_in
-    from algebroproj_sym.replaying.reals.terms import FUNCTIONS
-
     if question.variables is None:
         return
     for argument, text in question.named_texts:
-        for name in sorted(names_in(text) - FUNCTIONS - {"I", "pi", *question.variables}):
+        for name in sorted(_symbols_in(text).difference({"I", *question.variables})):
             known = ", ".join(sorted(question.variables))
             raise ValueError(f"{argument}: expected one of the variables {known}, got {name!r}")
 
 
 def _whole(point: Mapping[Any, Any], question: Question) -> dict[str, str]:
     """Return a point with a value also for names that cancel."""
+    names = {name for _, text in question.named_texts for name in _symbols_in(text)}
+    return dict.fromkeys(sorted(names), "1") | dict(point)
+
+
+def _symbols_in(text: str) -> set[str]:
+    """Return the names in a text that stand for numbers which are not further known."""
     from algebroproj_sym.expressions import names_in
     from algebroproj_sym.replaying.reals.terms import FUNCTIONS
 
-    names = {name for _, text in question.named_texts for name in names_in(text)} - FUNCTIONS - {"pi"}
-    return dict.fromkeys(sorted(names), "1") | dict(point)
+    return names_in(text) - FUNCTIONS - {"pi"}

@@ -11,7 +11,7 @@ from rich.text import Text
 
 from algebroproj_sym.declaring import Answer
 from algebroproj_sym.reporting.ledger import SCHEMA
-from algebroproj_sym.reporting.tables import as_declared_text, table_of
+from algebroproj_sym.reporting.tables import line_of_counts, table_of
 
 COLORS = {"proved": "green", "refuted": "yellow", "open": "bold red", "error": "bold red"}
 
@@ -36,11 +36,8 @@ def answers_table(answers: Sequence[Answer]) -> Table:
 
 def answers_summary(answers: Sequence[Answer]) -> Text:
     """Return one line: how many identities, by verdict, and how many are not decided as declared."""
-    counts = [Text(f"{count} {verdict}", style=COLORS[verdict]) for verdict, count in _summary(answers).items()]
-    line = Text(f"{len(answers)} identities: ").append_text(Text(", ").join(counts))
     failed = sum(not answer.as_declared for answer in answers)
-    line.append("; " + as_declared_text(failed, "verdict"), style="bold red" if failed else "dim")
-    return line
+    return line_of_counts(f"{len(answers)} identities", _summary(answers), COLORS, failed)
 
 
 def _summary(answers: Sequence[Answer]) -> dict[str, int]:

@@ -13,7 +13,8 @@ from algebroproj_sym.declaring import UNPARSED, UNQUOTED
 from algebroproj_sym.reporting.tables import table_of
 
 if TYPE_CHECKING:
-    from algebroproj_sym.auditing import Finding, Line
+    from algebroproj_sym.auditing.audit import Finding
+    from algebroproj_sym.auditing.coverage import Line
 
 OUTCOMES = {
     "equal": "parsed, equal",
@@ -82,14 +83,14 @@ def coverage_lines(found: Mapping[str, Sequence[Line]]) -> list[str]:
 
     Examples
     --------
-    >>> from algebroproj_sym.auditing import Line
+    >>> from algebroproj_sym.auditing.coverage import Line
     >>> lines = [Line(1, "a title", None, ()), Line(3, "x = 1", 2, ("1.1",)), Line(7, "y = 2", 6, ())]
     >>> print("\n".join(coverage_lines({"demo": lines})))
     demo: claims quote 1 of 2 displays, and 1 of 3 lines with text
       displays that no claim quotes, by first line: 6
       other lines that no claim quotes: 1
     """
-    from algebroproj_sym.auditing import ranges
+    from algebroproj_sym.auditing.coverage import ranges
 
     said = []
     for paper, lines in found.items():

@@ -8,8 +8,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
 from algebroproj_sym.declaring import located
@@ -20,28 +19,19 @@ Key: TypeAlias = tuple[str, str]
 Dependences: TypeAlias = Mapping[Key, tuple[Key, ...]]
 
 
-@contextmanager
-def noting(selectors: Sequence[str]) -> Iterator[Callable[[], Dependences]]:
-    """Find what claims rest on beside other work, in a process of its own: see `dependences`.
+def noted(selectors: Sequence[str]) -> Dependences:
+    """Return what claims rest on, found in a process of its own: see `dependences`.
 
     Raises
     ------
     RuntimeError
-        When the result is asked for, if the process did not come to an end.
+        If the process did not come to an end.
     """
     command = [sys.executable, "-m", __name__, *selectors]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-
-        def result() -> Dependences:
-            told, wrong = process.communicate()
-            if process.returncode:
-                raise RuntimeError(f"what rests on what was not found:\n{wrong.strip()}")
-            return {(paper, number): tuple(map(tuple, bases)) for (paper, number), bases in json.loads(told)}
-
-        try:
-            yield result
-        finally:
-            process.kill()
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    if ended.returncode:
+        raise RuntimeError(f"what rests on what was not found:\n{ended.stderr.strip()}")
+    return {(paper, number): tuple(map(tuple, bases)) for (paper, number), bases in json.loads(ended.stdout)}
 
 
 def dependences(selectors: Sequence[str]) -> Dependences:

@@ -12,21 +12,14 @@ from rich.text import Text
 
 from algebroproj_sym.declaring import KINDS, Claim, Judgement, Quote, in_derived_terms, statement_text
 from algebroproj_sym.expressions import TextForm, evaluate, size
+from algebroproj_sym.expressions.arranging import LONG, arranged
 from algebroproj_sym.proving import reduced
 from algebroproj_sym.reporting.tables import verdict_text
-from algebroproj_sym.showing import (
-    LONG,
-    Named,
-    Part,
-    arranged,
-    as_declared,
-    derived_form,
-    differing_entries,
-    evidence_lines,
-    folded,
-    in_names,
-    shown,
-)
+from algebroproj_sym.showing.arranging import Part, as_declared, shown
+from algebroproj_sym.showing.difference import differing_entries
+from algebroproj_sym.showing.display import evidence_lines, folded
+from algebroproj_sym.showing.forms import derived_form
+from algebroproj_sym.showing.naming import Named, in_names
 
 LABEL = 12
 """Width of the column of labels."""
@@ -85,16 +78,7 @@ def failure_text(judgement: Judgement) -> str:
 def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> list[str]:
     """Return a form of a claim, a row of a matrix in each line; a long one by the names of what it is made of.
 
-    Parameters
-    ----------
-    claim : Claim
-        As declared.
-    part : str
-        Which of its forms.
-    most : int
-        How many characters a form may take before it is long.
-    full : bool
-        Whether to show it whatever its length.
+    One of more than `most` characters is long, unless all is to be shown in `full`.
     """
     form = arranged(derived_form(claim)) if part == "derived" else as_declared(claim, part)
     rows = plain_rows(form)
@@ -112,7 +96,9 @@ def finding_line(judgement: Judgement) -> str:
     if claim.printed is None:
         return f"reconstructed as {folded(_text_of(claim, 'corrected'), LONGEST_ENTRY)}"
     if entries := _differing(claim, full=False):
-        return "; ".join(entries[:2] if len(entries) < 3 else [entries[0], f"… and {_count(claim) - 1} more entries"])
+        return "; ".join(
+            entries[:2] if len(entries) < 3 else [entries[0], f"… and {len(differing_entries(claim)) - 1} more entries"]
+        )
     if claim.corrected is not None:
         printed, corrected = apart(_text_of(claim, "printed"), _text_of(claim, "corrected"), LONGEST_ENTRY)
         return f"printed {printed}, corrected {corrected}"
@@ -146,10 +132,6 @@ def apart(left: str, right: str, most: int) -> tuple[str, str]:
     ends = ["" if start + most > len(text) else "…" for text in (left, right)]
     sizes = [f"{end} ({len(text):,} characters)" for end, text in zip(ends, (left, right), strict=True)]
     return cut[0] + sizes[0], cut[1] + sizes[1]
-
-
-def _count(claim: Claim) -> int:
-    return len(differing_entries(claim))
 
 
 def _about(judgement: Judgement, *, full: bool) -> Iterator[Line]:

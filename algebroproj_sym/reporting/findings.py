@@ -10,7 +10,7 @@ import sympy
 from algebroproj_sym.declaring import GRADES, KINDS, NUMBER_OF, Claim, Grade, Judgement, grade_of, statement_text
 from algebroproj_sym.reporting.explaining import finding_line, sides_at_counterexample
 from algebroproj_sym.reporting.templating import TEMPLATES
-from algebroproj_sym.showing import folded
+from algebroproj_sym.showing.display import folded
 
 HEADINGS: dict[Grade, str] = {
     "results": "Findings that change results",
@@ -25,14 +25,8 @@ LONGEST_VALUE = 40
 class Finding:
     """A finding, and the claims that have it.
 
-    Attributes
-    ----------
-    first : Judgement
-        That of the claim that tells it.
-    others : tuple of Judgement
-        Those of the claims that are declared to have the same finding.
-    numbers : mapping of str to Claim
-        The claims of the paper by their numbers.
+    The first one tells it; the others are declared to have the same. The claims of the paper are known by their
+    numbers.
     """
 
     first: Judgement

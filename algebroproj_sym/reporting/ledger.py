@@ -28,21 +28,8 @@ def ledger(
 ) -> dict[str, Any]:
     """Return the ledger of some judgements.
 
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        In the order of the ledger.
-    quotes : mapping of (paper, number) to Quote, optional
-        What the papers print.
-    timed : bool
-        Whether to keep the seconds; a ledger that is compared byte by byte has none.
-    jobs : int
-        The number of processes.
-
-    Returns
-    -------
-    dict
-        ``{"schema": 1, "claims": [...], "summary": {verdict: count}}``.
+    It is ``{"schema": 1, "claims": [...], "summary": {verdict: count}}``. One that is compared byte by byte is not
+    `timed`.
     """
     records = mapped(partial(claim_record, quotes=quotes, timed=timed), judgements, jobs)
     return {"schema": SCHEMA, "claims": [*records], "summary": summary(judgements)}

@@ -23,12 +23,7 @@ class NotebookError(ValueError):
 class Notebook:
     """A derivation and its cells.
 
-    Attributes
-    ----------
-    module : str
-        The name of the derivation module.
-    cells : tuple of mapping
-        Cells of the notebook format, version 4, with outputs.
+    They are cells of the notebook format, version 4, with outputs.
     """
 
     module: str

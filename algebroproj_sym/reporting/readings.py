@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from algebroproj_sym.showing import folded
+from algebroproj_sym.showing.display import folded
 
 if TYPE_CHECKING:
     from algebroproj_sym.reading import Link, Reading
@@ -22,13 +22,9 @@ def reading_record(readings: Sequence[Reading]) -> dict[str, Any]:
 
 
 def summary_of(readings: Iterable[Reading]) -> Counter[str]:
-    """Return how many equations have which verdict."""
-    counts = Counter(each.verdict for each in readings)
-    return Counter({verdict: counts[verdict] for verdict in sorted(counts, key=_place)})
-
-
-def _place(verdict: str) -> int:
-    return ("contradicts", "definition", "follows", "independent", "not decided", "not read").index(verdict)
+    """Return how many equations have which verdict, in alphabetical order."""
+    counts: Counter[str] = Counter(each.verdict for each in readings)
+    return Counter(dict(sorted(counts.items())))
 
 
 def decisive(reading: Reading) -> Link | None:
@@ -63,17 +59,7 @@ def reason_of(reading: Reading) -> str:
 
 
 def reading_lines(name: str, readings: Sequence[Reading], *, full: bool) -> Iterator[str]:
-    """Yield what a reader wants to see first: contradictions whole, and the others folded by verdict and reason.
-
-    Parameters
-    ----------
-    name : str
-        The document.
-    readings : sequence of Reading
-        Its equations.
-    full : bool
-        Whether to show every equation.
-    """
+    """Yield what a reader wants to see first: contradictions whole, and the others folded by verdict and reason."""
     if full:
         for each in readings:
             yield from _whole(each)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -14,49 +14,33 @@ from algebroproj_sym.reporting.tables import failed_function
 from algebroproj_sym.reporting.templating import TEMPLATES
 
 if TYPE_CHECKING:
-    from algebroproj_sym.generating import Lowered
-    from algebroproj_sym.verifying import Verification
+    from algebroproj_sym.generating.lowering import Lowered
+    from algebroproj_sym.verifying.verification import Verification
 
 
 def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified: Sequence[Verification]) -> str:
     """Return the report: a page to be read, with links to the files that have the rest.
 
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        All claims.
-    lowered : sequence of Lowered
-        All kernels.
-    verified : sequence of Verification
-        The figures of the generated functions, in the order of the kernels.
-
-    Returns
-    -------
-    str
-        Markdown: what is not as declared, verdicts by paper, a line for each claim that does not hold as
-        printed, the functions with their figures.
+    It has what is not as declared, verdicts by paper, a line for each claim that does not hold as printed, and the
+    functions with their figures.
     """
-    from algebroproj_sym.verifying import BOUND
+    from algebroproj_sym.verifying.accuracy import BOUND
 
     return TEMPLATES.get_template("report.md.j2").render(
         wrong=[failure_text(judgement) for judgement in judgements if not judgement.as_declared],
         failed=[failed_function(verification) for verification in verified if not verification.passed],
         verdicts=VERDICTS,
         papers=[
-            (paper, summary(group), [(j, finding_line(j)) for j in group if is_finding(j)])
-            for paper, group in _by_paper(judgements)
+            (paper, summary(group := list(found)), [(j, finding_line(j)) for j in group if is_finding(j)])
+            for paper, found in groupby(judgements, key=lambda j: j.claim.paper)
         ],
         functions=[_function(low, v) for low, v in zip(lowered, verified, strict=True)],
         bound=BOUND,
     )
 
 
-def _by_paper(judgements: Iterable[Judgement]) -> list[tuple[str, list[Judgement]]]:
-    return [(paper, list(group)) for paper, group in groupby(judgements, key=lambda j: j.claim.paper)]
-
-
 def _function(low: Lowered, verification: Verification) -> dict[str, object]:
-    from algebroproj_sym.generating import operation_counts
+    from algebroproj_sym.generating.operation_counts import operation_counts
 
     overall = verification.accuracy.overall
     return {

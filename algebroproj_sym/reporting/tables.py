@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import astuple
 from itertools import groupby
 from typing import TYPE_CHECKING, TypeVar
@@ -14,8 +14,8 @@ from algebroproj_sym.declaring import Claim, Judgement
 from algebroproj_sym.reporting.ledger import summary
 
 if TYPE_CHECKING:
-    from algebroproj_sym.generating import Lowered
-    from algebroproj_sym.verifying import Verification
+    from algebroproj_sym.generating.lowering import Lowered
+    from algebroproj_sym.verifying.verification import Verification
 
 Item = TypeVar("Item")
 
@@ -37,17 +37,17 @@ def verdict_text(verdict: str) -> Text:
     return Text(verdict, style=COLORS[verdict])
 
 
-def as_declared_text(changed: int, what: str) -> str:
+def as_declared_text(changed: int) -> str:
     """Return how many verdicts are not the declared ones.
 
     Examples
     --------
-    >>> as_declared_text(0, "verdict"), as_declared_text(1, "verdict")
+    >>> as_declared_text(0), as_declared_text(1)
     ('all verdicts are as declared', '1 verdict is not as declared')
     """
     if not changed:
-        return f"all {what}s are as declared"
-    return f"{changed} {what} is not as declared" if changed == 1 else f"{changed} {what}s are not as declared"
+        return "all verdicts are as declared"
+    return "1 verdict is not as declared" if changed == 1 else f"{changed} verdicts are not as declared"
 
 
 def table_of(first: str, *others: str, numbers: Sequence[str] = ()) -> Table:
@@ -71,18 +71,7 @@ def fill(
 ) -> Table:
     """Add a row for each function, or for each module if the functions fill more than a screen.
 
-    Parameters
-    ----------
-    table : Table
-        Whose first column names functions.
-    items : sequence
-        What is known of each function, module by module.
-    name : callable
-        The name of the function, with its module.
-    cells : callable
-        The other columns, from the functions of a row.
-    full : bool
-        Whether each function has a row in any case.
+    The first column of the table has their names; `cells` gives the others, from the functions of a row.
 
     Examples
     --------
@@ -118,7 +107,7 @@ def _counted(judgements: Sequence[Judgement]) -> Table:
     table = table_of("paper" if several else "section", "verdicts", numbers=("claims",))
     for key, group in groupby(judgements, lambda j: j.claim.paper if several else f"{j.claim.paper}:{j.claim.section}"):
         found = list(group)
-        table.add_row(Text(key), _counts(found), str(len(found)))
+        table.add_row(Text(key), _counts(summary(found)), str(len(found)))
     changed = [judgement for judgement in judgements if not judgement.as_declared]
     for judgement in changed[:SCREEN]:
         table.add_row(Text(_selector(judgement.claim)), _verdict(judgement))
@@ -137,22 +126,26 @@ def _verdict(judgement: Judgement) -> Text:
     return verdict
 
 
-def _counts(judgements: Sequence[Judgement]) -> Text:
-    counts = [Text(f"{count} {verdict}", style=COLORS[verdict]) for verdict, count in summary(judgements).items()]
-    return Text(", ").join(counts)
+def _counts(counts: Mapping[str, int], colors: Mapping[str, str] = COLORS) -> Text:
+    return Text(", ").join(Text(f"{count} {verdict}", style=colors[verdict]) for verdict, count in counts.items())
 
 
 def summary_text(judgements: Sequence[Judgement]) -> Text:
     """Return one line: how many claims, by verdict, and how many are not as declared."""
-    line = Text(f"{len(judgements)} claim{'s' if len(judgements) != 1 else ''}: ").append_text(_counts(judgements))
     changed = sum(not judgement.as_declared for judgement in judgements)
-    line.append("; " + as_declared_text(changed, "verdict"), style="bold red" if changed else "dim")
-    return line
+    what = f"{len(judgements)} claim{'s' if len(judgements) != 1 else ''}"
+    return line_of_counts(what, summary(judgements), COLORS, changed)
+
+
+def line_of_counts(what: str, counts: Mapping[str, int], colors: Mapping[str, str], changed: int) -> Text:
+    """Return one line: of what, how many with each verdict, and how many verdicts are not the declared ones."""
+    line = Text(f"{what}: ").append_text(_counts(counts, colors))
+    return line.append("; " + as_declared_text(changed), style="bold red" if changed else "dim")
 
 
 def failed_function(verification: Verification) -> str:
     """Return which function is not verified, and why."""
-    from algebroproj_sym.verifying import BOUND
+    from algebroproj_sym.verifying.accuracy import BOUND
 
     reasons = []
     if not verification.proved:
@@ -170,7 +163,7 @@ def failed_function(verification: Verification) -> str:
 
 def operations_table(lowered: Sequence[Lowered], *, full: bool = False) -> Table:
     """Return a row for each kernel, or module: operations as derived, after SymPy's cse, in our program."""
-    from algebroproj_sym.generating import operation_counts
+    from algebroproj_sym.generating.operation_counts import operation_counts
 
     def cells(group: Sequence[Lowered]) -> list[str]:
         counts = [astuple(operation_counts(low)) for low in group]

@@ -12,15 +12,7 @@ from algebroproj_sym.proving import prove, reduced
 def differing_entries(claim: Claim) -> tuple[tuple[int, Scalar, Scalar], ...]:
     """Return the place, the printed and the derived form of each entry that the prover refutes.
 
-    Parameters
-    ----------
-    claim : Claim
-        An identity of matrices without constraints; others have no entries to compare.
-
-    Returns
-    -------
-    tuple of (int, sympy.Expr, sympy.Expr)
-        The place counts the entries row by row.
+    Only an identity of matrices without constraints has entries to compare. The place counts them row by row.
 
     Examples
     --------

@@ -66,14 +66,8 @@ def evidence_lines(
 ) -> list[str]:
     """Return what a verdict rests on, a line each: conditions, method, hypotheses, counterexample, replacement.
 
-    Parameters
-    ----------
-    judgement : Judgement
-        A claim and its verdict.
-    show : callable, optional
-        How symbols, expressions and numbers are written; by default as text, where long expressions are shortened.
-    full : bool
-        Whether to show long expressions and lists as a whole.
+    What is shown is written by `show`; by default as text, where long expressions are shortened, unless they are to be
+    in `full`.
     """
     show = show or (_whole if full else _shortened)
     most = None if full else LONGEST_LIST

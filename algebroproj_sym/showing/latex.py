@@ -55,14 +55,7 @@ SIGN = Marks(sign=True)
 def latex(expression: Any, marks: Marks = NOTHING, *, ordered: bool = True) -> str:
     r"""Return a scalar or matrix as LaTeX.
 
-    Parameters
-    ----------
-    expression : sympy.Expr, sympy matrix or TextForm
-        What to write.
-    marks : Marks
-        What to mark in it.
-    ordered : bool
-        Whether to put terms and factors in SymPy's order, or to leave them as they are stored.
+    Terms and factors are in the order of SymPy, or as they are stored if not `ordered`.
 
     Examples
     --------
@@ -137,13 +130,9 @@ def _product(expression: Any, marks: Marks) -> tuple[str, str]:
             above += [(sympy.Integer(abs(factor.p)), inside)] if abs(factor.p) != 1 else []
             below += [(sympy.Integer(factor.q), inside)] if factor.q != 1 else []
         else:
-            (below if _divides(factor) else above).append((factor, inside))
+            (below if isinstance(factor, sympy.Pow) and factor.exp.is_negative else above).append((factor, inside))
     body = _juxtaposed(above)
     return ("-" if negative else ""), rf"\frac{{{body}}}{{{_juxtaposed(below)}}}" if below else body
-
-
-def _divides(factor: Any) -> bool:
-    return isinstance(factor, sympy.Pow) and bool(factor.exp.is_negative)
 
 
 def _factors(product: Any, marks: Marks) -> list[tuple[Any, Marks]]:

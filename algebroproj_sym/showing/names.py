@@ -54,16 +54,7 @@ _PRIMED = re.compile(rf"(?:{_GREEK}|[xy])p{{1,2}}")
 class Name:
     """The parts of a symbol's name.
 
-    Attributes
-    ----------
-    base : str
-        A letter, or the English name of a Greek one.
-    star : bool
-        Whether it has a star.
-    primes : int
-        How many primes it has.
-    index : str
-        What stands below: digits and letters, or the English name of a Greek letter.
+    The base is a letter, or the English name of a Greek one. The index has digits and letters, or such a name.
     """
 
     base: str

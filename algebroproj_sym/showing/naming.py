@@ -28,14 +28,7 @@ SHORT = 30
 class Meaning:
     """What a name in a form stands for.
 
-    Attributes
-    ----------
-    name : str
-        As it is in the module.
-    value : Expression
-        What it stands for.
-    written : ast.expr or None
-        What the module assigns to it, where that is shorter than the value.
+    There is what the module assigns to it, where that is shorter than the value.
     """
 
     name: str

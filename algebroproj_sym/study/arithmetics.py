@@ -16,16 +16,6 @@ from algebroproj._runtime.pairs import DoubleDouble
 from algebroproj_sym.study.exact_systems import ARB, MPMATH
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
-__all__ = [
-    "arb",
-    "double_double",
-    "double_double_balls",
-    "float64",
-    "float64_balls",
-    "mpmath_digits",
-    "rational",
-]
-
 
 def _no_rest(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return values, np.zeros_like(values)

@@ -18,8 +18,6 @@ from algebroproj._runtime.evaluation import parts_of
 from algebroproj_sym.study.precision import apply
 from algebroproj_sym.study.taylor import gradient, taylor, variables
 
-__all__ = ["Condition", "condition", "condition_numbers", "jacobian"]
-
 Array = NDArray[np.float64]
 
 

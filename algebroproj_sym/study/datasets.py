@@ -53,11 +53,6 @@ def variable(dimensions: Sequence[str], values: ArrayLike, units: str = DIMENSIO
 def provenance(source: Path) -> dict[str, str]:
     """Return what the numbers of a study depend on: the versions of the libraries, and a digest of its sources.
 
-    Parameters
-    ----------
-    source : Path
-        The module of the study.
-
     Examples
     --------
     >>> sorted(provenance(Path(__file__)))[:2]
@@ -98,16 +93,8 @@ def join(paths: Sequence[Path], dimension: str, attributes: Mapping[str, str], p
 
     Only a few of them are in memory at a time.
 
-    Parameters
-    ----------
-    paths : sequence of Path
-        Files of `write`.
-    dimension : str
-        Along which they follow each other; variables without it are taken from the first one.
-    attributes : mapping of str to str
-        Of the whole.
-    path : Path
-        The result: a Zarr folder if its name ends with ``.zarr``, else a netCDF file.
+    They are files of `write`; variables without the dimension are taken from the first one. A name that ends with
+    ``.zarr`` makes a Zarr folder, another one a netCDF file.
 
     Raises
     ------

@@ -23,11 +23,6 @@ DECLARES = re.compile(r"^STUDY\s*=", re.MULTILINE)
 def studies(path: Path | None = None) -> tuple[Study, ...]:
     """Return the studies of a file or of the files in a folder, in the order of their names; else the installed ones.
 
-    Parameters
-    ----------
-    path : Path, optional
-        A Python file, or a folder of such files.
-
     Raises
     ------
     BrokenModuleError

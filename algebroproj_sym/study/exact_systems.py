@@ -16,8 +16,6 @@ from numpy.typing import NDArray
 
 from algebroproj_sym.declaring import ELEMENTARY, Primitive
 
-__all__ = ["ARB", "MPMATH"]
-
 Solver = Callable[[list[list[Any]]], list[Any]]
 Meanings = Mapping[str, Callable[..., Any]]
 

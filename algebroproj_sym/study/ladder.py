@@ -19,8 +19,6 @@ from algebroproj._runtime.pairs import DoubleDouble
 from algebroproj_sym.study.arithmetics import arb, double_double_balls, float64_balls, rational
 from algebroproj_sym.study.precision import Arithmetic, Numbers, apply, lift, nearest, radius
 
-__all__ = ["SINGULAR", "UNDECIDED", "Certified", "certified", "climb"]
-
 RUNGS = (float64_balls(), double_double_balls(), *(arb(bits) for bits in (128, 256, 512, 1024)))
 """What is tried before rational numbers."""
 

@@ -20,16 +20,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from algebroproj._runtime.evaluation import Body, Signature, parts_of, placed
+from algebroproj._runtime.evaluation import Body, Signature, batch_of, parts_of, placed
 from algebroproj._runtime.pairs import DIGITS, DoubleDouble
-
-__all__ = [
-    "Arithmetic",
-    "apply",
-    "lift",
-    "nearest",
-    "radius",
-]
 
 Numbers: TypeAlias = NDArray[Any]
 Function: TypeAlias = Callable[..., Any]
@@ -217,21 +209,13 @@ def _aligned(
 ) -> tuple[list[Numbers], tuple[int, ...]]:
     """Return the arguments with as many leading dimensions each, and the shape that these broadcast to."""
     placed(signature, numbers, {})
-    leading = []
-    for (name, core), argument in zip(signature.arguments, numbers, strict=True):
-        split = argument.ndim - len(core)
-        if split < 1 or argument.shape[split:] != core or argument.shape[0] != arithmetic.parts:
-            expected = ", ".join(map(str, (arithmetic.parts, "...", *core)))
-            raise ValueError(f"{signature.name}: expected {name} of shape ({expected}), got shape {argument.shape}")
-        leading.append(argument.shape[1:split])
-    try:
-        batch = np.broadcast_shapes(*leading)
-    except ValueError:
-        raise ValueError(f"{signature.name}: expected leading shapes that broadcast, got {leading}") from None
-    missing = [(1,) * (len(batch) - len(own)) for own in leading]
+    for argument in numbers:
+        if argument.shape[:1] != (arithmetic.parts,):
+            raise ValueError(f"{signature.name}: expected {arithmetic.parts} parts, got shape {argument.shape}")
+    batch = batch_of(signature, [argument.shape[1:] for argument in numbers])
+    missing = [1 + len(batch) + len(core) - n.ndim for (_, core), n in zip(signature.arguments, numbers, strict=True)]
     aligned = [
-        argument.reshape(arithmetic.parts, *ones, *argument.shape[1:])
-        for argument, ones in zip(numbers, missing, strict=True)
+        n.reshape(arithmetic.parts, *(1,) * ones, *n.shape[1:]) for n, ones in zip(numbers, missing, strict=True)
     ]
     return aligned, batch
 

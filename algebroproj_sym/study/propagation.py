@@ -13,8 +13,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Moments", "first_order", "second_order"]
-
 Array = NDArray[np.float64]
 
 

@@ -52,22 +52,8 @@ class BusyFolderError(ValueError):
 class Sweep:
     """A study with its arguments, in a folder.
 
-    Attributes
-    ----------
-    study : Study
-        What is computed.
-    folder : Path
-        Where.
-    options : mapping of str to object
-        The options of the study that are not to have their default values.
-    members : int
-        How many members.
-    size : int
-        How many members a chunk has; memory is bounded by it.
-    seed : int
-        Of the random numbers.
-    output : {"netcdf", "zarr"}
-        Form of the dataset.
+    The options are those that are not to have their default values. A chunk has `size` members, by which memory is
+    bounded.
 
     Raises
     ------
@@ -182,19 +168,7 @@ def missing(sweep: Sweep) -> list[int]:
 def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iterator[int]:
     """Compute the chunks that are missing, and yield the number of each when it is kept.
 
-    Parameters
-    ----------
-    sweep : Sweep
-        Prepared.
-    executor : Executor, optional
-        Who computes: local processes, or a cluster; without one this process does.
-    window : int
-        How many chunks are under way at once; memory is bounded by it.
-
-    Yields
-    ------
-    int
-        The number of a chunk.
+    An executor computes, with `window` chunks under way at once; without one, this process does.
     """
     if executor is None:
         for chunk in missing(sweep):

@@ -21,8 +21,6 @@ from algebroproj._runtime.systems import null_vector, solve
 from algebroproj_sym.declaring import ELEMENTARY, Primitive
 from algebroproj_sym.study.precision import Arithmetic, Numbers
 
-__all__ = ["Taylor", "composed", "gradient", "hessian", "taylor", "variables"]
-
 Array: TypeAlias = NDArray[np.float64]
 
 
@@ -127,13 +125,6 @@ def _add_to_second(parts: Any, count: int, more: Callable[[], Any]) -> None:
 def taylor(count: int, order: int = 1) -> Arithmetic:
     """Return the arithmetic of float64 numbers with derivatives by so many variables.
 
-    Parameters
-    ----------
-    count : int
-        The number of variables.
-    order : {1, 2}
-        Of the highest derivatives.
-
     Raises
     ------
     ValueError
@@ -161,20 +152,8 @@ def taylor(count: int, order: int = 1) -> Arithmetic:
 def variables(arithmetic: Arithmetic, values: ArrayLike, start: int = 0, core: int = 1) -> Numbers:
     """Return float64 values as the variables by which is differentiated.
 
-    Parameters
-    ----------
-    arithmetic : Arithmetic
-        As `taylor` returns it.
-    values : array_like, shape (..., *core shape)
-        The entries of the core shape are the variables start, start + 1, ...
-    start : int
-        The first variable.
-    core : int
-        How many of the last dimensions are the core.
-
-    Returns
-    -------
-    ndarray, shape (parts, ..., *core shape)
+    The entries of the core, which is the last dimensions, are the variables start, start + 1, ... The result has shape
+    (parts, ..., *core shape).
 
     Examples
     --------

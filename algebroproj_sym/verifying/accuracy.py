@@ -24,7 +24,7 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import Sample
 from algebroproj_sym.verifying.oracle import Truth, oracle
 from algebroproj_sym.verifying.shipped import Function, call
@@ -78,16 +78,7 @@ class Stratum:
 class Accuracy:
     """The errors of a function: over all samples, and stratum by stratum.
 
-    Attributes
-    ----------
-    function : str
-        Its module and name.
-    overall : Stratum
-        All samples.
-    strata : tuple of Stratum
-        One by one.
-    backward : bool
-        Whether it solves a linear system, of which a small backward error is asked.
+    If the function solves a linear system, a small backward error is asked of it.
     """
 
     function: str
@@ -221,16 +212,6 @@ def strata_record(measured_accuracy: Accuracy) -> Mapping[str, object]:
 
 
 def _stratum_record(stratum: Stratum) -> Mapping[str, object]:
-    return {
-        "name": stratum.name,
-        "samples": stratum.samples,
-        "median_ulp": _rounded(stratum.median_ulp),
-        "thousandth_ulp": _rounded(stratum.thousandth_ulp),
-        "max_ulp": _rounded(stratum.max_ulp),
-        "max_ratio": _rounded(stratum.max_ratio),
-        "undetermined": stratum.undetermined,
-    }
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.3g}")
+    names = ("name", "samples", "median_ulp", "thousandth_ulp", "max_ulp", "max_ratio", "undetermined")
+    figures = {name: getattr(stratum, name) for name in names}
+    return {name: float(f"{value:.3g}") if isinstance(value, float) else value for name, value in figures.items()}

@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import Sample, stratified
 from algebroproj_sym.proving import seed_of
 from algebroproj_sym.verifying.accuracy import Accuracy, measured, strata_record
@@ -41,14 +41,8 @@ REPORTED = 2
 class Attack:
     """What an adversary found.
 
-    Attributes
-    ----------
-    accuracy : Accuracy
-        The errors at the worst inputs of each stratum.
-    worst : Sample
-        The input with the largest error in units in the last place.
-    evaluations : int
-        How many inputs were tried.
+    The errors at the worst inputs of each stratum, the input with the largest error in units in the last place, and how
+    many were tried.
     """
 
     accuracy: Accuracy
@@ -56,27 +50,14 @@ class Attack:
     evaluations: int
 
 
-def attack(lowered: Lowered, package: ModuleType, seconds: float, seed: int = 0) -> Attack:
+def attack(lowered: Lowered, package: ModuleType, seconds: float) -> Attack:
     """Look for the largest errors of a generated function.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and the factors that must not vanish.
-    package : module
-        Where the generated function is.
-    seconds : float
-        When to stop.  What is tried, and in which order, depends on the seed alone.
-    seed : int
-        Varies the search.
-
-    Returns
-    -------
-    Attack
+    What is tried, and in which order, depends on the function alone; the seconds say when to stop.
     """
     deadline = perf_counter() + seconds
-    generator = np.random.default_rng(seed_of(lowered.kernel.qualified_name, "attack", seed))
-    samples = stratified(lowered, CLIMBERS, seed)
+    generator = np.random.default_rng(seed_of(lowered.kernel.qualified_name, "attack", 0))
+    samples = stratified(lowered, CLIMBERS)
     strata = np.unique([sample.stratum for sample in samples], return_inverse=True)[1]
     names = [symbol.name for symbol in lowered.kernel.symbols]
     points = np.array([[sample.values[name] for name in names] for sample in samples])

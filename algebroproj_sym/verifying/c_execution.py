@@ -130,32 +130,15 @@ def source_of(text: str) -> Source:
 def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Meaning) -> list[Any]:
     """Execute a kernel for one point; return its outputs.
 
-    Parameters
-    ----------
-    source : Source
-        The functions.
-    name : str
-        The kernel.
-    inputs : sequence of number
-        The entries of its arguments.
-    meaning : Meaning
-        What the source does not say itself.
-
     Raises
     ------
     NotUnderstoodError
-        If there is no such kernel, it is more than one loop over points, or an output is not set.
+        If there is no such kernel, it is more than loops over points, or an output is not set.
     """
     if name not in source.kernels:
         raise NotUnderstoodError(f"C source: expected a kernel {name}, there is none")
-    body = source.kernels[name]
-    if not body.lstrip("{\n ").startswith(_POINTS):
-        raise NotUnderstoodError(f"{name}: expected a loop over points")
-    statements = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '', 1)}").body.block_items
-    if len(statements) != 1 or not isinstance(statements[0], c_ast.Compound):
-        raise NotUnderstoodError(f"{name}: expected one loop over points")
-    variables: dict[str, Any] = {"in": [[value] for value in inputs], "out": {}, "i": _POINT}
-    _run(statements[0], _Scope(variables, source, meaning))
+    variables: dict[str, Any] = {"in": dict(enumerate(inputs)), "out": {}, "i": _POINT}
+    _run_loops(name, source.kernels[name], "all", _Scope(variables, source, meaning))
     return _in_order(name, variables["out"])
 
 
@@ -163,19 +146,6 @@ def plain_outputs(
     source: Source, name: str, inputs: Sequence[Sequence[Any]], sizes: Sequence[int], meaning: Meaning
 ) -> list[Any]:
     """Execute a function without compensation for one point; return the entries of its results.
-
-    Parameters
-    ----------
-    source : Source
-        The functions.
-    name : str
-        Which function.
-    inputs : sequence of sequence of number
-        The entries of each argument.
-    sizes : sequence of int
-        How many entries each result has.
-    meaning : Meaning
-        What the source does not say itself.
 
     Raises
     ------
@@ -204,7 +174,7 @@ def plain_outputs(
 
 def _run_loops(name: str, body: str, length: str, scope: _Scope) -> None:
     """Execute loops over the same points, one after the other; before them, rows may be declared for all of them."""
-    declared, *loops = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '')}").body.block_items
+    declared, *loops = _parsed(f"void {name}(void)\n{body.replace(_POINTS, '')}").body.block_items or [None]
     rows: dict[int, Any] = {}
     match declared:
         case c_ast.Decl(
@@ -354,10 +324,6 @@ def _assign(statement: Any, scope: _Scope) -> None:
         scope.variables[target.name] = value
         return
     match target:
-        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name="out"), subscript=place), subscript=column):
-            if _value(column, scope) is not _POINT:
-                raise NotUnderstoodError("C source: expected outputs of the point of the loop")
-            scope.variables["out"][_index(place)] = value
         case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=first), subscript=second) if (
             _has_points(name, scope)
         ):
@@ -380,7 +346,7 @@ def _solve(name: str, system: str, solution: str, scope: _Scope) -> None:
 
 
 def _has_points(name: str, scope: _Scope) -> bool:
-    return name == "rows" or isinstance(scope.variables.get(name), _Points)
+    return name in ("in", "out", "rows") or isinstance(scope.variables.get(name), _Points)
 
 
 def _entry(name: str, first: Any, second: Any, scope: _Scope) -> tuple[dict[int, Any], int]:
@@ -422,10 +388,6 @@ def _value(node: Any, scope: _Scope) -> Any:
             return value(node.iftrue if value(node.cond) else node.iffalse)
         case c_ast.BinaryOp():
             return _operation(node.op, value(node.left), value(node.right), scope.meaning)
-        case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name="in"), subscript=place), subscript=column):
-            if value(column) is not _POINT:
-                raise NotUnderstoodError("C source: expected inputs of the point of the loop")
-            return scope.variables["in"][_index(place)][0]
         case c_ast.ArrayRef(name=c_ast.ArrayRef(name=c_ast.ID(name=name), subscript=first), subscript=second) if (
             _has_points(name, scope)
         ):

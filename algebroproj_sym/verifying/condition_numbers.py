@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decimal import ROUND_CEILING, Context
 from typing import Any, TypeAlias
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.verifying.a_priori import ONE, Analysis, analysis
 from algebroproj_sym.verifying.straight_line import StraightLine, is_rational, straight_line
 
@@ -21,24 +21,10 @@ _UPWARDS = Context(prec=3, rounding=ROUND_CEILING)
 """Three digits of a coefficient: what is published is never smaller than what is proved."""
 
 
-@dataclass(frozen=True)
-class Conditions:
-    """Expressions, and what their abbreviations stand for.
+def conditions(found: Analysis) -> tuple[Mapping[int, str], Mapping[str, str]]:
+    """Write the condition number of each sum that the bounds of a function mention, and what abbreviations stand for.
 
-    Attributes
-    ----------
-    kappas : mapping of int to str
-        The condition number of each sum that a bound mentions.
-    where : mapping of str to str
-        Each abbreviation after those that it is made of: s7 is a value, m7 is the same with absolute values.
-    """
-
-    kappas: Mapping[int, str]
-    where: Mapping[str, str]
-
-
-def conditions(found: Analysis) -> Conditions:
-    """Write the condition numbers that the bounds of a function mention.
+    Each abbreviation follows those that it is made of: s7 is a value, m7 is the same with absolute values.
 
     Examples
     --------
@@ -48,7 +34,7 @@ def conditions(found: Analysis) -> Conditions:
     >>> from algebroproj_sym.generating.expansion import expanded
     >>> from algebroproj_sym.verifying.straight_line import numbered
     >>> program = expanded(compensated(recorded("xyz", lambda x, y, z: ((1 - x - y) / z,))))
-    >>> conditions(analysis(numbered(program))).kappas.values()
+    >>> conditions(analysis(numbered(program)))[0].values()
     dict_values(['(1 + |x| + |y|)/|1 - x - y|'])
     """
     places = sorted({place for bound in found.bounds if bound is not None for place, _ in bound.terms})
@@ -60,25 +46,25 @@ def conditions(found: Analysis) -> Conditions:
     writer = _Writer(line, shared)
     kappas = {place: f"{writer.text(('m', place), _ATOM)}/|{writer.text(('s', place), _SUM)}|" for place in places}
     where = {f"{kind}{place}": writer.written((kind, place))[0] for kind, place in ordered if (kind, place) in shared}
-    return Conditions(kappas, where)
+    return kappas, where
 
 
 def as_record(found: Analysis) -> dict[str, Any]:
     """Return the bounds of a function as plain data: a list of results, and what the abbreviations stand for."""
-    written = conditions(found)
+    kappas, where = conditions(found)
     results = [
         None
         if bound is None
         else {
             "roundings": bound.roundings,
             "terms": [
-                {"coefficient": float(_UPWARDS.divide(coefficient, ONE)), "kappa": written.kappas[place]}
+                {"coefficient": float(_UPWARDS.divide(coefficient, ONE)), "kappa": kappas[place]}
                 for place, coefficient in bound.terms
             ],
         }
         for bound in found.bounds
     ]
-    return {"results": results, "where": dict(written.where)}
+    return {"results": results, "where": dict(where)}
 
 
 def a_priori_record(lowered: Lowered) -> dict[str, Any] | None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.verifying.shipped import call, function_of, without_twin
 
@@ -20,15 +20,6 @@ def is_identical(lowered: Lowered, package: ModuleType, size: int) -> bool:
     """Whether both versions agree on stratified samples, and on special numbers, for every dtype that is compiled.
 
     With and without compensation.  True also where the function was not compiled, or is left to the NumPy source.
-
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    package : module
-        Where the generated function is.
-    size : int
-        Samples in each stratum.
     """
     kernel = lowered.kernel
     shipped = function_of(kernel, package)

@@ -48,16 +48,8 @@ class Truth:
 def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
     """Return a function that evaluates the derived expression of a kernel.
 
-    Parameters
-    ----------
-    kernel : Kernel
-        As declared by a derivation.
-
-    Returns
-    -------
-    callable
-        From the values of the inputs by name to the truth.  It raises `NoAgreementError` if 50 digits do not agree
-        at 2000 digits of working precision, and ZeroDivisionError at a singular input.
+    It goes from the values of the inputs by name to the truth. It raises `NoAgreementError` if 50 digits do not agree
+    at 2000 digits of working precision, and ZeroDivisionError at a singular input.
     """
     compiled = _compiled(kernel)
 
@@ -145,7 +137,7 @@ def _settled(
     while precision < LAST_PRECISION:
         precision *= 2
         finer = _at(compiled, point, precision)
-        settled = [_agree(a, b) for a, b in zip(values, finer, strict=True)]
+        settled = [abs(a - b) <= abs(b) * mpmath.mpf(10) ** -DIGITS for a, b in zip(values, finer, strict=True)]
         if all(settled):
             return finer, precision
         values = finer
@@ -153,10 +145,6 @@ def _settled(
     if all(agreed or zero for agreed, zero in zip(settled, zeros, strict=True)):
         return tuple(mpmath.mpf(0) if zero else value for value, zero in zip(values, zeros, strict=True)), precision
     raise NoAgreementError(f"oracle: {LAST_PRECISION} digits do not give {DIGITS} certain ones at {point}")
-
-
-def _agree(value: Any, finer: Any) -> bool:
-    return bool(abs(value - finer) <= abs(finer) * mpmath.mpf(10) ** -DIGITS)
 
 
 def _exact_zeros(kernel: Kernel, inputs: Mapping[str, float]) -> list[bool]:

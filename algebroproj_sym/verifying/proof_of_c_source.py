@@ -7,20 +7,20 @@ sums and products are then zero.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from math import prod
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeAlias
 
+import sympy
 from flint.utils.flint_exceptions import DomainError
 from sympy.polys.polyerrors import ExactQuotientFailed
 
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating import Lowered, c_name, is_compiled, is_compiled_plain
-from algebroproj_sym.proving import RationalFunction, RationalFunctionField
+from algebroproj_sym.generating.backends.c import c_name, is_compiled, is_compiled_plain
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.proving.engines import ring
 from algebroproj_sym.verifying.c_execution import (
     PRODUCT_ERRORS,
@@ -33,32 +33,21 @@ from algebroproj_sym.verifying.c_execution import (
     solver_outputs,
     source_of,
 )
-from algebroproj_sym.verifying.proof_of_source import expected_values
+from algebroproj_sym.verifying.proof_of_source import Calls, OtherCallError, in_general, is_zero
 
 KERNELS = ("kernels.h", "solvers.h", "systems.h")
 PLAIN_KERNELS = ("plain_kernels.h",)
+Outputs: TypeAlias = "Callable[[Mapping[sympy.Symbol, Any], Meaning], list[Any]]"
+
 _REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
 
-def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "flint", *, plain: bool = False) -> bool:
+def c_source_is_proved(lowered: Lowered, package: ModuleType, *, plain: bool = False) -> bool:
     """Whether the C source of a kernel, executed on rational functions, is identical to the derivation.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    package : module
-        In whose folder the source is.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
-    plain : bool
-        Whether it is the source without compensation, which solves linear systems once.
-
-    Returns
-    -------
-    bool
-        True also for a kernel that is left to the NumPy source.
+    The plain source has no compensation, and solves linear systems once. A kernel that is left to the NumPy source
+    counts as proved.
     """
     if not (is_compiled_plain if plain else is_compiled)(lowered):
         return True
@@ -70,68 +59,62 @@ def c_source_is_proved(lowered: Lowered, package: ModuleType, engine: str = "fli
     try:
         source = source_of("".join(path.read_text(encoding="utf-8") for path in paths))
         systems = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
-        solved = all(solver_is_proved(source, primitive, height, engine, once=plain) for primitive, height in systems)
-        return solved and product_errors_are_proved(source, engine) and proof(kernel, source, engine)
+        solved = all(solver_is_proved(source, primitive, height, once=plain) for primitive, height in systems)
+        return solved and product_errors_are_proved(source) and proof(kernel, source)
     except NotUnderstoodError:
         return False
 
 
-def product_errors_are_proved(source: Source, engine: str = "flint") -> bool:
+def product_errors_are_proved(source: Source) -> bool:
     """Whether the functions for the error of a product are zero in real arithmetic, wherever they are defined."""
-    a, b, splitter = ring(engine, ["a", "b", "splitter"]).generators
+    a, b, splitter = ring("flint", ["a", "b", "splitter"]).generators
     meaning = Meaning(constants={"splitter": splitter})
     defined = [name for name in PRODUCT_ERRORS if name in source.inlines]
     return all(inline_value(source, name, [a, b, a * b], meaning) == 0 for name in defined)
 
 
-def kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
+def kernel_is_proved(kernel: Kernel, source: Source) -> bool:
     """Whether a kernel gives the derivation, if what it calls solves linear systems and takes errors of products."""
 
-    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
-        return kernel_outputs(source, c_name(kernel), [field.variables[symbol] for symbol in kernel.symbols], meaning)
+    def outputs(values: Mapping[sympy.Symbol, Any], meaning: Meaning) -> list[Any]:
+        return kernel_outputs(source, c_name(kernel), [values[symbol] for symbol in kernel.symbols], meaning)
 
-    return is_proved(kernel, engine, outputs, once=False)
+    return is_proved(kernel, outputs, once=False)
 
 
-def plain_kernel_is_proved(kernel: Kernel, source: Source, engine: str = "flint") -> bool:
+def plain_kernel_is_proved(kernel: Kernel, source: Source) -> bool:
     """Whether a function without compensation gives the derivation, if what it calls solves linear systems."""
     sizes = [prod(result.shape) for result in kernel.results]
 
-    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
-        inputs = [[field.variables[symbol] for symbol in argument.symbols] for argument in kernel.arguments]
+    def outputs(values: Mapping[sympy.Symbol, Any], meaning: Meaning) -> list[Any]:
+        inputs = [[values[symbol] for symbol in argument.symbols] for argument in kernel.arguments]
         return plain_outputs(source, c_name(kernel), inputs, sizes, meaning)
 
-    return is_proved(kernel, engine, outputs, once=True)
+    return is_proved(kernel, outputs, once=True)
 
 
-def is_proved(
-    kernel: Kernel, engine: str, outputs: Callable[[RationalFunctionField, Meaning], list[Any]], *, once: bool
-) -> bool:
+def is_proved(kernel: Kernel, outputs: Outputs, *, once: bool) -> bool:
     """Whether what is given to linear systems, solved once or refined, and the outputs are those of the derivation."""
-    called = [stage for stage in kernel.stages if stage.primitive in LINEAR]
-    free = [symbol for stage in called for symbol in stage.results]
-    field = RationalFunctionField((*kernel.symbols, *free), engine)
-    stages = iter(called)
-    given: list[Any] = []
+    wanted = in_general(kernel)
+    calls = Calls(wanted)
 
     def call(name: str, rows: list[list[Any]]) -> Sequence[Any]:
-        stage = next(stages, None)
-        if stage is None or name != solver_name(stage.primitive, stage.derived.rows, once):
-            raise NotUnderstoodError(f"{kernel.qualified_name}: unexpected call of {name}")
-        width = stage.derived.cols
-        if [len(row) for row in rows] != [width if once else 2 * width] * stage.derived.rows:
-            raise NotUnderstoodError(
-                f"{kernel.qualified_name}: expected rows of {width} entries, and their rests if any"
-            )
-        given.extend(row[j] if once else row[j] + row[width + j] for row in rows for j in range(width))
-        return [field.variables[symbol] for symbol in stage.results]
+        primitive = next((each for each in LINEAR if name == solver_name(each, len(rows), once)), name)
+        return calls.results(primitive, rows if once else list(map(_with_rests, rows)))
 
-    meaning = Meaning(call=call, is_zero=lambda value: _element(value, field).is_zero)
-    returned = outputs(field, meaning)
-    computed = [_element(value, field) for value in (*given, *returned)]
-    expected = expected_values(kernel, field.variables, field.lift)
-    same_length = len(computed) == len(expected)
-    return same_length and all((value - got).is_zero for value, got in zip(expected, computed, strict=True))
+    meaning = Meaning(call=call, is_zero=lambda value: is_zero(wanted.element(value)))
+    try:
+        return wanted.is_given_by(calls, outputs(wanted.values, meaning))
+    except OtherCallError:
+        return False
+
+
+def _with_rests(row: Sequence[Any]) -> list[Any]:
+    """Return entries to which what rounding took from them is added."""
+    width, odd = divmod(len(row), 2)
+    if odd:
+        raise OtherCallError
+    return [entry + rest for entry, rest in zip(row[:width], row[width:], strict=True)]
 
 
 def solver_name(primitive: str, height: int, once: bool) -> str:
@@ -139,36 +122,19 @@ def solver_name(primitive: str, height: int, once: bool) -> str:
     return f"{primitive}_once_{height}" if once else f"{primitive}_{height}"
 
 
-def _element(value: Any, field: RationalFunctionField) -> RationalFunction:
-    return value if isinstance(value, RationalFunction) else field.lift(Fraction(value))
-
-
-def solver_is_proved(source: Source, primitive: str, height: int, engine: str = "flint", *, once: bool = False) -> bool:
+def solver_is_proved(source: Source, primitive: str, height: int, *, once: bool = False) -> bool:
     """Whether a function solves the linear systems of one size.
 
     It is executed on systems that are made backwards, from what elimination leaves of them: the triangle, the factors
     and the solution are free, so that all systems with pivots are among them, and every division is one of polynomials
     without a remainder.  This is done for no exchange of rows, for each single one, and for all of them; with the
     refinement taken for finite, and without it.
-
-    Parameters
-    ----------
-    source : Source
-        The functions.
-    primitive : {"solve", "null_vector"}
-        Which function.
-    height : int
-        The number of equations.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
-    once : bool
-        Whether it is the one without refinement.
     """
     lines = height if primitive == "solve" else height + 1
     places = [(k, i) for k in range(height) for i in range(k + 1, lines)]
     chosen = [[], *([place] for place in places), places]
     proved = _solves if primitive == "solve" else _spans
-    systems = (_system(primitive, height, places, exchanges, engine, once) for exchanges in chosen)
+    systems = (_system(primitive, height, places, exchanges, once) for exchanges in chosen)
     name = solver_name(primitive, height, once)
     try:
         return all(
@@ -194,14 +160,13 @@ def _system(
     height: int,
     places: Sequence[tuple[int, int]],
     exchanges: Sequence[tuple[int, int]],
-    engine: str,
     once: bool,
 ) -> _System:
     """Undo an elimination: of the rows of a system that is solved, of the columns where a vector is to be spanned."""
     names = [f"x{k}" for k in range(height)]
     names += [f"f{k}_{i}" for k in range(height) for i in range(k + 1, height)]
     names += [f"u{k}_{j}" for k in range(height) for j in range(k, height)]
-    free = dict(zip(names, ring(engine, names).generators, strict=True))
+    free = dict(zip(names, ring("flint", names).generators, strict=True))
     unknowns = [free[f"x{k}"] for k in range(height)]
     upper = [[free.get(f"u{k}_{j}", 0) for j in range(height)] for k in range(height)]
     sign = 1 if primitive == "solve" else -1

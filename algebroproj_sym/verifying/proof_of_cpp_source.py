@@ -10,11 +10,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import sympy
+
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating import is_compiled
+from algebroproj_sym.generating.backends.c import is_compiled
 from algebroproj_sym.generating.backends.cpp import declaration, in_double
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.proving import RationalFunctionField
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, Source, body_values
 from algebroproj_sym.verifying.proof_of_c_source import is_proved, product_errors_are_proved, solver_is_proved
 
@@ -61,22 +62,10 @@ def header_of(text: str) -> Header:
     return Header({name: head for head, name, _ in found}, {name: body for _, name, body in found})
 
 
-def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str], engine: str = "flint") -> bool:
+def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str]) -> bool:
     """Whether the C++ source of a kernel, executed on rational functions, is identical to the derivation.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    files : mapping of str to str
-        The headers by their names.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
-
-    Returns
-    -------
-    bool
-        True also for a kernel that is left out.
+    A kernel that is left out counts as proved.
     """
     if not is_compiled(lowered):
         return True
@@ -85,13 +74,13 @@ def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str], engine: str
         header, systems = header_of(files[f"{kernel.module}.hpp"]), _solvers(header_of(files["systems.hpp"]))
         errors = Source({}, {}, {"split_product_error": _product_error(files["arithmetic.hpp"])})
         called = [(stage.primitive, stage.derived.rows) for stage in kernel.stages if stage.primitive in LINEAR]
-        solved = all(solver_is_proved(systems, primitive, height, engine) for primitive, height in called)
-        return solved and product_errors_are_proved(errors, engine) and function_is_proved(kernel, header, engine)
+        solved = all(solver_is_proved(systems, primitive, height) for primitive, height in called)
+        return solved and product_errors_are_proved(errors) and function_is_proved(kernel, header)
     except (NotUnderstoodError, KeyError):
         return False
 
 
-def function_is_proved(kernel: Kernel, header: Header, engine: str = "flint") -> bool:
+def function_is_proved(kernel: Kernel, header: Header) -> bool:
     """Whether a function gives the derivation, if what it calls solves linear systems and takes errors of products."""
     names, head = declaration(kernel)
     if header.heads[kernel.name].split() != head.split():
@@ -101,14 +90,14 @@ def function_is_proved(kernel: Kernel, header: Header, engine: str = "flint") ->
     if returned is None:
         raise NotUnderstoodError(f"{kernel.name}: expected a list of results at the end")
 
-    def outputs(field: RationalFunctionField, meaning: Meaning) -> list[Any]:
+    def outputs(values: Mapping[sympy.Symbol, Any], meaning: Meaning) -> list[Any]:
         given: dict[str, Any] = {}
         for argument in kernel.arguments:
-            entries = iter([field.variables[symbol] for symbol in argument.symbols])
+            entries = iter([values[symbol] for symbol in argument.symbols])
             given[names[argument.name]] = _shaped(entries, argument.shape)
         return body_values(f"{body[: returned.start()]}}}", given, returned[1].split(", "), meaning)
 
-    return is_proved(kernel, engine, outputs, once=False)
+    return is_proved(kernel, outputs, once=False)
 
 
 def _shaped(entries: Any, shape: tuple[int, ...]) -> Any:

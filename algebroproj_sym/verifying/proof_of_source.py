@@ -28,42 +28,18 @@ SMALL_POINTS = 40
 """How many of the first rational points have small integers for coordinates, at which much agrees by chance."""
 
 
-def source_is_proved(kernel: Kernel, package: ModuleType, engine: str = "flint", *, plain: bool = False) -> bool:
-    """Whether the generated function, executed on rational functions, is identical to the derivation.
-
-    Parameters
-    ----------
-    kernel : Kernel
-        As declared by a derivation.
-    package : module
-        Where the generated function is.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic.
-    plain : bool
-        Whether it is executed without compensation.
-
-    Returns
-    -------
-    bool
-    """
+def source_is_proved(kernel: Kernel, package: ModuleType, *, plain: bool = False) -> bool:
+    """Whether the generated function, executed on rational functions, is identical to the derivation."""
     function = function_of(kernel, package)
-    return in_general(kernel, engine).is_met_by(package.plain(function) if plain else function)
+    return in_general(kernel).is_met_by(package.plain(function) if plain else function)
 
 
 @dataclass(frozen=True)
 class Expectation:
     """What a source must compute in a field.
 
-    Attributes
-    ----------
-    kernel : Kernel
-        Whose source.
-    values : mapping of Symbol to field element
-        The arguments, and what primitive functions return.
-    lift : callable
-        The embedding of Q in the field.
-    expected : tuple of field element
-        What the derivation gives the primitive functions, and its results.
+    There are values for the arguments and for what primitive functions return, the embedding of Q, and what the
+    derivation gives the primitive functions, followed by its results.
     """
 
     kernel: Kernel
@@ -74,34 +50,35 @@ class Expectation:
     def is_met_by(self, function: Function) -> bool:
         """Whether a generated function, executed in the field, computes what is expected.
 
-        Parameters
-        ----------
-        function : callable
-            The generated function.
-
-        Returns
-        -------
-        bool
-
         Raises
         ------
         ZeroDivisionError
             If the source divides by the zero of the field.
         """
-        called = _called(self.kernel)
         inputs = {symbol.name: np.array(self.values[symbol], dtype=object) for symbol in self.kernel.symbols}
-        calls = _Calls(called, self.values, self.lift)
-        replacements: dict[str, Any] = {stage.primitive: partial(calls.answer, stage.primitive) for stage in called}
+        calls = Calls(self)
+        replacements = {stage.primitive: partial(_answered, calls, stage.primitive) for stage in _called(self.kernel)}
         if not replacements.keys() <= function.__globals__.keys():
             return False
         try:
             with replaced(function, replacements):
                 result = call(function, self.kernel, inputs)
-        except _OtherCallError:
+        except OtherCallError:
             return False
-        computed = [*calls.given, *result.tolist()]
+        return self.is_given_by(calls, result.tolist())
+
+    def is_given_by(self, calls: Calls, outputs: Sequence[Any]) -> bool:
+        """Whether what the primitive functions were given, and the outputs, are what is expected."""
+        computed = [*calls.given, *map(self.element, outputs)]
         same_length = len(computed) == len(self.expected)
-        return same_length and all(_is_zero(a - b) for a, b in zip(self.expected, computed, strict=True))
+        return same_length and all(is_zero(a - b) for a, b in zip(self.expected, computed, strict=True))
+
+    def element(self, value: Any) -> Any:
+        """Return a number that is computed as an element of the field; one of twice the digits is a sum."""
+        if hasattr(value, "hi"):
+            return self.element(value.hi) + self.element(0 if value.lo is None else value.lo)
+        value = value.item() if isinstance(value, np.ndarray) else value
+        return self.lift(Fraction(value)) if isinstance(value, int | Fraction) else value
 
 
 def in_general(kernel: Kernel, engine: str = "flint") -> Expectation:
@@ -148,46 +125,38 @@ def _symbols(kernel: Kernel) -> tuple[sympy.Symbol, ...]:
     return (*kernel.symbols, *(symbol for stage in _called(kernel) for symbol in stage.results))
 
 
-def _is_zero(difference: Any) -> bool:
+def is_zero(difference: Any) -> bool:
+    """Whether an element of a field is zero."""
     return bool(difference.is_zero if isinstance(difference, RationalFunction) else difference == 0)
 
 
-class _OtherCallError(Exception):
+class OtherCallError(Exception):
     """The source calls a primitive function that the derivation does not call there, or with other rows."""
 
 
-class _Calls:
+class Calls:
     """Stands in for the primitive functions: notes what they are given, and returns the variables of the stages."""
 
-    def __init__(
-        self, stages: Sequence[Stage], values: Mapping[sympy.Symbol, Any], lift: Callable[[Fraction], Any]
-    ) -> None:
-        self.stages = iter(stages)
-        self.values = values
-        self.lift = lift
+    def __init__(self, wanted: Expectation) -> None:
+        self.stages = iter(_called(wanted.kernel))
+        self.wanted = wanted
         self.given: list[Any] = []
 
-    def answer(self, primitive: str, *operands: Any) -> Any:
-        """Return the variables of the next stage, which must be a call of this primitive function."""
+    def results(self, primitive: str, rows: Sequence[Sequence[Any]]) -> list[Any]:
+        """Return the variables of the next stage, which must be a call of this primitive function with such rows."""
         stage = next(self.stages, None)
-        rows = [list(operand) for operand in operands] if primitive in LINEAR else [list(operands)]
-        wanted = None if stage is None else [stage.derived.cols] * stage.derived.rows
-        if stage is None or stage.primitive != primitive or [len(row) for row in rows] != wanted:
-            raise _OtherCallError
-        self.given += [self._element(entry) for row in rows for entry in row]
-        variables = [np.array(self.values[symbol], dtype=object) for symbol in stage.results]
-        doubled = next((type(entry) for row in rows for entry in row if hasattr(entry, "hi")), None)
-        if doubled is not None and primitive not in LINEAR:
-            variables = list(map(doubled, variables))
-        return variables[0] if len(variables) == 1 and primitive not in LINEAR else tuple(variables)
+        shape = None if stage is None else [stage.derived.cols] * stage.derived.rows
+        if stage is None or stage.primitive != primitive or [len(row) for row in rows] != shape:
+            raise OtherCallError
+        self.given += [self.wanted.element(entry) for row in rows for entry in row]
+        return [self.wanted.values[symbol] for symbol in stage.results]
 
-    def _element(self, operand: Any) -> Any:
-        """Return an operand as an element; one of twice the digits is the sum of its two parts."""
-        if not hasattr(operand, "hi"):
-            return self._single(operand)
-        rest = self.lift(Fraction(0)) if operand.lo is None else self._single(operand.lo)
-        return self._single(operand.hi) + rest
 
-    def _single(self, entry: Any) -> Any:
-        value = entry.item() if isinstance(entry, np.ndarray) else entry
-        return self.lift(Fraction(value)) if isinstance(value, int | Fraction) else value
+def _answered(calls: Calls, primitive: str, *operands: Any) -> Any:
+    """Return what a primitive function returns to a generated one, as numbers of the kind that it is given."""
+    rows = [list(operand) for operand in operands] if primitive in LINEAR else [list(operands)]
+    variables = [np.array(value, dtype=object) for value in calls.results(primitive, rows)]
+    doubled = next((type(entry) for row in rows for entry in row if hasattr(entry, "hi")), None)
+    if doubled is not None and primitive not in LINEAR:
+        variables = list(map(doubled, variables))
+    return variables[0] if len(variables) == 1 and primitive not in LINEAR else tuple(variables)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj_sym.declaring import Argument, Kernel
-from algebroproj_sym.generating import PACKAGE
+from algebroproj_sym.generating.writing import PACKAGE
 from algebroproj_sym.proving import seed_of
 
 Function = Callable[..., Any]
@@ -29,12 +29,7 @@ class NotShippedError(LookupError):
 def load_package(folder: Path | None = None, package_name: str = PACKAGE) -> ModuleType:
     """Import the generated package.
 
-    Parameters
-    ----------
-    folder : Path, optional
-        A folder that contains the package; by default the installed one is imported.
-    package_name : str
-        The name of the package.
+    Without a folder that contains it, the installed one is imported.
 
     Raises
     ------
@@ -101,19 +96,8 @@ def without_twin(function: Function) -> Function:
 def call(function: Function, kernel: Kernel, values: Mapping[str, Any]) -> NDArray[Any]:
     """Call a generated function with the entries of its arguments given by name.
 
-    Parameters
-    ----------
-    function : callable
-        The generated function.
-    kernel : Kernel
-        Its kernel.
-    values : mapping of str to number or ndarray
-        A value, or an array of one batch shape, for each entry of each argument.
-
-    Returns
-    -------
-    ndarray
-        The results in one, their core dimensions flattened to the last.
+    They are numbers, or arrays of one batch shape. The results are one array, their core dimensions flattened to the
+    last.
     """
     arrays = [_gathered(argument, values) for argument in kernel.arguments]
     returned = function(*arrays)

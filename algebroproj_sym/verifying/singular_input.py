@@ -7,7 +7,7 @@ from types import ModuleType
 import numpy as np
 
 from algebroproj_sym.expressions import Scalar
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import on_factor
 from algebroproj_sym.verifying.shipped import call, function_of
 
@@ -15,20 +15,7 @@ POINTS = 8
 
 
 def silent_factors(lowered: Lowered, package: ModuleType) -> tuple[Scalar, ...]:
-    """Return the factors on whose zeros a function stays finite, or for which no exact zero was found.
-
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its factors.
-    package : module
-        Where the generated function is.
-
-    Returns
-    -------
-    tuple of sympy.Expr
-        Empty if every singular input gives an infinity or a NaN.
-    """
+    """Return the factors on whose zeros a function stays finite, or for which no exact zero was found."""
     return tuple(factor for factor in lowered.input_hypotheses if not _speaks_up(factor, lowered, package))
 
 

@@ -8,9 +8,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import TypeAlias
 
-from algebroproj_sym.generating import Lowered, c_name, is_compiled
+from algebroproj_sym.generating.backends.c import c_name, is_compiled
 from algebroproj_sym.generating.expansion import expanded
-from algebroproj_sym.generating.program import Operand, Program, Recorder, Step, named, run
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.program import Operand, Program, Recorder, Step, run
 from algebroproj_sym.verifying.c_execution import Meaning, Source, kernel_outputs, source_of
 
 Operation: TypeAlias = "tuple[str, tuple[int, ...]]"
@@ -67,7 +68,7 @@ def straight_line(lowered: Lowered) -> StraightLine:
     """Return what the generated function of a rational kernel computes."""
     program = expanded(lowered.program)
     recorder = Recorder(program.inputs)
-    outputs = run(program, dict(zip(program.inputs, recorder.inputs, strict=True)), named)
+    outputs = run(program, dict(zip(program.inputs, recorder.inputs, strict=True)))
     return numbered(recorder.program(outputs))
 
 

@@ -8,7 +8,7 @@ from types import ModuleType
 from typing import Any
 
 from algebroproj_sym.expressions import Scalar
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, strata_record, truths
 from algebroproj_sym.verifying.adversary import Attack, attack, attack_record
@@ -64,29 +64,17 @@ class Verification:
         return self.proved and not self.silent and self.accuracy.within_bound
 
 
-def verify(
-    lowered: Lowered, package: ModuleType, size: int, engine: str = "flint", seconds: float = 0.0
-) -> Verification:
+def verify(lowered: Lowered, package: ModuleType, size: int, seconds: float = 0.0) -> Verification:
     """Verify the generated function of a kernel.
 
-    Parameters
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    package : module
-        Where the generated function is.
-    size : int
-        Samples in each stratum.
-    engine : {"flint", "sympy"}
-        The polynomial arithmetic for the proof of the source.
-    seconds : float
-        How long an adversary looks for large errors; 0 for no adversary.
+    There are `size` samples in each stratum. An adversary looks for large errors for some seconds; with 0 there is
+    none.
     """
     function = function_of(lowered.kernel, package)
     samples = stratified(lowered, size)
     exact = truths(lowered, samples)
-    proofs = (source_is_proved(lowered.kernel, package, engine, plain=plain) for plain in (False, True))
-    c_proofs = (c_source_is_proved(lowered, package, engine, plain=plain) for plain in (False, True))
+    proofs = (source_is_proved(lowered.kernel, package, plain=plain) for plain in (False, True))
+    c_proofs = (c_source_is_proved(lowered, package, plain=plain) for plain in (False, True))
     return Verification(
         accuracy=measured(lowered, function, samples, exact),
         plain=measured(lowered, package.plain(function), samples, exact),

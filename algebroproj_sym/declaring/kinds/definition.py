@@ -8,7 +8,7 @@ from typing import Any, Unpack
 from algebroproj_sym.declaring.claim import Claim
 from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.expressions import Expression, evaluate, symbols_of
-from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_of
+from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_of, undecided
 
 TRIES = 100
 
@@ -23,7 +23,7 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
             instance = {symbol.name: str(point[symbol]) for symbol in symbols}
             certificate = {"method": "instance", "instance": instance, "values": [str(value) for value in values]}
             return Proof("proved", hypotheses, certificate, None, engine)
-    return Proof("open", hypotheses, {"method": "none", "reason": "no instance was found"}, None, engine)
+    return undecided("no instance was found", engine, hypotheses)
 
 
 def _values(printed: Expression, point: Point) -> tuple[Any, ...] | None:

@@ -26,6 +26,7 @@ from algebroproj_sym.proving import (
     prove,
     rational_points,
     seed_of,
+    undecided,
 )
 
 POINTS = 20
@@ -132,7 +133,7 @@ def generic_rank(
         if len(ranked[-1][0].rows) == ranked[-1][1].rank:
             break
     if not ranked:
-        return Proof("open", (), {"method": "none", "reason": "no point was found"}, None, engine)
+        return undecided("no point was found", engine)
     minor, _, point = max(ranked, key=lambda entry: len(entry[0].rows))
     _, bound, bound_point = min(ranked, key=lambda entry: entry[1].rank)
     largest = len(minor.rows)
@@ -145,7 +146,7 @@ def generic_rank(
         return Proof("refuted", (), certificate, {}, engine)
     if largest < printed or bound.rank > printed:
         reason = f"the rank lies between {largest} and {bound.rank}"
-        return Proof("open", (), {"method": "none", "reason": reason}, None, engine)
+        return undecided(reason, engine)
     certificate = {"method": "rank at a point and kernel vectors", "point": _as_text(point), **below, **above}
     return Proof("proved", (), certificate, None, engine)
 

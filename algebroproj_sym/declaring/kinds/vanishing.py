@@ -23,11 +23,11 @@ from algebroproj_sym.proving import (
     Proof,
     RationalFunction,
     RationalFunctionField,
-    points_on,
     prove,
     rational_points,
     rational_zeros,
     seed_of,
+    undecided,
 )
 
 TRIES = 200
@@ -102,13 +102,11 @@ def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr
             certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}
             return Proof("refuted", (), certificate, point, engine)
     reason = "the irreducible factors differ, but no rational point tells them apart"
-    return Proof("open", (), {"method": "none", "reason": reason}, None, engine)
+    return undecided(reason, engine)
 
 
 def _candidates(suspects: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int) -> Iterator[Point]:
-    """Yield zeros of the factors, solved for a variable or with a rational root, then any points."""
-    for suspect in suspects:
-        yield from points_on([suspect], symbols, seed, TRIES)
+    """Yield zeros of the factors, then any points."""
     for suspect in suspects:
         yield from rational_zeros([suspect], symbols, seed, TRIES)
     yield from islice(rational_points(symbols, seed), TRIES)

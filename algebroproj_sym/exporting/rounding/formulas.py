@@ -9,7 +9,7 @@ from algebroproj_sym.exporting.rational_functions import Field, expanded
 from algebroproj_sym.exporting.reading import formula_of
 from algebroproj_sym.exporting.terms import Term, difference, inlined, integer, name, negative, product, quotient, total
 from algebroproj_sym.expressions import Expression, entries, written
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.verifying.a_priori import Analysis
 from algebroproj_sym.verifying.straight_line import Operation
 

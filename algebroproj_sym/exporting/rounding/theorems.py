@@ -14,7 +14,8 @@ from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, comment
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed
 from algebroproj_sym.exporting.rounding.formulas import Derived, derived
 from algebroproj_sym.exporting.rounding.instances import instance
-from algebroproj_sym.generating import Lowered, c_name
+from algebroproj_sym.generating.backends.c import c_name
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
 from algebroproj_sym.verifying.straight_line import straight_line_of_c

@@ -29,7 +29,17 @@ from algebroproj_sym.expressions.letters.notation import (
 )
 from algebroproj_sym.expressions.letters.parsing import parse_letters
 from algebroproj_sym.expressions.letters.reading import Reading
-from algebroproj_sym.expressions.letters.terms import ONE, LetterError, Shape, Size, Term, factors_of, made, number
+from algebroproj_sym.expressions.letters.terms import (
+    ONE,
+    LetterError,
+    Shape,
+    Size,
+    Term,
+    factors_of,
+    made,
+    minus,
+    number,
+)
 from algebroproj_sym.expressions.letters.writing import letters_text
 
 __all__ = [
@@ -64,6 +74,7 @@ __all__ = [
     "factors_of",
     "letters_text",
     "made",
+    "minus",
     "number",
     "parse_letters",
 ]

@@ -130,8 +130,8 @@ class Reading:
             raise LetterError(f"expected rational numbers, got {node}")
         return number(Fraction(int(node.p), int(node.q)))
 
-    def _of(self, kind: str, node: Any, value: Any = None) -> Term:
-        return made(kind, *map(self._read, node.args), value=value)
+    def _of(self, kind: str, node: Any) -> Term:
+        return made(kind, *map(self._read, node.args))
 
     def _entry(self, node: Any) -> Term:
         matrix, row, column = node.args

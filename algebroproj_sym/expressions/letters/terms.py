@@ -96,6 +96,11 @@ def made(kind: str, *parts: Term, value: Any = None) -> Term:
     return Term(kind, shape_of(kind, [part.shape for part in parts], value), parts, value)
 
 
+def minus(left: Term, right: Term) -> Term:
+    """Return a difference."""
+    return made("sum", left, made("product", number(-1), right))
+
+
 def shape_of(kind: str, shapes: Sequence[Shape], value: Any = None) -> Shape:
     """Return the shape of what a function makes of parts with some shapes."""
     rule = _SHAPES.get(kind)

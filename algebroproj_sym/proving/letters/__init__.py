@@ -10,12 +10,22 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import SymbolError, assumed, is_plain
-from algebroproj_sym.expressions.letters import LetterError, Reading, Shape, Size, Term, made, number, parse_letters
+from algebroproj_sym.expressions.letters import (
+    LetterError,
+    Reading,
+    Shape,
+    Size,
+    Term,
+    made,
+    minus,
+    number,
+    parse_letters,
+)
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.letters.deciding import Found, Point, decide
 from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_letters
 from algebroproj_sym.proving.letters.statements import Statement
-from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.proof import Proof
 
 __all__ = [
     "PROPERTIES",
@@ -197,7 +207,7 @@ def _difference(text: Any, shapes: Mapping[str, Shape], argument: str) -> Term:
     second = parse_letters(right, shapes, argument)
     if second == number(0):
         return first
-    return made("sum", first, made("product", number(-1), second))
+    return minus(first, second)
 
 
 def _statement(

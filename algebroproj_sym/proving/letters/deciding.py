@@ -38,7 +38,7 @@ from algebroproj_sym.proving.letters.statements import (
 from algebroproj_sym.proving.letters.turns import Turn
 from algebroproj_sym.proving.letters.words import Algebra, NotWordsError
 from algebroproj_sym.proving.points import rational_zeros
-from algebroproj_sym.proving.prove import Decision, UndefinedError
+from algebroproj_sym.proving.proof import Decision, UndefinedError
 from algebroproj_sym.proving.prove import prove as decided
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 
@@ -322,7 +322,9 @@ class _Question:
         for attempt in range(SPARSE_TRIES):
             sizes = self._sizes(generator, attempt)
             letters = {
-                name: (sparse if name in bound and not letter.properties else example)(letter, sizes, generator, 0)
+                name: sparse(letter, sizes, generator)
+                if name in bound and not letter.properties
+                else example(letter, sizes, generator, 0)
                 for name, letter in self.statement.letters.items()
             }
             scalars = {name: self._number(symbol, generator, 0) for name, symbol in self._scalars().items()}

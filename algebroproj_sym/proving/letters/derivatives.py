@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from algebroproj_sym.expressions.letters import ONE, LetterError, Term, factors_of, letters_text, made, number
 from algebroproj_sym.proving.letters.statements import Statement
@@ -37,9 +36,7 @@ def without_derivatives(statement: Statement) -> Statement:
     """
     if not any(part.kind in KINDS for term in statement.terms for part in factors_of(term)):
         return statement
-    left, right, *others = (_worked_out(term, statement) for term in statement.terms)
-    count = len(statement.constraints)
-    return replace(statement, left=left, right=right, constraints=(*others[:count],), nonzero=(*others[count:],))
+    return statement.every(lambda term: _worked_out(term, statement))
 
 
 def _worked_out(term: Term, statement: Statement) -> Term:

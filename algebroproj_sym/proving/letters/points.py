@@ -30,7 +30,7 @@ def example(letter: Letter, sizes: Mapping[str, int], generator: random.Random, 
     return found if has_properties(letter, found) else None
 
 
-def sparse(letter: Letter, sizes: Mapping[str, int], generator: random.Random, attempt: int) -> Rows | None:
+def sparse(letter: Letter, sizes: Mapping[str, int], generator: random.Random) -> Rows:
     """Return entries of a letter without properties of which most are zero, as nilpotent matrices have."""
     rows, columns = (size if isinstance(size, int) else sizes[size] for size in letter.shape)
     values = (*[Fraction(0)] * generator.randint(1, 8), Fraction(1), Fraction(-1), Fraction(2))

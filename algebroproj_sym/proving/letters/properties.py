@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from algebroproj_sym.expressions.letters import LetterError, Shape, Term, made, number, parse_letters
+from algebroproj_sym.expressions.letters import LetterError, Shape, Term, made, minus, number, parse_letters
 
 PROPERTIES = (
     "rotation",
@@ -208,16 +208,12 @@ def _equations(letter: Letter) -> tuple[Term, ...]:
     """Return what is zero in a letter, where its coordinates do not say it."""
     matrix, found = letter.term, []
     if "orthogonal" in letter.properties:
-        found.append(_minus(made("product", matrix, made("transpose", matrix)), made("eye", value=letter.shape[:1])))
+        found.append(minus(made("product", matrix, made("transpose", matrix)), made("eye", value=letter.shape[:1])))
     if "rotation" in letter.properties:
-        found.append(_minus(made("det", matrix), number(1)))
+        found.append(minus(made("det", matrix), number(1)))
     if "idempotent" in letter.properties:
-        found.append(_minus(made("product", matrix, matrix), matrix))
+        found.append(minus(made("product", matrix, matrix), matrix))
     return tuple(found)
-
-
-def _minus(left: Term, right: Term) -> Term:
-    return made("sum", left, made("product", number(-1), right))
 
 
 def _read(text: str) -> Term:

@@ -11,7 +11,8 @@ from fractions import Fraction
 from functools import cache
 from itertools import combinations, product
 
-from algebroproj_sym.expressions.letters import Shape, Term, made, parse_letters
+from algebroproj_sym.expressions.letters import Shape, Term, parse_letters
+from algebroproj_sym.proving.letters.statements import replaced
 from algebroproj_sym.proving.letters.words import Algebra, Atom, Poly, Scalar, Word, atoms_of, of_key
 
 RULES: Mapping[str, str] = {
@@ -85,19 +86,14 @@ def rules_for(algebra: Algebra, polys: Sequence[Poly], constraints: Sequence[Pol
 def _of_rule(algebra: Algebra, name: str, of: Sequence[Poly]) -> Poly:
     arguments = dict(zip("AB", map(algebra.term, of), strict=False))
     shapes = tuple((letter, term.shape) for letter, term in arguments.items())
-    return algebra.poly(_replaced(_template(name, shapes), arguments))
+    template = _template(name, shapes)
+    return algebra.poly(replaced(template, lambda part: arguments.get(part.value) if part.kind == "letter" else None))
 
 
 @cache
 def _template(name: str, shapes: tuple[tuple[str, Shape], ...]) -> Term:
     size = shapes[0][1][0]
     return parse_letters(RULES[name].replace("(n)", f"({size})"), dict(shapes))
-
-
-def _replaced(term: Term, letters: Mapping[str, Term]) -> Term:
-    if term.kind == "letter":
-        return letters[term.value]
-    return made(term.kind, *(_replaced(part, letters) for part in term.parts), value=term.value) if term.parts else term
 
 
 def _instances(algebra: Algebra, parts: Sequence[Atom | Scalar]) -> Iterator[tuple[str, tuple[Poly, ...]]]:

@@ -20,6 +20,7 @@ from algebroproj_sym.expressions.letters import (
     factors_of,
     letters_text,
     made,
+    minus,
     number,
     parse_letters,
 )
@@ -110,11 +111,8 @@ class _Translation:
 
     def result(self) -> tuple[list[Term], Statement]:
         known: dict[Term, Term] = {}
-        left, right, *others = (self.plain(term, known) for term in self.statement.terms)
-        count = len(self.statement.constraints)
-        constraints = [*others[:count], *self.relations(known)]
-        plain = replace(self.statement, left=left, right=right, constraints=(*constraints,), nonzero=(*others[count:],))
-        return self.cores, plain
+        plain = self.statement.every(lambda term: self.plain(term, known))
+        return self.cores, replace(plain, constraints=(*plain.constraints, *self.relations(known)))
 
     # -- angles
 
@@ -215,7 +213,7 @@ class _Translation:
             if core in self.lengths:
                 square = made("power", core, value=2) if core.shape == ONE else made("dot", core, core)
                 length = made("power", Term("symbol", ONE, (), f"l_{place}"), value=2)
-                found.append(_minus(length, self.plain(square, known)))
+                found.append(minus(length, self.plain(square, known)))
         return found
 
     # -- terms
@@ -240,7 +238,7 @@ class _Translation:
             (axis,) = (part for part in factors_of(term.parts[0]) if self.is_unit(part))
             matrix = made("skew", axis)
             sine, cosine = (self.of_sum(kind, _terms(unit), known) for kind in ("sin", "cos"))
-            return _series((number(1), sine, _minus(number(1), cosine)), matrix)
+            return _series((number(1), sine, minus(number(1), cosine)), matrix)
         angle, name = self.angle(turned(term, self.statement.letters)), name_of(term)
         matrix = self.plain(matrix_of(term), known)
         square = self.plain(self.square(angle.core), known)
@@ -263,7 +261,7 @@ class _Translation:
         other_sine, other_cosine = (self.of_sum(each, others, known) for each in ("sin", "cos"))
         if kind == "sin":
             return made("sum", made("product", sine, other_cosine), made("product", cosine, other_sine))
-        return _minus(made("product", cosine, other_cosine), made("product", sine, other_sine))
+        return minus(made("product", cosine, other_cosine), made("product", sine, other_sine))
 
 
 def matrix_of(part: Term) -> Term:
@@ -346,10 +344,6 @@ def _terms(term: Term) -> list[Term]:
     return [term]
 
 
-def _minus(left: Term, right: Term) -> Term:
-    return made("sum", left, made("product", number(-1), right))
-
-
 def _series(coefficients: Sequence[Term], matrix: Term) -> Term:
     terms = [made("product", coefficients[0], made("eye", value=matrix.shape[:1]))]
     terms += [
@@ -380,4 +374,4 @@ def _number_of(degree: int, pair: int, place: int, square: Term, doublings: int)
     if degree >= pair:
         return Term("symbol", ONE, (), f"c{degree}_{place}")
     above = _number_of(degree + 2, pair, place, square, 0)
-    return _minus(number(Fraction(1, factorial(degree))), made("product", square, above))
+    return minus(number(Fraction(1, factorial(degree))), made("product", square, above))

@@ -41,6 +41,12 @@ class Statement:
         """Both sides, constraints and what is not zero."""
         return self.left, self.right, *self.constraints, *self.nonzero
 
+    def every(self, change: Callable[[Term], Term]) -> Statement:
+        """Return the statement with a change of all its terms."""
+        left, right, *others = map(change, self.terms)
+        count = len(self.constraints)
+        return replace(self, left=left, right=right, constraints=(*others[:count],), nonzero=(*others[count:],))
+
     @cached_property
     def size_names(self) -> list[str]:
         """The sizes that are not numbers."""
@@ -83,12 +89,11 @@ def hypotheses_of(terms: Sequence[Term], letters: Mapping[str, Letter]) -> tuple
 
 def without_lengths(statement: Statement) -> Statement:
     """Put scalar products for squares of lengths; sides that are lengths, or numbers above zero, are squared."""
-    left, right = (_squared(term, statement.letters) for term in (statement.left, statement.right))
+    statement = statement.every(lambda term: _squared(term, statement.letters))
+    left, right = statement.left, statement.right
     if all(side.kind == "norm" or (side.kind == "number" and side.value >= 0) for side in (left, right)):
         left, right = (_squared(made("power", side, value=2), statement.letters) for side in (left, right))
-    constraints = (*(_squared(term, statement.letters) for term in statement.constraints),)
-    nonzero = (*(_squared(term, statement.letters) for term in statement.nonzero),)
-    return replace(statement, left=left, right=right, constraints=constraints, nonzero=nonzero)
+    return replace(statement, left=left, right=right)
 
 
 def _squared(term: Term, letters: Mapping[str, Letter]) -> Term:
@@ -128,20 +133,14 @@ def without_definitions(statement: Statement) -> tuple[dict[str, Term], Statemen
             place += 1
             continue
         defined, value = found
-        rest = statement.constraints[:place] + statement.constraints[place + 1 :]
 
         def put(term: Term, defined: Term = defined, value: Term = value) -> Term:
             return replaced(term, lambda part: value if part == defined else None)
 
         definitions = {name: put(term) for name, term in definitions.items()} | {defined.value: value}
-        statement = replace(
-            statement,
-            left=put(statement.left),
-            right=put(statement.right),
-            constraints=(*map(put, rest),),
-            nonzero=(*map(put, statement.nonzero),),
-            letters={name: letter for name, letter in statement.letters.items() if name != defined.value},
-        )
+        others = statement.constraints[:place] + statement.constraints[place + 1 :]
+        letters = {name: letter for name, letter in statement.letters.items() if name != defined.value}
+        statement = replace(statement, constraints=others, letters=letters).every(put)
         place = 0
     return definitions, statement
 
@@ -202,11 +201,4 @@ def fixed(statement: Statement, sizes: Mapping[str, int]) -> Statement:
         name: Letter(name, (size(letter.shape[0]), size(letter.shape[1])), letter.properties)
         for name, letter in statement.letters.items()
     }
-    return replace(
-        statement,
-        left=in_numbers(statement.left),
-        right=in_numbers(statement.right),
-        constraints=(*map(in_numbers, statement.constraints),),
-        nonzero=(*map(in_numbers, statement.nonzero),),
-        letters=letters,
-    )
+    return replace(statement.every(in_numbers), letters=letters)

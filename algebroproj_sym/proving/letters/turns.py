@@ -107,10 +107,6 @@ def _is_zero(term: Term) -> bool:
     return term.kind == "zeros" or (term.kind == "number" and not term.value)
 
 
-def _total(degrees: Sequence[int], term: Term) -> int:
-    return sum(degrees)
-
-
 def _of_size(less: int) -> Callable[[Sequence[int], Term], int | None]:
     def rule(degrees: Sequence[int], term: Term) -> int | None:
         size = term.parts[0].shape[0]
@@ -122,7 +118,7 @@ def _of_size(less: int) -> Callable[[Sequence[int], Term], int | None]:
 
 
 _DEGREES: Mapping[str, Callable[[Sequence[int], Term], int | None]] = {
-    **dict.fromkeys(("product", "dot", "outer", "cross", "kron", "qmul"), _total),
+    **dict.fromkeys(("product", "dot", "outer", "cross", "kron", "qmul"), lambda degrees, term: sum(degrees)),
     "power": lambda degrees, term: sum(degrees) * int(term.value),
     "det": _of_size(0),
     "adj": _of_size(1),

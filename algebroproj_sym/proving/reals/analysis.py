@@ -10,11 +10,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
-from math import ceil, floor, lcm, log, pi
+from math import ceil, floor, log, pi
 from typing import Any
 
 import flint
 
+from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.proving.reals.balls import Balls
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.samples import Sample, samples_at
@@ -207,7 +208,7 @@ class Analysis:
     def _added(self, whole: Element, strict_asked: bool, *parts: Element) -> bool:
         """Show the sign as that of a sum of parts whose signs are known."""
         knowledge, theory = self.knowledge, self.knowledge.theory
-        total, cofactors, strict = list[Any](), dict[str, Any](), False
+        total, cofactors, one = list[Any](), dict[int, Any](), knowledge.context.constant(1)
         for part in parts:
             weight = Fraction(part.numerator.content() or 0, part.denominator)
             if part.is_zero:
@@ -215,29 +216,18 @@ class Analysis:
             if part.exponents:
                 return knowledge.positive(whole, strict_asked)
             if part.numerator.is_constant():
-                total.append([weight, "1", {}])
-                strict = True
+                total.append((weight, one, {}))
                 continue
             relation = next(relation for relation in ("=", ">", ">=") if theory.holds(relation, part))
             fact = theory.fact(relation, part)
             if fact not in theory.known:
                 return knowledge.positive(whole, strict_asked)
-            place = str(theory.facts.index(fact))
+            place = theory.facts.index(fact)
             if relation == "=":
-                cofactors[place] = weight
+                cofactors[place] = one * fmpq(weight)
             else:
-                total.append([abs(weight), "1", {place: 1}])
-                strict |= relation == ">"
-        number = lcm(*(Fraction(weight).denominator for weight in (*cofactors.values(), *(each[0] for each in total))))
-        return knowledge.step(
-            "sign",
-            polynomial=theory.text(whole),
-            relation=">" if strict else ">=",
-            scale=number,
-            multiplier={},
-            sum=[[str(weight * number), root, powers] for weight, root, powers in total],
-            cofactors={place: str(weight * number) for place, weight in cofactors.items()},
-        ) and knowledge.positive(whole, strict_asked)
+                total.append((abs(weight), one, {place: 1}))
+        return knowledge.has_sign(theory.text(whole), total, cofactors) and knowledge.positive(whole, strict_asked)
 
     def _range(self, name: str) -> Range | None:
         """Return the range of a variable that facts give; None if it is empty."""
@@ -422,8 +412,3 @@ def _spelled(theory: Theory, name: str) -> str:
 def rational(value: Any) -> Fraction:
     """Return about the value of a number, given by itself or by an interval."""
     return value if isinstance(value, Fraction) else Fraction(value[0] + value[1], 2 << BITS).limit_denominator(10**9)
-
-
-def fraction(value: Any) -> Fraction:
-    """Return a number of FLINT."""
-    return Fraction(int(value.p), int(value.q))

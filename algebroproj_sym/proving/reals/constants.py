@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-import flint
-
 from algebroproj_sym.proving.consequences import End
-from algebroproj_sym.proving.polynomials import content_of, null_space
+from algebroproj_sym.proving.polynomials import content_of, relation
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.rewriting import Rule, reduced_by, rules
 from algebroproj_sym.replaying.field import Element
@@ -29,14 +27,15 @@ def constant_zero(knowledge: Knowledge, element: Element) -> bool:
     reduced = reduced_by(goal, given, MOST_STEPS)
     if reduced is None:
         return False
-    for count in range(1, MOST_POWERS):
+    for _ in range(1, MOST_POWERS):
         following = reduced_by(powers[-1][0] * reduced[0], given, MOST_STEPS)
         if following is None:
             return False
         powers.append(following)
-        relation = _relation([value for value, _ in powers])
-        if relation is not None:
-            return _shown(knowledge, goal, relation, given, count)
+        values = [value for value, _ in powers]
+        found = relation(values)
+        if found is not None:
+            return _shown(knowledge, goal, found, values, given)
     return False
 
 
@@ -45,27 +44,16 @@ def _is_apart(knowledge: Knowledge, element: Element) -> bool:
     return bool(value) if not isinstance(value, tuple) else value[0] > 0 or value[1] < 0
 
 
-def _relation(values: list[Any]) -> list[Any] | None:
-    """Return coefficients with which polynomials add up to zero."""
-    rows: dict[Any, list[Any]] = {}
-    for column, value in enumerate(values):
-        for powers, coefficient in value.to_dict().items():
-            rows.setdefault(powers, [flint.fmpq(0)] * len(values))[column] = coefficient
-    found = null_space([*rows.values()], len(values))
-    return found[0][1] if found else None
-
-
-def _shown(knowledge: Knowledge, goal: Any, relation: list[Any], given: list[Rule], count: int) -> bool:
-    low = next(place for place, value in enumerate(relation) if value != 0)
+def _shown(knowledge: Knowledge, goal: Any, numbers: list[Any], powers: list[Any], given: list[Rule]) -> bool:
+    low = next(place for place, value in enumerate(numbers) if value != 0)
     if low == 0:
         return False
     rest = goal * 0
-    for place in range(low, count + 1):
-        rest = rest + goal ** (place - low) * relation[place]
-    short = reduced_by(rest, given, MOST_STEPS)
-    if short is None or short[0] == 0:
+    for power, value in zip(powers, numbers[low:], strict=False):
+        rest = rest + power * value
+    if rest == 0:
         return False
-    unit = short[0] / content_of(short[0])
+    unit = rest / content_of(rest)
     element = knowledge.back(unit)
     if not (unit.is_constant() or knowledge.value(element) or knowledge.value(-element)):
         return False

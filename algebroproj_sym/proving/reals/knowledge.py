@@ -142,6 +142,11 @@ class Knowledge:
         """Return about the value of a number; 0 if that is not known."""
         return (self.samples or [Sample({})])[0].value(self.theory, element)
 
+    def called(self, function: str, argument: Element) -> str:
+        """Return the name of a function of an argument; none if there is none."""
+        found = self.theory.applications.items()
+        return next((n for n, k in found if k.function == function and (k.args[0] - argument).is_zero), "")
+
     def bounded(self, element: Element) -> bool:
         """Whether something is known of the signs of what an element is made of."""
         names = self.names(self.signed(element))
@@ -221,21 +226,9 @@ class Knowledge:
         key = ("=", self.theory.signed(element))
         if quick or self._failed.get(key) == len(self.theory.facts):
             return False
-        if self._zero(goal) or self._zero_factor(goal):
+        if self._zero(goal):
             return True
         self._failed[key] = len(self.theory.facts)
-        return False
-
-    def _zero_factor(self, goal: Any) -> bool:
-        factors = [factor for factor, _ in goal.factor()[1]]
-        if len(factors) < 2:
-            return False
-        for factor in factors:
-            if self._rewritten(factor) or self._zero(factor):
-                place = self.theory.facts.index(self.theory.fact("=", self.back(factor)))
-                own = self.into(self.theory.facts[place].polynomial)
-                cofactor = divmod(goal, own)[0]
-                return self.follows(goal, End(1, goal**0, {place: cofactor}))
         return False
 
     def _rewritten(self, goal: Any) -> bool:
@@ -449,59 +442,64 @@ class Knowledge:
         if rest == 0:
             return self.follows(polynomial, End(1, polynomial**0, cofactors))
         if rest.is_constant():
-            found, powers, weight = element.numerator.terms[0] > 0, dict[str, int](), rest.leading_coefficient()
-            relation = ">"
+            found, powers, weight = element.numerator.terms[0] > 0, dict[int, int](), rest.leading_coefficient()
         else:
-            found = self.positive(element)
-            relation = ">" if self.theory.holds(">", element) else ">="
-            own = rest / content_of(rest)
-            if not found or self.theory.holds("=", element):
-                return False
-            place, _ = self._place(own, (">",) if relation == ">" else (">=",))
-            powers, weight = {str(place): 1}, content_of(rest)
-        if not found:
-            return False
-        number = lcm(1, int(weight.q), *(int(v.q) for part in cofactors.values() for v in part.coeffs()))
+            found = self.positive(element) and not self.theory.holds("=", element)
+            if found:
+                place, _ = self._place(rest / content_of(rest), (">" if self.theory.holds(">", element) else ">=",))
+                powers, weight = {place: 1}, content_of(rest)
+        return found and self.has_sign(self.text(polynomial), [(weight, rest**0, powers)], cofactors)
+
+    def has_sign(
+        self,
+        text: str,
+        total: Sequence[tuple[Any, Any, Mapping[int, int]]],
+        cofactors: Mapping[int, Any],
+        scale: int = 1,
+        multiplier: Sequence[int] = (),
+    ) -> bool:
+        """Take the step by which a polynomial, times a scale and positive facts, is a sum, and zeros times cofactors.
+
+        The sum is one of positive weights times squares of roots times powers of facts.
+        """
+        weights = [int(weight.q if isinstance(weight, flint.fmpq) else weight.denominator) for weight, _, _ in total]
+        number = lcm(1, *weights, *(int(value.q) for part in cofactors.values() for value in part.coeffs()))
+        strict = any(
+            root.is_constant() and all(self.theory.facts[place].relation != ">=" for place in powers)
+            for _, root, powers in total
+        )
         return self.step(
             "sign",
-            polynomial=self.text(polynomial),
-            relation=relation,
-            scale=number,
-            multiplier={},
-            sum=[[str(int((weight * number).p)), "1", powers]],
-            cofactors={str(place): self.text(part * number) for place, part in cofactors.items()},
+            polynomial=text,
+            relation=">" if strict else ">=",
+            scale=scale * number,
+            multiplier={str(place): 1 for place in multiplier},
+            sum=[
+                [str(weight * number), self.text(root), {str(place): power for place, power in powers.items()}]
+                for weight, root, powers in total
+            ],
+            cofactors={str(place): self.text(part * number) for place, part in cofactors.items() if part != 0},
         )
 
     def signed_by(
         self, polynomial: Any, multiplier: Element, scale: int, value: Element, cofactors: Mapping[int, Any]
     ) -> bool:
         """Show the sign of a polynomial: times what is positive, and a scale, it is a value plus what is zero."""
+        total, one = list[tuple[Any, Any, Mapping[int, int]]](), self.context.constant(1)
         fact = self.theory.fact(">", multiplier)
-        total, strict = list[list[Any]](), False
-        if value.numerator.is_constant():
-            strict = not value.is_zero
-            total += [[str(Fraction(value.numerator.content(), value.denominator)), "1", {}]] if strict else []
-        else:
-            strict = self.theory.holds(">", value)
-            own = self.theory.fact(">" if strict else ">=", value)
-            if own not in self.theory.known:
-                return False
-            weight = Fraction(abs(value.numerator.content()), value.denominator)
-            total.append([str(weight), "1", {str(self.theory.facts.index(own)): 1}])
         if fact not in self.theory.known:
             return False
+        if not value.is_zero:
+            weight, powers = Fraction(abs(value.numerator.content()), value.denominator), dict[int, int]()
+            if not value.numerator.is_constant():
+                own = self.theory.fact(">" if self.theory.holds(">", value) else ">=", value)
+                if own not in self.theory.known:
+                    return False
+                powers[self.theory.facts.index(own)] = 1
+            total.append((weight, one, powers))
         content = content_of(self.into(multiplier.numerator))
-        number = lcm(1, *(int(value.q) for part in cofactors.values() for value in part.coeffs()))
-        weights = [[str(Fraction(weight) * number), root, powers] for weight, root, powers in total]
-        return self.step(
-            "sign",
-            polynomial=self.text(polynomial),
-            relation=">" if strict else ">=",
-            scale=int(abs(content).p) * scale * number,
-            multiplier={str(self.theory.facts.index(fact)): 1},
-            sum=weights,
-            cofactors={str(place): self.text(part * number) for place, part in cofactors.items() if part != 0},
-        )
+        place = self.theory.facts.index(fact)
+        return self.has_sign(self.text(polynomial), total, cofactors, int(abs(content).p) * scale, [place])
 
     def is_number(self, polynomial: Any) -> bool:
         """Whether no symbol of the statement occurs, also within applications."""
@@ -524,13 +522,13 @@ class Knowledge:
 
     def _by_factors(self, content: Any, factors: Sequence[tuple[Any, int]], whole: Any) -> bool:
         """Show the sign of a product from those of its factors."""
-        root, powers, flips = whole**0, dict[str, int](), int(content < 0)
+        root, powers, flips = whole**0, dict[int, int](), int(content < 0)
         for factor, power in factors:
             own = factor / content_of(factor)
             if power % 2 == 0:
                 if self.theory.holds("!=", self.back(own)) or self.unit(own):
                     place, _ = self._place(own, (">", "!="))
-                    powers[str(place)] = power
+                    powers[place] = power
                 else:
                     root = root * own ** (power // 2)
                 continue
@@ -541,30 +539,14 @@ class Knowledge:
             if sign == "=":
                 return False
             place, flip = self._place(own, (">", ">="))
-            powers[str(place)] = power
+            powers[place] = power
             flips += flip
         if flips % 2:
             return False
         product = root**2
-        for name, power in powers.items():
-            product = product * self.into(self.theory.facts[int(name)].polynomial) ** power
-        ratio = abs(content_of(product) / content_of(whole))
-        weight = 1 / ratio
-        number = int(weight.q)
-        relation = (
-            ">"
-            if root.is_constant() and all(self.theory.facts[int(place)].relation != ">=" for place in powers)
-            else ">="
-        )
-        return self.step(
-            "sign",
-            polynomial=self.text(whole),
-            relation=relation,
-            scale=number,
-            multiplier={},
-            sum=[[str(int(weight.p)), self.text(root), powers]],
-            cofactors={},
-        )
+        for place, power in powers.items():
+            product = product * self.into(self.theory.facts[place].polynomial) ** power
+        return self.has_sign(self.text(whole), [(abs(content_of(whole) / content_of(product)), root, powers)], {})
 
     def _place(self, polynomial: Any, relations: Iterable[str]) -> tuple[int, bool]:
         """Return the place of a fact about a polynomial, the strongest first, and whether it is about its negative."""
@@ -649,25 +631,15 @@ class Knowledge:
             found_weights = self._weights(columns, goal, strict=True) or found_weights
         if found_weights is None:
             return False
-        number = lcm(1, *(int(value.q) for value in found_weights.values()))
-        total, cofactors, strict = list[list[Any]](), dict[str, Any](), False
+        total, cofactors = list[tuple[Any, Any, Mapping[int, int]]](), dict[int, Any]()
         for place, weight in found_weights.items():
             kind, _, how = columns[place]
             if kind == "=":
-                zero, part, _ = how
-                cofactors[str(zero)] = cofactors.get(str(zero), one * 0) + part * weight * number
-                continue
-            root, facts = how
-            total.append([str(int(weight * number)), self.text(root), {str(i): n for i, n in facts.items()}])
-            strict |= self._is_strict(columns[place])
-        return self.step(
-            "sign",
-            polynomial=self.text(polynomial),
-            relation=">" if strict else ">=",
-            scale=number,
-            multiplier={} if multiplier is None else {str(multiplier): 1},
-            sum=total,
-            cofactors={place: self.text(part) for place, part in cofactors.items() if part != 0},
+                cofactors[how[0]] = cofactors.get(how[0], one * 0) + how[1] * weight
+            else:
+                total.append((weight, *how))
+        return self.has_sign(
+            self.text(polynomial), total, cofactors, multiplier=[] if multiplier is None else [multiplier]
         )
 
     def spend(self, effort: int) -> None:

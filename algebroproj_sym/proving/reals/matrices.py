@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import NotRationalError
-from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.proof import Proof
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.replaying.reals.matrices import END, START, entries_of, is_matrix, rows_of
 from algebroproj_sym.replaying.reals.terms import written

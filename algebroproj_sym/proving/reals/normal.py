@@ -105,10 +105,9 @@ def _special(knowledge: Knowledge, count: int) -> None:
     base = f"pi/{count}"
     knowledge.step("defined", term="sin(pi)")
     sin, cos = (theory.named(name, theory.pi * theory.number(Fraction(1, count))) for name in ("sin", "cos"))
-    whole = theory.named("sin", theory.pi)
-    if sin is None or cos is None or whole is None:
+    name = knowledge.called("sin", theory.pi)
+    if sin is None or cos is None or not name:
         return
-    name = next(name for name in theory.applications if (theory.field.symbol(name) - whole).is_zero)
     knowledge.step("addition", target=name, parts=[[2, "pi/2"]])
     knowledge.step("addition", target=name, parts=[[count, base]])
     knowledge.value(sin)
@@ -156,8 +155,7 @@ def exponentials(knowledge: Knowledge) -> None:
     for name, exponent in targets:
         same = knowledge.settled(exponent)
         if not (same - exponent).is_zero and knowledge.step("defined", term=f"exp({knowledge.said(same)})"):
-            other = next(key for key, found in _of(knowledge, "exp") if (found - same).is_zero)
-            knowledge.step("exponents", target=name, parts=[[1, other]])
+            knowledge.step("exponents", target=name, parts=[[1, knowledge.called("exp", same)]])
     targets = [(n, e) for n, e in _of(knowledge, "exp") if (knowledge.settled(e) - e).is_zero]
     logs = {next(iter(theory.field.symbol(name).numerator.terms)): name for name, _ in _of(knowledge, "log")}
     bases = _bases(knowledge, (exponent for _, exponent in targets))
@@ -168,12 +166,11 @@ def exponentials(knowledge: Knowledge) -> None:
         else:
             part = _element(knowledge, key, base)
             knowledge.step("defined", term=f"exp({knowledge.said(part)})")
-            names[key] = next(name for name, exponent in _of(knowledge, "exp") if (exponent - part).is_zero)
+            names[key] = knowledge.called("exp", part)
             if key[0] in logs and not key[1]:
                 whole = _element(knowledge, key, Fraction(1))
                 knowledge.step("defined", term=f"exp({knowledge.said(whole)})")
-                log = next((name for name, exponent in _of(knowledge, "exp") if (exponent - whole).is_zero), None)
-                if log is not None:
+                if log := knowledge.called("exp", whole):
                     knowledge.step("exponents", target=log, parts=[[1, logs[key[0]]]])
                     knowledge.step("exponents", target=log, parts=[[int(1 / base), names[key]]])
     for name, exponent in targets:
@@ -272,7 +269,7 @@ def _logarithm_of_root(knowledge: Knowledge, part: Element) -> None:
             if knowledge.positive(radicand, True) and knowledge.step(
                 "defined", term=f"log({knowledge.said(radicand)})"
             ):
-                target = next(n for n, argument in _of(knowledge, "log") if (argument - radicand).is_zero)
+                target = knowledge.called("log", radicand)
                 knowledge.step("logarithms", target=target, parts=[[known.degree, knowledge.said(part)]])
 
 

@@ -11,7 +11,7 @@ import sympy
 
 from algebroproj_sym.expressions import NotRationalError, SymbolError
 from algebroproj_sym.proving.polynomials import EffortExceededError
-from algebroproj_sym.proving.prove import Proof
+from algebroproj_sym.proving.proof import Proof
 from algebroproj_sym.proving.reals.integrals import integrated
 from algebroproj_sym.proving.reals.matrices import in_part, together
 from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places

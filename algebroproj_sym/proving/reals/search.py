@@ -285,17 +285,19 @@ def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:
         return
     if knowledge.positive(angle) and knowledge.positive(pi - angle):
         knowledge.step("sine in range", angle=knowledge.said(angle))
-    elif knowledge.positive(-angle) and knowledge.positive(pi + angle):
-        text = knowledge.said(angle)
-        if knowledge.step("defined", term=f"sin(-({text}))"):
-            other = next(
-                key
-                for key, known in theory.applications.items()
-                if known.function == "sin" and (known.args[0] + angle).is_zero
-            )
-            knowledge.step("addition", target=other, parts=[[-1, text]])
-            knowledge.step("sine in range", angle=f"-({text})")
-            knowledge.positive(-sin)
+    elif knowledge.positive(-angle) and knowledge.positive(pi + angle) and _opposite_sine(knowledge, angle) is not None:
+        knowledge.step("sine in range", angle=f"-({knowledge.said(angle)})")
+        knowledge.positive(-sin)
+
+
+def _opposite_sine(knowledge: Knowledge, angle: Element) -> Element | None:
+    """Return the sine of the opposite angle, after relating both."""
+    text = knowledge.said(angle)
+    if not knowledge.step("defined", term=f"sin(-({text}))"):
+        return None
+    name = knowledge.called("sin", -angle)
+    knowledge.step("addition", target=name, parts=[[-1, text]])
+    return knowledge.theory.field.symbol(name)
 
 
 def _opposite(knowledge: Knowledge, angle: Element) -> None:
@@ -304,12 +306,8 @@ def _opposite(knowledge: Knowledge, angle: Element) -> None:
     text = f"{knowledge.said(angle)} - pi"
     if knowledge.step("defined", term=f"sin({text})"):
         turned = angle - theory.pi
-        target = next(
-            name
-            for name, known in theory.applications.items()
-            if known.function == "sin" and (known.args[0] - turned).is_zero
-        )
-        knowledge.step("addition", target=target, parts=[[1, knowledge.said(angle)], [-2, "pi/2"]])
+        parts = [[1, knowledge.said(angle)], [-2, "pi/2"]]
+        knowledge.step("addition", target=knowledge.called("sin", turned), parts=parts)
         if knowledge.positive(theory.pi - turned - turned) and knowledge.positive(theory.pi + turned + turned):
             knowledge.step("cosine in range", angle=text)
 
@@ -399,20 +397,14 @@ def _arc_decided(knowledge: Knowledge, name: str, arc: Element) -> None:
         if knowledge.positive(arc + pi) and knowledge.positive(pi + pi - arc):
             knowledge.step("range of sine", angle=text)
     elif sign == "<":
-        if knowledge.step("defined", term=f"sin(-({text}))"):
-            other = next(
-                key
-                for key, known in knowledge.theory.applications.items()
-                if known.function == "sin" and (known.args[0] + arc).is_zero
-            )
-            knowledge.step("addition", target=other, parts=[[-1, text]])
-            opposite = knowledge.theory.field.symbol(other)
-            if (
-                knowledge.positive(opposite, True)
-                and knowledge.positive(pi - arc)
-                and knowledge.positive(pi + pi + arc)
-            ):
-                knowledge.step("range of sine", angle=f"-({text})")
+        opposite = _opposite_sine(knowledge, arc)
+        if (
+            opposite is not None
+            and knowledge.positive(opposite, True)
+            and knowledge.positive(pi - arc)
+            and knowledge.positive(pi + pi + arc)
+        ):
+            knowledge.step("range of sine", angle=f"-({text})")
     elif sign == "=" or knowledge.zero(sin):
         if knowledge.positive(pi - arc, True) and knowledge.positive(pi + arc, True):
             knowledge.step("zero of sine", angle=text)
@@ -520,11 +512,7 @@ def _by_logarithms(knowledge: Knowledge, goal: Element) -> bool:
         return False
     if not knowledge.step("defined", term=f"log({product})"):
         return False
-    target = knowledge.theory.named("log", value)
-    assert target is not None
-    name = next(
-        name for name in knowledge.theory.applications if (knowledge.theory.field.symbol(name) - target).is_zero
-    )
+    target = knowledge.called("log", value)
     for parts in (positive, negative):
-        knowledge.step("logarithms", target=name, parts=[[n, text] for n, text in parts])
+        knowledge.step("logarithms", target=target, parts=[[n, text] for n, text in parts])
     return knowledge.zero(goal)

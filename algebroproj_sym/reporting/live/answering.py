@@ -65,7 +65,9 @@ def _prove(asked: Mapping[str, Any]) -> dict[str, Any]:
 
     given: dict[str, Any] = {key: [*asked.get(key, ())] for key in (*CONDITIONS, "letters")}
     lhs, rhs = (_entry(asked, side, str) for side in ("lhs", "rhs"))
-    _require_short(lhs, rhs, *(text for texts in given.values() for text in texts))
+    length = sum(map(len, (lhs, rhs, *(text for texts in given.values() for text in texts))))
+    if length > MOST_CHARACTERS:
+        raise ValueError(f"expected at most {MOST_CHARACTERS} characters in all, got {length}")
     given["letters"] = dict(map(_letter, given["letters"])) or None
     given["relation"] = _entry({"relation": "=", **asked}, "relation", str)
     if named := _entry({"where": {}, **asked}, "where", dict):
@@ -118,11 +120,6 @@ def _prepare(_: Mapping[str, Any]) -> dict[str, Any]:
 
     prove("x", "x")
     return {"sympy": sympy.__version__, "flint": flint.__version__}
-
-
-def _require_short(*texts: str) -> None:
-    if (length := sum(map(len, texts))) > MOST_CHARACTERS:
-        raise ValueError(f"expected at most {MOST_CHARACTERS} characters in all, got {length}")
 
 
 _ANSWERS: Mapping[str, Callable[[Mapping[str, Any]], dict[str, Any]]] = {

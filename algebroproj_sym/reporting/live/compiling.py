@@ -16,13 +16,7 @@ _UNCHECKED = (1).to_bytes(4, "little")
 
 
 def compiled(wheel: bytes) -> bytes:
-    """Return a ZIP file that Python imports modules from: those of a wheel but for its tests, and its licence.
-
-    Parameters
-    ----------
-    wheel : bytes
-        A wheel of modules that are written in Python.
-    """
+    """Return a ZIP file that Python imports modules from: those of a wheel but for its tests, and its licence."""
     written = BytesIO()
     with ZipFile(BytesIO(wheel)) as archive, ZipFile(written, "w") as out, warnings.catch_warnings():
         warnings.simplefilter("ignore")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import subprocess
 import sys
 import tomllib
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from hashlib import sha256
 from importlib.resources import files
@@ -24,16 +23,7 @@ class FetchError(RuntimeError):
 class Package:
     """A file of a package registry.
 
-    Attributes
-    ----------
-    registry : {"npm", "PyPI"}
-        Where it is.
-    name, version : str
-        Which package.
-    file : str
-        The name of the file.
-    sha256 : str
-        Its digest, in hexadecimal digits.
+    The registry is npm or PyPI; the digest has hexadecimal digits.
     """
 
     registry: str
@@ -65,8 +55,12 @@ def fetched(package: Package, folder: Path) -> bytes:
     """
     if package.registry == "npm" and which("npm") is None:
         raise FetchError(f"npm is not installed; it fetches {package.name}")
-    command = _COMMANDS[package.registry](package)
-    ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    download = (sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:")
+    commands = {
+        "npm": ["npm", "pack", "--silent", f"{package.name}@{package.version}"],
+        "PyPI": [*download, *_WASM, *_PLATFORMS, "--dest", ".", f"{package.name}=={package.version}"],
+    }
+    ended = subprocess.run(commands[package.registry], cwd=folder, capture_output=True, text=True, check=False)
     path = folder / package.file
     if ended.returncode or not path.is_file():
         raise FetchError(f"{package.name} {package.version} cannot be fetched.\n{ended.stderr[-1000:].strip()}")
@@ -85,15 +79,3 @@ def genuine(package: Package, content: bytes) -> bytes:
     if found != package.sha256:
         raise FetchError(f"{package.file}: expected the SHA-256 digest {package.sha256}, got {found}")
     return content
-
-
-def _from_npm(package: Package) -> list[str]:
-    return ["npm", "pack", "--silent", f"{package.name}@{package.version}"]
-
-
-def _from_pypi(package: Package) -> list[str]:
-    download = (sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:")
-    return [*download, *_WASM, *_PLATFORMS, "--dest", ".", f"{package.name}=={package.version}"]
-
-
-_COMMANDS: Mapping[str, Callable[[Package], list[str]]] = {"npm": _from_npm, "PyPI": _from_pypi}

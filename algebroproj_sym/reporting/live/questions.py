@@ -16,14 +16,7 @@ MOST_CHARACTERS = 4000
 class Question:
     """An identity or an inequality as text, to be changed and proved again.
 
-    Attributes
-    ----------
-    lhs, rhs : str
-        The printed and the derived form.
-    relation : str
-        Between them.
-    constraints, nonzero, assumptions, letters : str
-        One a line.
+    The printed and the derived form, and how they are related; the conditions and the letters stand one a line.
     """
 
     lhs: str

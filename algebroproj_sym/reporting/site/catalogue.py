@@ -9,12 +9,12 @@ from itertools import accumulate
 from operator import itemgetter
 
 from algebroproj_sym.declaring import Claim, Derivation, Judgement, Publication, Quote, Verdict, publication, quotations
-from algebroproj_sym.generating import Lowered
+from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.reporting.dependences import Dependences, Key
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.notebooks import Notebook
 from algebroproj_sym.reporting.site.addresses import claim_page, claim_record, function_page, notebook_page, slug
-from algebroproj_sym.verifying import Verification
+from algebroproj_sym.verifying.verification import Verification
 
 GRAVITY: tuple[Verdict, ...] = ("definition", "proved", "illegible", "misprint", "error", "false", "open")
 """The verdicts, the gravest one last."""

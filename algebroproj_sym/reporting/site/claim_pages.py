@@ -25,7 +25,8 @@ from algebroproj_sym.reporting.site.formulas import block, described, listed
 from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.symbols import MOST, Symbols, names_of
 from algebroproj_sym.reporting.site.templating import page
-from algebroproj_sym.showing import Part, as_declared, markdown
+from algebroproj_sym.showing.arranging import Part, as_declared
+from algebroproj_sym.showing.display import markdown
 from algebroproj_sym.showing.latex import Marks
 
 MOST_LISTED = 12

@@ -13,6 +13,7 @@ from markupsafe import Markup
 from algebroproj_sym.declaring import KINDS, Claim, Judgement
 from algebroproj_sym.declaring.claim import CORRECTED
 from algebroproj_sym.expressions import TextForm, assumption, evaluate, shape, size
+from algebroproj_sym.expressions.arranging import arranged
 from algebroproj_sym.reporting.explaining import apart, plain_rows
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.formulas import (
@@ -29,9 +30,12 @@ from algebroproj_sym.reporting.site.formulas import (
 )
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
-from algebroproj_sym.showing import Part, arranged, as_declared, derived_form, differing_entries, in_names
+from algebroproj_sym.showing.arranging import Part, as_declared
+from algebroproj_sym.showing.difference import differing_entries
 from algebroproj_sym.showing.display import described_letter
+from algebroproj_sym.showing.forms import derived_form
 from algebroproj_sym.showing.latex import NOTHING, WHOLE, Marks, latex
+from algebroproj_sym.showing.naming import in_names
 
 MOST = 6
 """How many conditions are shown in a line."""

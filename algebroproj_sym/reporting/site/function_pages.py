@@ -10,7 +10,9 @@ from markupsafe import Markup
 
 from algebroproj_sym.declaring import ELEMENTARY, Kernel, Stage
 from algebroproj_sym.expressions import entries
-from algebroproj_sym.generating import PACKAGE, Lowered, operation_counts
+from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.operation_counts import operation_counts
+from algebroproj_sym.generating.writing import PACKAGE
 from algebroproj_sym.reporting.site.addresses import FUNCTIONS
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Function
 from algebroproj_sym.reporting.site.formulas import block, equation, inline
@@ -18,7 +20,8 @@ from algebroproj_sym.reporting.site.plots import accuracy_plot, distance_plot
 from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.latex import latex
-from algebroproj_sym.verifying import BOUND, Stratum, Verification
+from algebroproj_sym.verifying.accuracy import BOUND, Stratum
+from algebroproj_sym.verifying.verification import Verification
 
 _MEANINGS = {
     "solve": "solve the linear system with this matrix. Its last column is the right side:",

@@ -7,7 +7,7 @@ from math import isfinite, log10
 
 from markupsafe import Markup
 
-from algebroproj_sym.verifying import Accuracy, Stratum
+from algebroproj_sym.verifying.accuracy import Accuracy, Stratum
 
 WIDTH, LEFT, RIGHT, ROW, TOP = 440, 40, 24, 24, 14
 LOWEST = -2.0

@@ -47,18 +47,8 @@ POINTS = "const npy_intp points"
 def plain_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     """Return the files of the compiled functions without compensation.
 
-    Parameters
-    ----------
-    lowered : sequence of Lowered
-        The kernels with their programs; those that cannot be compiled are left out.
-    notice : str
-        What every generated file says about itself.
-
-    Returns
-    -------
-    dict of str to str
-        The text of each file by its name: ``plain_kernels.h`` with the formulas, and ``plain_loops.h`` with the loop
-        of the ufuncs.
+    ``plain_kernels.h`` has the formulas, and ``plain_loops.h`` the loop of the ufuncs. Kernels that cannot be compiled
+    are left out.
     """
     compiled = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
     return {
@@ -98,7 +88,7 @@ def _function(low: Lowered) -> dict[str, object]:
         "rows": len(rows),
         "head": "PLAIN" if copied or _work(low) >= ORDERING * len(ordered) else "NARROW",
         "declared": ", ".join([*(f"{_kind(name)} (*restrict {name})[{n}]" for name, n in arrays.items()), POINTS]),
-        "given": ", ".join(_given(name, size, place) for place, (name, size) in enumerate(arrays.items())),
+        "given": ", ".join(f"({_kind(name)} (*)[{n}])data[{k}] + first" for k, (name, n) in enumerate(arrays.items())),
         "loops": [loop for loop in loops if loop],
     }
 
@@ -108,11 +98,6 @@ def _work(low: Lowered) -> int:
     systems = [len(step.rows) for step in low.plain.steps if isinstance(step, Call) and step.primitive in LINEAR]
     counts = low.plain.operations()
     return counts.total() + (DIVISION - 1) * counts["/"] + sum(height**3 for height in systems)
-
-
-def _given(name: str, size: int, place: int) -> str:
-    """Return an array as it is given to a function, from the addresses of all operands."""
-    return f"({_kind(name)} (*)[{size}])data[{place}] + first"
 
 
 def _kind(name: str) -> str:
@@ -129,6 +114,4 @@ def _arrays(kernel: Kernel) -> dict[str, int]:
 
 def solved_once(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
     """Return the statements that solve a linear system."""
-    size = len(call.rows)
-    solved = f"NAME({call.primitive}_once_{size})(system{place}, solution{place});"
-    return solving(call, place, names, solved, size + 1)
+    return solving(call, place, names, f"NAME({call.primitive}_once_{len(call.rows)})({{arrays}});", refined=False)

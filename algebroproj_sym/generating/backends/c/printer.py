@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from hashlib import sha256
 from itertools import chain, count
 from math import prod
-from typing import Any
+from typing import Any, TypeAlias
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -27,6 +28,8 @@ from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
 from algebroproj_sym.generating.systems import system_program
+
+Solved: TypeAlias = "Callable[[Call, int, Mapping[Operand, str]], list[str]]"
 
 COMPILED = ("let", *LINEAR)
 """The primitive functions of which there is a compiled version."""
@@ -99,20 +102,9 @@ _TEMPLATES = Environment(
 def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     """Return the files of the compiled twin.
 
-    Parameters
-    ----------
-    lowered : sequence of Lowered
-        The kernels with their programs; those that cannot be compiled are left out.
-    notice : str
-        What every generated file says about itself.
-
-    Returns
-    -------
-    dict of str to str
-        The text of each file by its name: ``kernels.h`` with the formulas, ``systems.h`` with those that solve linear
-        systems, ``solvers.h`` with what solves them, ``moves.h``, ``loops.h``, ``fours.h`` and ``compiled.c`` with what
-        makes ufuncs of them, and of the formulas without compensation, which `plain_files` writes; ``calls.h`` with
-        short calls of ufuncs.
+    ``kernels.h`` has the formulas, ``systems.h`` those that solve linear systems, ``solvers.h`` what solves them. The
+    others make ufuncs of these, and of the formulas without compensation, which `plain_files` writes. Kernels that
+    cannot be compiled are left out.
     """
     compiled = sorted(filter(is_compiled, lowered), key=lambda low: c_name(low.kernel))
     plain = sorted(filter(is_compiled_plain, lowered), key=lambda low: c_name(low.kernel))
@@ -233,7 +225,7 @@ def statements(
     program: Program,
     inputs: Sequence[str] | None = None,
     outputs: Sequence[str] | None = None,
-    solved: Callable[[Call, int, Mapping[Operand, str]], list[str]] | None = None,
+    solved: Solved | None = None,
 ) -> list[str]:
     r"""Return the statements of a program for point ``i``.
 
@@ -258,14 +250,14 @@ def statements(
     """
     read = [f"in[{place}][i]" for place in range(len(program.inputs))] if inputs is None else inputs
     written = [f"out[{place}][i]" for place in range(len(program.outputs))] if outputs is None else outputs
-    lines, results = computations(program, read, solved or _solve)
+    lines, results = computations(program, read, solved or partial(solving, pattern=REFINED))
     return lines + [f"{place} = {result};" for place, result in zip(written, results, strict=True)]
 
 
 def computations(
     program: Program,
     read: Sequence[str],
-    solved: Callable[[Call, int, Mapping[Operand, str]], list[str]],
+    solved: Solved,
     taken: Collection[str] = (),
 ) -> tuple[list[str], list[str]]:
     """Return the statements that compute the outputs of a program, and what these are then called.
@@ -342,14 +334,12 @@ def _products(program: Program) -> list[Step]:
     return [step for step in program.steps if isinstance(step, Step) and step.operator == "product_error"]
 
 
-def _solve(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
-    size = len(call.rows)
-    solved = f"range = NAME({call.primitive}_{size})(system{place}, solution{place}, range);"
-    return solving(call, place, names, solved, 2 * size + 2)
+REFINED = "range = NAME({call})({arrays}, range);"
+"""The statement that calls a function which solves a linear system, and refines the solution."""
 
 
 def solving(
-    call: Call, place: int, names: Mapping[Operand, str], solved: str, columns: int, initial: str = ""
+    call: Call, place: int, names: Mapping[Operand, str], pattern: str, *, refined: bool = True, initial: str = ""
 ) -> list[str]:
     """Return the statements that solve a linear system.
 
@@ -361,13 +351,15 @@ def solving(
         Of the system among those of a function.
     names : mapping
         The C names of operands.
-    solved : str
-        The statement that calls the function.
-    columns : int
-        How many entries a row has; those that are not given are zero.
+    pattern : str
+        Of the statement that calls the function.
+    refined : bool
+        Whether rows go on with what rounding took from their entries; what is not given is zero.
     initial : str
         The value that a solution has before.
     """
+    columns = (len(call.rows) + 1) * (2 if refined else 1)
+    solved = pattern.format(call=f"{call.primitive}_{len(call.rows)}", arrays=f"system{place}, solution{place}")
     rows = [[*(c_operand(operand, names) for operand in row), *["0"] * (columns - len(row))] for row in call.rows]
     return [
         f"const real system{place}[{len(rows)}][{columns}] = {{",

@@ -9,22 +9,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import groupby
+from functools import partial
 from textwrap import wrap
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from algebroproj_sym.declaring import LINEAR, Driver, Kernel
 from algebroproj_sym.generating.backends.c.printer import computations, is_compiled, is_free, solver, solving
-from algebroproj_sym.generating.description import formula, singularities
+from algebroproj_sym.generating.description import by_module, formula, origin, places, singularities
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.program import Call, Operand
+from algebroproj_sym.generating.program import Call
 from algebroproj_sym.generating.writing import NOTICE
 
 __all__ = ["declaration", "in_double", "render"]
 
 _CONSTANT = re.compile(r"\bconstant\((-?\d+)\)")
+
+_SOLVED = partial(solving, pattern="{call}({arrays});", initial=" = {}")
 
 _TEMPLATES = Environment(
     loader=PackageLoader("algebroproj_sym.generating.backends.cpp"),
@@ -35,8 +37,8 @@ _TEMPLATES = Environment(
 
 def render(lowered: Iterable[Lowered], drivers: Sequence[Driver] = (), package: str = "algebroproj") -> dict[str, str]:
     """Return the headers: one for each module name of the kernels, what they share, and one that includes them all."""
-    compiled = sorted(filter(is_compiled, lowered), key=lambda low: low.kernel.module)
-    modules = {name: list(group) for name, group in groupby(compiled, key=lambda low: low.kernel.module)}
+    compiled = list(filter(is_compiled, lowered))
+    modules = by_module(compiled)
     files = {
         f"{name}.hpp": _rendered(
             "module.hpp.j2",
@@ -88,8 +90,8 @@ def _function(low: Lowered) -> dict[str, object]:
     kernel = low.kernel
     names, head = declaration(kernel)
     vectors = [names[argument.name] for argument in kernel.arguments if argument.shape]
-    read = [f"{names[argument.name]}{place}" for argument in kernel.arguments for place in _places(argument.shape)]
-    lines, results = computations(expanded(low.program), read, _solved, vectors)
+    read = [f"{names[a.name]}{''.join(f'[{k}]' for k in place)}" for a in kernel.arguments for place in places(a.shape)]
+    lines, results = computations(expanded(low.program), read, _SOLVED, vectors)
     body = [*lines, f"return {{{', '.join(results)}}};"]
     return {
         "documentation": _documentation(low),
@@ -114,13 +116,6 @@ def declaration(kernel: Kernel) -> tuple[Mapping[str, str], str]:
     return names, f"{struct}\n\n{template}\nconstexpr {several}<real> {kernel.name}({parameters})"
 
 
-def _places(shape: tuple[int, ...]) -> list[str]:
-    """Return the subscripts of the entries, row by row."""
-    if not shape:
-        return [""]
-    return [f"[{row}]{rest}" for row in range(shape[0]) for rest in _places(shape[1:])]
-
-
 def _type(shape: tuple[int, ...]) -> str:
     return f"std::array<{_type(shape[1:])}, {shape[0]}>" if shape else "real"
 
@@ -129,15 +124,8 @@ def _parameter(name: str, shape: tuple[int, ...]) -> str:
     return f"const {_type(shape)} &{name}" if shape else f"const real {name}"
 
 
-def _solved(call: Call, place: int, names: Mapping[Operand, str]) -> list[str]:
-    size = len(call.rows)
-    solved = f"{call.primitive}_{size}(system{place}, solution{place});"
-    return solving(call, place, names, solved, 2 * size + 2, " = {}")
-
-
 def _documentation(low: Lowered) -> list[str]:
     kernel = low.kernel
-    proved = f"{kernel.paper}, section {kernel.section}; proved by {', '.join(f'({n})' for n in kernel.claims)}."
     described = [f"{argument.name}: {kernel.describe[argument.name]}" for argument in kernel.arguments]
-    text = [kernel.summary, "", proved, "", *described, "", *formula(kernel), "", *singularities(low)]
+    text = [kernel.summary, "", origin(kernel), "", *described, "", *formula(kernel), "", *singularities(low)]
     return [part for line in text for part in (wrap(line, 110, subsequent_indent="    ") or [""])]

@@ -20,7 +20,7 @@ from algebroproj_sym.generating import runtime
 from algebroproj_sym.generating.backends.c.plain import plain_files
 from algebroproj_sym.generating.backends.c.printer import c_files, c_name, is_compiled, is_compiled_plain, stamped
 from algebroproj_sym.generating.backends.numpy.printer import packed, statements
-from algebroproj_sym.generating.description import factor_name, formula, singularities
+from algebroproj_sym.generating.description import by_module, factor_name, formula, origin, singularities
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.operation_counts import operation_counts
@@ -43,26 +43,9 @@ _TEMPLATES = Environment(
 def render(lowered: Iterable[Lowered], drivers: Sequence[Driver] = (), package: str = PACKAGE) -> dict[str, str]:
     """Return the files of the package.
 
-    Parameters
-    ----------
-    lowered : iterable of Lowered
-        The kernels with their programs.
-    drivers : sequence of Driver
-        Hand-written functions, whose modules are copied.
-    package : str
-        Its name, which its modules do not need: they import each other by their places.
-
-    Returns
-    -------
-    dict of str to str
-        The text of each file by its path inside the package.
+    The modules of hand-written functions are copied.
     """
-    modules = {
-        name: list(group)
-        for name, group in groupby(
-            sorted(lowered, key=lambda low: low.kernel.module), key=lambda low: low.kernel.module
-        )
-    }
+    modules = by_module(lowered)
     files = {
         f"{name}.py": _module(group, [driver for driver in drivers if driver.module == name])
         for name, group in modules.items()
@@ -142,7 +125,7 @@ def _function(low: Lowered) -> dict[str, Any]:
         "given": str(tuple(argument.name for argument in kernel.arguments)).replace("'", ""),
         "out": "ndarray" if len(kernel.results) == 1 else "tuple of ndarray",
         "summary": kernel.summary,
-        "source": f"{kernel.paper}, section {kernel.section}; proved by {', '.join(map(_citation, kernel.claims))}.",
+        "source": origin(kernel),
         "arguments": [
             {"name": a.name, "shape": _batched(a.shape), "description": kernel.describe[a.name]}
             for a in kernel.arguments
@@ -159,10 +142,6 @@ def _function(low: Lowered) -> dict[str, Any]:
         "factors": packed([f'"{factor}"' for factor in map(factor_name, low.hypotheses)]),
         "factors_body": statements(factors_of(low)) if low.hypotheses else [],
     }
-
-
-def _citation(number: str) -> str:
-    return f"({number})"
 
 
 def _batched(shape: tuple[int, ...]) -> str:

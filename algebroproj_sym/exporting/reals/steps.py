@@ -170,30 +170,21 @@ def _both(theory: Written, step: Step) -> str:
 
 def _value(theory: Written, step: Step) -> str:
     polynomial = theory.polynomial(step["polynomial"])
-    names = [name for name, place in theory.field.places.items() if name == "pi"]
-    slope = _linear_in_pi(theory, polynomial) if names else None
-    if slope is None:
+    if not _follows_from_bounds_of_pi(theory, polynomial):
         raise Silent("no theorem is written yet for the sign of a number other than of pi and rational numbers")
-    _, slope = slope
-    bounds = [theory.proof(">", bound) for bound in (theory.pi - theory.number(3), _seventh(theory))]
-    text = theory.shown(polynomial)
-    return f"ltac:(pose proof {bounds[0]}; pose proof {bounds[1]}; lra) : 0 < {text}"
+    bounds = (theory.pi - theory.number(3), theory.number(22) - theory.number(7) * theory.pi)
+    low, high = (theory.proof(">", bound) for bound in bounds)
+    return f"ltac:(pose proof {low}; pose proof {high}; lra) : 0 < {theory.shown(polynomial)}"
 
 
-def _seventh(theory: Written) -> Element:
-    return theory.number(22) - theory.number(7) * theory.pi
-
-
-def _linear_in_pi(theory: Written, element: Element) -> tuple[Fraction, Fraction] | None:
-    """Return a and b if the element is a + b*pi, and that it is positive follows from 3 < pi < 22/7."""
-    fact = theory.fact(">", element)
-    one = theory.field.variable("pi")
-    (monomial,) = one.terms
-    terms = fact.polynomial.terms
-    if not terms.keys() <= {0, monomial}:
-        return None
-    a, b = Fraction(terms.get(0, 0)), Fraction(terms.get(monomial, 0))
-    return (a, b) if min(a + 3 * b, a + Fraction(22, 7) * b) >= 0 and b else None
+def _follows_from_bounds_of_pi(theory: Written, element: Element) -> bool:
+    """Whether a number is a + b*pi, and positive because of 3 < pi < 22/7."""
+    if "pi" not in theory.alive:
+        return False
+    terms = theory.fact(">", element).polynomial.terms
+    (pi,) = theory.field.variable("pi").terms
+    constant, slope = terms.get(0, 0), terms.get(pi, 0)
+    return terms.keys() <= {0, pi} and all(constant + bound * slope >= 0 for bound in (3, Fraction(22, 7)))
 
 
 # -- angles

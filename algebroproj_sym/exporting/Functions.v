@@ -323,6 +323,14 @@ Proof.
   unfold tanh; rewrite hyperbolic_sine, hyperbolic_cosine; pose proof (exp_pos u); field; split; nra.
 Qed.
 
+Lemma area_radicand u : 0 <= u ^ 2 + 1.
+Proof. nra. Qed.
+
+Lemma area_argument u : 0 < u + sqrt (u ^ 2 + 1).
+Proof.
+  pose proof (sqrt_pos (u ^ 2 + 1)); pose proof (sqrt_sqrt (u ^ 2 + 1) (area_radicand u)); nra.
+Qed.
+
 (** ** Angles *)
 
 Definition turned (a c s : R) : Prop := cos a = c /\ sin a = s.

@@ -359,6 +359,11 @@ class Written(Theory):
         if term.kind == "abs":
             square = raised(term.args[0], 2)
             self.premises = [*self.premises, ((">=", square), f"(pow2_ge_0 {formula(term.args[0])})")]
+        if term.kind == "asinh":
+            argument, u = expanded(term)[0].args[0], formula(term.args[0])
+            radicand = argument.args[1].args[0]
+            known = [((">=", radicand), f"(area_radicand {u})"), ((">", argument), f"(area_argument {u})")]
+            self.premises = [*self.premises, *known]
         found = super()._made(term, granted)
         if granted and term.args and term.kind not in "+-*/":
             self._leaf(term)

@@ -498,7 +498,7 @@ object_of_model = m * of_model * model + center
 
 # %%
 section.identity("38", "similarity transformation", derived=object_of_model)
-of_angles = {
+with_angles = {
     letter: function(angle)
     for angle, pair in cosines_and_sines.items()
     for function, letter in zip((sympy.cos, sympy.sin), pair, strict=True)
@@ -507,7 +507,7 @@ section.identity(
     "38#rotation",
     "the three matrices are a rotation",
     printed=E3,
-    derived=(of_model.T * of_model).xreplace(of_angles),
+    derived=(of_model.T * of_model).xreplace(with_angles),
 )
 
 # %% [markdown]

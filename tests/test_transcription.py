@@ -1,5 +1,7 @@
 """A claim without a printed form takes it from its quote: identical to the typed one, or a named error."""
 
+import re
+import tomllib
 from decimal import Decimal
 
 import pytest
@@ -239,3 +241,25 @@ def test_what_is_shown_of_a_quote_is_what_is_claimed():
         form = as_declared(claim, "printed")
         point = {symbol: sympy.Rational(7 * k + 5, k + 3) for k, symbol in enumerate(symbols_of([claim.printed]))}
         assert evaluate(form, point) == evaluate(claim.printed, point), claim.number
+
+
+def indices(symbol):
+    """The digits of a symbol or a name, those of superscripts first."""
+    above = re.findall(r"\^\{?(\d+)", symbol)
+    return "".join([*above, *re.findall(r"\d", re.sub(r"\^\{?\d+", "", symbol))])
+
+
+def test_no_table_of_symbols_repairs_an_index_in_silence(repository):
+    """What the scan or the press got wrong is an edit of the quote, with its reason; a table only gives names."""
+    assert indices(r"b_1^0") == indices("r01") != indices("r10")
+    assert indices(r"\mu_{13}'") != indices("mu31")
+    named = [
+        (path, symbol, name)
+        for path in sorted((repository / "derivations").glob("*/symbols.toml"))
+        for table in tomllib.loads(path.read_text(encoding="utf-8"))["table"]
+        for symbol, name in table.get("symbols", {}).items()
+        if name.isidentifier()
+    ]
+    assert len(named) > 50
+    for path, symbol, name in named:
+        assert indices(symbol) == indices(name), (path, symbol)

@@ -238,15 +238,8 @@ def structure(statement: Statement, form: str, certificate: Certificate) -> Prov
     derived = statement.written("derived")
     given = _hypotheses(statement, derived)
     marks = _marks(statement, form)
-    first: dict[str, Term] = {}
-    expected = []
-    for (sign, mark), entry in zip(marks, derived.entries, strict=True):
-        value = (
-            integer(int(mark))
-            if mark.lstrip("-").isdecimal()
-            else first.setdefault(mark, entry if sign > 0 else negative(entry))
-        )
-        expected.append(value if sign > 0 else negative(value))
+    pairs, first = _signed(marks, derived.entries)
+    expected = [meant if sign > 0 else negative(meant) for (sign, _), (_, meant) in zip(marks, pairs, strict=True)]
     width = statement.form("derived").shape[1]
     goals = [Goal(a, b) for a, b in zip(derived.entries, expected, strict=True)]
     rows = in_rows(goals, width)
@@ -273,6 +266,18 @@ def _marks(statement: Statement, form: str) -> list[tuple[int, str]]:
     if any(node.parts for _, node in signed):
         raise NotExportable("a pattern is of names and integers")
     return [(-1 if minus else 1, str(node.value)) for minus, node in signed]
+
+
+def _signed(
+    marks: Sequence[tuple[int, str]], entries: Sequence[Term]
+) -> tuple[list[tuple[Term, Term]], dict[str, Term]]:
+    """Return each entry, with the sign of its mark, and what it should be; and what each mark stands for."""
+    first: dict[str, Term] = {}
+    pairs = []
+    for (sign, mark), entry in zip(marks, entries, strict=True):
+        signed = entry if sign > 0 else negative(entry)
+        pairs.append((signed, integer(int(mark)) if mark.lstrip("-").isdecimal() else first.setdefault(mark, signed)))
+    return pairs, first
 
 
 def _point_where(statement: Statement, given: Hypotheses, terms: Sequence[Term]) -> Point:
@@ -454,12 +459,7 @@ def not_projective(statement: Statement, form: str, certificate: Certificate) ->
 def not_structure(statement: Statement, form: str, certificate: Certificate) -> Proved:
     """Show a point where a matrix does not follow the pattern."""
     derived = statement.written("derived")
-    first: dict[str, Term] = {}
-    expected = []
-    for (sign, mark), entry in zip(_marks(statement, form), derived.entries, strict=True):
-        signed = entry if sign > 0 else negative(entry)
-        meant = integer(int(mark)) if mark.lstrip("-").isdecimal() else first.setdefault(mark, signed)
-        expected.append((signed, meant))
+    expected, _ = _signed(_marks(statement, form), derived.entries)
     place = next(i for i, (a, b) in enumerate(zip(certificate["left"], certificate["right"], strict=True)) if a != b)
     return _refuted(statement, [derived], [Literal("Unequal", expected[place])])
 

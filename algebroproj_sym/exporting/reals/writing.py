@@ -191,7 +191,8 @@ class Written(Theory):
         """Return the name of a proof that something is so related to zero; its text may be given."""
         text = text or self.shown(element)
         if not element.numerator:
-            return self._asserted(SIGNS[relation].format(text), f"{rewriting}matching.")
+            zero = self._asserted(f"{text} = 0", f"{rewriting}matching.")
+            return zero if relation == "=" else f"(zero_nonnegative _ {zero})"
         try:
             known = self._of_fact(relation, self.fact(relation, element))
         except KeyError:

@@ -459,7 +459,7 @@ Ltac nonzero :=
     [ assumption
     | lra
     | match goal with known : ?p <> 0 |- ?q <> 0 => intros zero; apply known; rewrite <- zero; ring end
-    | match goal with known : ?p <> 0 |- ?q <> 0 => intros zero; apply known; lra end ]
+    | match goal with known : ?p <> 0 |- ?q <> 0 => intros zero; apply known; first [lra | rewrite zero; ring] end ]
   end.
 
 Ltac matching := first [ring | field; nonzero].

@@ -21,8 +21,9 @@ from hypothesis import strategies as st
 import algebroproj
 from algebroproj_sym.declaring import judge, kernels, select
 from algebroproj_sym.exporting import assumptions, compiled
+from algebroproj_sym.exporting.compiling import CLASSICAL
 from algebroproj_sym.exporting.files import LIBRARY
-from algebroproj_sym.exporting.rounding import ALLOWED, CHECKER, accuracy_of, render
+from algebroproj_sym.exporting.rounding import CHECKER, accuracy_of, render
 from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.exporting.rounding.theorems import definitions
 from algebroproj_sym.files import write_texts
@@ -431,9 +432,9 @@ def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     for name in (*CHECKER, *(each.name for each in found)):
         (result,) = compiled(tmp_path, [name])
         assert not result.error
-    assumed = assumptions(tmp_path, ALLOWED)
+    assumed = assumptions(tmp_path, CLASSICAL)
     assert not assumed.error
-    assert set(assumed.axioms) <= ALLOWED
+    assert set(assumed.axioms) <= CLASSICAL
     parts = ["From Coq Require Import ZArith NArith PArith List.\n"]
     parts.append(f"From {LIBRARY} Require Import Checker Machine Instances.\n")
     parts.append(f"From {LIBRARY} Require Import Exact {found[0].name}.\nFrom {LIBRARY} Require Formulas.\n")

@@ -290,7 +290,7 @@ def test_the_files_name_each_other(records):
     files = render(export(records))
     assert {"Formulas.v", "s_demo_1.v", "assumptions.v", "_CoqProject", "Makefile", "not_exported.txt"} <= {*files}
     assert files["_CoqProject"].split() == ["-R", ".", "Algebroproj", *(name for name in files if name.endswith(".v"))]
-    assert "Formulas.vo: Elimination.vo\nLinear.vo: Formulas.vo\n\ns_demo_1.vo: Linear.vo\n" in files["Makefile"]
+    assert "Linear.vo: Formulas.vo\nFunctions.vo: Linear.vo\n\ns_demo_1.vo: Functions.vo\n" in files["Makefile"]
     assert {line.split()[0] for line in files["not_exported.txt"].splitlines()} == {
         f"demo:{n}" for n in WITHOUT_THEOREM
     }

@@ -12,9 +12,11 @@ import sympy
 from algebroproj_sym import prove
 from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError
 from algebroproj_sym.proving.reals import decided
+from algebroproj_sym.replaying import Rejected
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.definitions import derivative, smoothness
 from algebroproj_sym.replaying.reals.intervals import Intervals
+from algebroproj_sym.replaying.reals.statement import statement_of
 from algebroproj_sym.replaying.reals.terms import read, written
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, value_of
 
@@ -177,3 +179,33 @@ def test_a_jacobian_is_proved_by_its_entries():
 def test_a_derivative_that_is_none_is_refused_by_name(text, message):
     with pytest.raises(ParseError, match=re.escape(message)):
         prove(text, "1")
+
+
+# -- symbols that equations tie to the variable -----------------------------------------------------------------------
+
+TIED = [
+    ("diff(f, x)", ["f = sin(x)"]),
+    ("integrate(f, (x, 0, 1))", ["f = sin(x)"]),
+    ("integrate(f, x)", ["f - x^2"]),
+    ("taylor(f*x, x, 2)", ["f = exp(y)", "y + x = 1"]),
+    ("diff(diff(f, y), x)", ["f = x*y"]),
+]
+
+
+@pytest.mark.parametrize(("lhs", "constraints"), TIED, ids=[lhs for lhs, _ in TIED])
+@pytest.mark.parametrize("kind", ["constraints", "assumptions"])
+def test_a_symbol_that_is_a_function_by_an_equation_is_refused_in_a_derivative(lhs, constraints, kind):
+    given = [text if "=" in text else f"{text} = 0" for text in constraints]
+    with pytest.raises(SymbolError, match="takes f as independent of x, but equations relate them"):
+        prove(lhs, "0", **{kind: given})
+    asked = {"lhs": lhs, "rhs": "0", "relation": "=", "assumptions": [], "constraints": [], "nonzero": []} | {
+        kind: given
+    }
+    with pytest.raises(Rejected, match="takes f as independent"):
+        statement_of(asked)
+
+
+def test_equations_about_other_symbols_are_no_hindrance():
+    assert prove("diff(c*x^2, x)", "2*c*x", constraints=["c^2 + s^2 = 1"]).verdict == "proved"
+    assert prove("diff(x^2, x)", "6", constraints=["x = 3"]).verdict == "proved"
+    assert prove("diff(f*x, x)", "f", assumptions=["f < sin(x)"]).verdict == "proved"

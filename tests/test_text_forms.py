@@ -94,6 +94,12 @@ CLAIMS = {
     "range": {"printed": sqrt(1 - sin(x) ** 2), "derived": cos(x), "assumptions": ["-pi/2 <= x <= pi/2"]},
     "symbol": {"printed": "sqrt(p^2)", "derived": sympy.Symbol("p", positive=True)},
     "circle": {"printed": sin(x) * y + cos(x), "derived": sin(x) ** 2 + cos(x), "constraints": [Eq(y, sin(x))]},
+    "witness": {
+        "printed": sin(x) * y**2,
+        "derived": sin(x) ** 3,
+        "constraints": [y - sin(x)],
+        "witness": {x: 0, y: 0},
+    },
     "quotient": {"printed": sin(x) / y * y, "derived": sin(x), "nonzero": [y]},
     "constant": {"printed": sin(x + pi), "derived": -sin(x)},
     "author": {
@@ -553,8 +559,16 @@ def test_every_claim_has_its_place_on_the_site(judgements, name):
 def test_a_claim_has_no_theorem_for_a_plain_reason(records):
     reason = "no theorem is written yet for letters of any size, or with functions of angles"
     assert exported(records["words"]).reason == reason
-    assert exported(records["domain"]).reason == "no theorem is written yet for a claim with real functions"
+    reason = "no theorem is written yet for a claim with real functions of this kind or verdict"
+    assert exported(records["branch"]).reason == reason
+    assert not exported(records["branch"]).refused
     assert exported(forged(records["domain"], set_to([], "hypotheses"))).refused
+
+
+@pytest.mark.parametrize("name", sorted(CLAIMS.keys() - IN_LETTERS - {"branch"}))
+def test_a_claim_with_functions_has_a_theorem_for_each_entry(records, name):
+    entries = {"matrix": 2, "turned": 4}.get(name, 1)
+    assert len(exported(records[name]).theorems) == entries, exported(records[name]).reason
 
 
 @pytest.mark.parametrize("matrix", [sympy.Matrix, sympy.ImmutableMatrix])

@@ -28,10 +28,10 @@ from algebroproj_sym.exporting import (
     render,
     require_compiler,
 )
-from algebroproj_sym.exporting.compiling import ALLOWED as REALS
+from algebroproj_sym.exporting.compiling import ALLOWED, CLASSICAL
 from algebroproj_sym.exporting.files import CONVENTIONS, plain
 from algebroproj_sym.exporting.making import made_by_derivations
-from algebroproj_sym.exporting.rounding import ALLOWED, CHECKER, accuracy_of
+from algebroproj_sym.exporting.rounding import CHECKER, accuracy_of
 from algebroproj_sym.exporting.rounding import render as render_bounds
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating.backends.c import is_compiled
@@ -68,8 +68,8 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
     The files need Coq 8.16 or later and its standard library.  "make -j2 check" in DIR checks them.
 
     With --compile, coqc compiles the files now, and coqchk checks the result.  The exit status is 1 if one of them
-    rejects a file, or if a theorem uses more axioms than those of the standard real numbers.  SELECTORs are the same as
-    for check.
+    rejects a file, or if a theorem uses more axioms than those of the standard real numbers.  Theorems about real
+    functions may use the excluded middle, as Coq's own angles do.  SELECTORs are the same as for check.
     """
     if path is not None and selectors:
         raise click.UsageError("expected either SELECTORs or --ledger, got both")
@@ -94,7 +94,8 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
     for claim in refused:
         echo(f"{plain(f'{claim.paper}:{claim.number}')} is not exported: {plain(claim.reason)}", err=True)
     if compiling:
-        _compile(out, [name.removesuffix(".v") for name in files if name.endswith(".v")], jobs)
+        allowed = CLASSICAL if any(claim.functions for claim in claims) else ALLOWED
+        _compile(out, [name.removesuffix(".v") for name in files if name.endswith(".v")], jobs, allowed)
     if refused:
         raise SystemExit(1)
 
@@ -135,7 +136,7 @@ def bounds(functions: tuple[str, ...], out: Path, compiling: bool, jobs: int) ->
         names = [name.removesuffix(".v") for name in files if name.endswith(".v")]
         theorems = [name for name in names if name not in (*CHECKER, ASSUMPTIONS)]
         checker = [*compiled(out, CHECKER)]
-        _compile_theorems(out, checker, theorems, jobs, ALLOWED)
+        _compile_theorems(out, checker, theorems, jobs, CLASSICAL)
 
 
 def _replayed(found: dict[str, Any], jobs: int, path: Path) -> list[Replayed]:
@@ -145,14 +146,14 @@ def _replayed(found: dict[str, Any], jobs: int, path: Path) -> list[Replayed]:
         raise click.ClickException(f"{path}: {error}") from error
 
 
-def _compile(folder: Path, files: Sequence[str], jobs: int) -> None:
+def _compile(folder: Path, files: Sequence[str], jobs: int, allowed: frozenset[str]) -> None:
     lemmas = compiled_lemmas(folder)
     theorems = [name for name in files if name != ASSUMPTIONS and name not in {lemma.name for lemma in lemmas}]
-    _compile_theorems(folder, lemmas, theorems, jobs)
+    _compile_theorems(folder, lemmas, theorems, jobs, allowed)
 
 
 def _compile_theorems(
-    folder: Path, lemmas: list[Compiled], theorems: Sequence[str], jobs: int, allowed: frozenset[str] = REALS
+    folder: Path, lemmas: list[Compiled], theorems: Sequence[str], jobs: int, allowed: frozenset[str]
 ) -> None:
     if any(lemma.error for lemma in lemmas):
         _require_accepted("coqc", lemmas)

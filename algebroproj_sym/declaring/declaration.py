@@ -224,7 +224,8 @@ def _require_witness(claim: Claim, where: str) -> None:
     if not isinstance(claim.witness, Mapping):
         raise DeclarationError(f"{where}, witness: expected a mapping, got {type(claim.witness).__name__}")
     forms = (claim.printed, claim.derived, claim.corrected, claim.constraints, claim.nonzero, (*claim.where.values(),))
-    known = {s.name for form in forms for expression in expressions_of(form) for s in free_symbols(expression)}
+    expressions = [each for form in forms for each in expressions_of(form) if not isinstance(each, TextForm)]
+    known = {symbol.name for expression in expressions for symbol in free_symbols(expression)}
     texts = (claim.printed, claim.derived, claim.corrected, *claim.constraints, *claim.nonzero, *claim.assumptions)
     known |= {name for form in texts if isinstance(form, TextForm) for name in form.names}
     unknown = [key for key in claim.witness if isinstance(key, str) and key not in known]

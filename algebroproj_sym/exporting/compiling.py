@@ -21,6 +21,9 @@ ALLOWED = frozenset(
 )
 """The axioms of the real numbers of Coq's standard library, on which theorems may rest."""
 
+CLASSICAL = ALLOWED | {"ClassicalDedekindReals.sig_not_dec", "Classical_Prop.classic"}
+"""These and the excluded middle, on which Coq's angles, and theorems about rounding, rest."""
+
 LOADED = re.compile(
     r"Coq\.(Reals\.Rdefinitions\.(RbaseSymbolsImpl|RinvImpl)|ssr\.ssrunder\.Under_rel)\.\w+"
     r"|Coq\.(Reals|Logic)\.ClassicalDedekindReals\.(sig_forall_dec|sig_not_dec)"

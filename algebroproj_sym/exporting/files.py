@@ -12,6 +12,7 @@ from algebroproj_sym.exporting.claims import Proved, theorems
 from algebroproj_sym.exporting.gallina import LEMMAS
 from algebroproj_sym.exporting.letters import in_entries
 from algebroproj_sym.exporting.objects import Definition, Object
+from algebroproj_sym.exporting.reals import theorems_of_claim
 from algebroproj_sym.exporting.refusal import AnotherForm, NotExportable, Silent
 from algebroproj_sym.exporting.terms import free
 from algebroproj_sym.exporting.theorems import Theorem
@@ -27,16 +28,13 @@ CHECKING = ("-silent", "-o", "-bytecode-compiler", "yes")
 
 ABOUT = ("paper", "number", "section", "title", "kind", "verdict")
 NO_STEPS = "no steps are written for claims of this kind"
-NO_THEOREM = {
-    "assumptions": "no theorem is written yet for a claim with real functions",
-}
-"""Why a claim has no theorem, by the entry of its setting that says what it is about."""
 LONGEST_NAME = 200
 HEADER = f"""From Coq Require Import Reals QArith List.
 From {LIBRARY} Require Import Formulas Linear.
 Import ListNotations.
 Open Scope R_scope.
 """
+FUNCTIONS = f"From Coq Require Import Lra.\nFrom {LIBRARY} Require Import Functions.\n"
 
 
 @dataclass(frozen=True)
@@ -59,6 +57,8 @@ class Exported:
         Why there are no such objects, if it is known.
     line : int
         The line of the paper that has the claim, 0 if none is quoted.
+    functions : bool
+        Whether the theorems are about real functions.
     """
 
     paper: str
@@ -73,6 +73,7 @@ class Exported:
     definitions: tuple[Definition, ...] = ()
     why: str = ""
     line: int = 0
+    functions: bool = False
 
     @property
     def equations(self) -> int:
@@ -121,13 +122,13 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
 def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     """Return the theorems of a claim whose evidence was replayed."""
     setting = record["setting"]
-    if reason := next((why for language, why in NO_THEOREM.items() if language in setting), ""):
-        return _exported(record, reason=reason)
     definitions: tuple[Definition, ...] = ()
     missing = made if isinstance(made, str) else ""
     found: Proved = {}
     try:
-        if "letters" in setting:
+        if "assumptions" in setting:
+            found = theorems_of_claim(record)
+        elif "letters" in setting:
             found = theorems(in_entries(record))
         elif isinstance(made, Object):
             try:
@@ -149,7 +150,7 @@ def translated(record: Mapping[str, Any], made: Object | str = "") -> Exported:
         return _exported(record, reason="paper, section and number are too long for names of files", refused=True)
     named = {shown: stem if shown == "holds" else f"{stem}_{word(shown)}" for shown in found}
     proved = tuple(Theorem(named[shown], *found[shown]) for shown in found)
-    return _exported(record, theorems=proved, definitions=definitions, why=missing)
+    return _exported(record, theorems=proved, definitions=definitions, why=missing, functions="assumptions" in setting)
 
 
 def _exported(record: Mapping[str, Any], **found: Any) -> Exported:
@@ -262,7 +263,7 @@ def _convention(claim: Exported) -> str:
 def _section(claims: Sequence[Exported]) -> tuple[str, list[str]]:
     """Return the file of a section, and the names of its theorems."""
     called: list[str] = []
-    parts = [HEADER]
+    parts = [HEADER, *([FUNCTIONS] if any(claim.functions for claim in claims) else [])]
     defined = dict.fromkeys(definition for claim in claims for definition in claim.definitions)
     for claim in claims:
         for definition in claim.definitions:

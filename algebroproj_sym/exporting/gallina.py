@@ -21,7 +21,7 @@ class Split(NamedTuple):
 
 Splits: TypeAlias = Mapping[Term, Split]
 
-LEMMAS = ("Elimination.v", "Formulas.v", "Linear.v")
+LEMMAS = ("Elimination.v", "Formulas.v", "Linear.v", "Functions.v")
 """The files that every exported file requires; each may require those before it."""
 
 _KEYWORDS = """
@@ -31,8 +31,9 @@ multimatch return then using where with
 """
 _LIBRARY = """
 I IZR N0 None Npos O PX Pc Pinj Q Q2R Qmake R Rabs Rinv Rplus S Some Z Z0 Zneg Zpos and app bool concat conj cons
-eq_refl eq_sym ex_intro false inl inr left length limit1_in list map mod nat nil not or pair proj1 proj2 right seq true
-tt xH xI xO
+eq_refl eq_sym eq_trans ex_intro false inl inr left length limit1_in list map mod nat nil not or pair proj1 proj2 right
+seq true tt xH xI xO
+PI Rabs acos asin atan cos cosh exp ln sin sinh sqrt tan tanh
 """
 
 _BOUND = ("at_zero", "held", "rows", "same", "shared", "zero")

@@ -89,6 +89,7 @@ c_omega, s_omega, c_phipp, s_phipp, c_kappapp, s_kappapp = sympy.symbols(
     "c_omega s_omega c_phipp s_phipp c_kappapp s_kappapp"
 )
 PHI_LEFT, KAPPA_LEFT = (c_phip, s_phip), (c_kappap, s_kappap)
+ANGLES = sympy.symbols("phip kappap Omegapp phipp kappapp")
 OMEGA, PHI_RIGHT, KAPPA_RIGHT = (c_omega, s_omega), (c_phipp, s_phipp), (c_kappapp, s_kappapp)
 
 
@@ -104,8 +105,15 @@ def turn_kappa(cosine: sympy.Expr, sine: sympy.Expr) -> Matrix:
     return Matrix([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
 
 
-def on_circle(cosine: sympy.Expr, sine: sympy.Expr) -> sympy.Expr:
-    return cosine**2 + sine**2 - 1
+def in_angles(expression):
+    """Return an expression with cosines and sines of angles for their letters."""
+    return expression.xreplace(
+        {
+            letter: function(angle)
+            for angle, pair in zip(ANGLES, (PHI_LEFT, KAPPA_LEFT, OMEGA, PHI_RIGHT, KAPPA_RIGHT), strict=True)
+            for function, letter in zip((sympy.cos, sympy.sin), pair, strict=True)
+        }
+    )
 
 
 def derivative(expression, angle: tuple[sympy.Symbol, sympy.Symbol]):

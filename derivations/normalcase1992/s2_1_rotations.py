@@ -62,41 +62,16 @@ section.identity(
 )
 
 # %% [markdown]
-# **Are they rotations?**  Where cosine and sine belong to an angle, they are orthogonal with determinant 1.
+# **Are they rotations?**  With the angles for the letters, they are orthogonal with determinant 1.
 
 # %%
-CIRCLES_LEFT = [on_circle(*PHI_LEFT), on_circle(*KAPPA_LEFT)]
-CIRCLES_RIGHT = [on_circle(*angle) for angle in (OMEGA, PHI_RIGHT, KAPPA_RIGHT)]
-PYTHAGOREAN = {
-    symbol: value
-    for angle in (PHI_LEFT, KAPPA_LEFT, OMEGA, PHI_RIGHT, KAPPA_RIGHT)
-    for symbol, value in zip(angle, (sympy.Rational(4, 5), sympy.Rational(3, 5)), strict=True)
-}
-section.identity(
-    "2.1/orthogonal#left",
-    "the left matrix is orthogonal",
-    printed=E3,
-    derived=R_p.T * R_p,
-    constraints=CIRCLES_LEFT,
-    witness=PYTHAGOREAN,
-)
-section.identity(
-    "2.1/orthogonal#right",
-    "the right matrix is orthogonal",
-    printed=E3,
-    derived=R_pp * R_pp.T,
-    constraints=CIRCLES_RIGHT,
-    witness=PYTHAGOREAN,
-)
+section.identity("2.1/orthogonal#left", "the left matrix is orthogonal", printed=E3, derived=in_angles(R_p.T * R_p))
+section.identity("2.1/orthogonal#right", "the right matrix is orthogonal", printed=E3, derived=in_angles(R_pp * R_pp.T))
 section.identity(
     "2.1/beyond/determinants",
     "both matrices are rotations",
     printed=vector(1, 1),
-    derived=vector(
-        determinant(R_p), determinant(turn_omega(*OMEGA)) * determinant(turn_phi(*PHI_RIGHT) * turn_kappa(*KAPPA_RIGHT))
-    ),
-    constraints=CIRCLES_LEFT + CIRCLES_RIGHT,
-    witness=PYTHAGOREAN,
+    derived=in_angles(vector(determinant(R_p), determinant(R_pp))),
 )
 
 # %% [markdown]

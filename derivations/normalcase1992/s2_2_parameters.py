@@ -11,7 +11,7 @@ import sympy
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
-from algebroproj_derivations.normalcase1992.s2_1_rotations import CIRCLES_LEFT, PYTHAGOREAN, R_p, R_pp
+from algebroproj_derivations.normalcase1992.s2_1_rotations import R_p, R_pp
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, dot, over, vector
 
@@ -33,9 +33,7 @@ section.identity(
     "2.2/zero",
     "the matrix of correlation takes the epipole to zero",
     printed=vector(0, 0, 0),
-    derived=correlation(R_p, R_right, unit_base).T * base_left,
-    constraints=CIRCLES_LEFT,
-    witness=PYTHAGOREAN,
+    derived=in_angles(correlation(R_p, R_right, unit_base).T * base_left),
 )
 section.identity(
     "2.2/base",
@@ -129,14 +127,12 @@ for primes, image, coordinates, (_, _), (c_kappa, s_kappa) in IMAGES:
 # the displays, the sign of $\sin\varphi = \mp c \lambda_0$ differs between the images.
 
 # %%
-for primes, image, coordinates, (c_phi, _), (c_kappa, s_kappa) in IMAGES:
+for primes, image, coordinates, (c_phi, _), _ in IMAGES:
     section.identity(
         f"2.2/root{primes}",
         f"the root of the {image} image",
-        printed=(x0**2 + y0**2).xreplace(coordinates),
-        derived=over(c_phi, lam0) ** 2,
-        constraints=[on_circle(c_kappa, s_kappa)],
-        witness=PYTHAGOREAN,
+        printed=in_angles((x0**2 + y0**2).xreplace(coordinates)),
+        derived=in_angles(over(c_phi, lam0) ** 2),
     )
 section.identity(
     "2.2/2.3.1#phi'",
@@ -250,10 +246,10 @@ second_product = (z33 * j2 * (z13 * k3 - z33 * i3)).xreplace(AT_LEFT)
 section.identity(
     "2.2/symmetric",
     "the two forms agree where the epipole satisfies the equation of the third column",
-    printed=first_product,
-    derived=second_product,
-    constraints=[third_component, *CIRCLES_LEFT],
-    witness=PYTHAGOREAN | {z13: 0, z23: 5, z33: 4},
+    printed=in_angles(first_product),
+    derived=in_angles(second_product),
+    constraints=[in_angles(third_component)],
+    witness=given((*ANGLES[:2], z13, z23, z33), (0, 0, 0, 5, 4)),
 )
 
 # %% [markdown]
@@ -264,10 +260,8 @@ section.identity(
 section.identity(
     "2.2/beyond/difference",
     "difference of the two forms",
-    printed=-z33 * third_component,
-    derived=first_product - second_product,
-    constraints=CIRCLES_LEFT,
-    witness=PYTHAGOREAN,
+    printed=in_angles(-z33 * third_component),
+    derived=in_angles(first_product - second_product),
 )
 
 # %% [markdown]
@@ -329,8 +323,6 @@ turned = R_p * C
 section.identity(
     "2.2/beyond/tilt",
     "cosine and sine of the tilt from the matrix and the left orientation",
-    printed=vector(-c_omega * c_phipp, -s_omega * c_phipp),
-    derived=vector(turned[1, 2], turned[2, 2]),
-    constraints=CIRCLES_LEFT,
-    witness=PYTHAGOREAN,
+    printed=in_angles(vector(-c_omega * c_phipp, -s_omega * c_phipp)),
+    derived=in_angles(vector(turned[1, 2], turned[2, 2])),
 )

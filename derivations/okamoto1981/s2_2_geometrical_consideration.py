@@ -498,14 +498,16 @@ object_of_model = m * of_model * model + center
 
 # %%
 section.identity("38", "similarity transformation", derived=object_of_model)
-UNIT_CIRCLES = [cos_1**2 + sin_1**2 - 1, cos_2**2 + sin_2**2 - 1, cos_3**2 + sin_3**2 - 1]
+with_angles = {
+    letter: function(angle)
+    for angle, pair in cosines_and_sines.items()
+    for function, letter in zip((sympy.cos, sympy.sin), pair, strict=True)
+}
 section.identity(
     "38#rotation",
     "the three matrices are a rotation",
     printed=E3,
-    derived=of_model.T * of_model,
-    constraints=UNIT_CIRCLES,
-    witness={cos_1: sympy.Rational(3, 5), sin_1: sympy.Rational(4, 5), cos_2: 1, sin_2: 0, cos_3: 0, sin_3: 1},
+    derived=(of_model.T * of_model).xreplace(with_angles),
 )
 
 # %% [markdown]

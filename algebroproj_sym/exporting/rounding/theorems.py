@@ -10,7 +10,6 @@ from itertools import count
 from types import ModuleType
 from typing import Any
 
-from algebroproj_sym.exporting.compiling import ALLOWED as REALS
 from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, comment
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed
 from algebroproj_sym.exporting.rounding.formulas import Derived, derived
@@ -23,9 +22,6 @@ from algebroproj_sym.verifying.straight_line import straight_line_of_c
 
 CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Instances", "Elimination", "Formulas", "Exact")
 """The files that all others require, each after those that it requires itself."""
-
-ALLOWED = REALS | {"ClassicalDedekindReals.sig_not_dec", "Classical_Prop.classic"}
-"""The axioms on which theorems of Flocq rest: those of the real numbers, and the excluded middle."""
 
 _OPERATORS = {
     "constant": "Constant",

@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import NotRationalError
+from algebroproj_sym.expressions import NotRationalError, SymbolError
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.proof import Proof
 from algebroproj_sym.proving.reals.integrals import integrated
@@ -29,7 +29,7 @@ from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.complex_numbers import real_statements
 from algebroproj_sym.replaying.reals.integrals import with_ends
-from algebroproj_sym.replaying.reals.statement import Statement, functions_of, statement_of
+from algebroproj_sym.replaying.reals.statement import Statement, TiedError, functions_of, statement_of
 from algebroproj_sym.replaying.reals.terms import written
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
@@ -153,7 +153,10 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
     >>> decided({"lhs": "sqrt(x**2)", "rhs": "x", **question})["counterexample"]
     {'x': '-2'}
     """
-    statement = statement_of(record)
+    try:
+        statement = statement_of(record)
+    except TiedError as error:
+        raise SymbolError(str(error)) from None
     met, has_integrals = list[Place](), bool(with_ends(statement.sides))
     own = judged(statement, witness, ALL) if witness and witness.keys() == statement.symbols() else None
     enough = FEW if has_integrals else ENOUGH

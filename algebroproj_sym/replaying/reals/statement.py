@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
@@ -20,11 +20,21 @@ from algebroproj_sym.replaying.reals.integrals import (
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import MOST_BITS
 from algebroproj_sym.replaying.reals.proofs import require_proof
-from algebroproj_sym.replaying.reals.terms import COMPLEX, Term, UnreadableError, read, written
+from algebroproj_sym.replaying.reals.terms import CALCULUS, COMPLEX, Term, UnreadableError, read, written
 from algebroproj_sym.replaying.reals.theory import RESERVED, Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require, require_keys
 from algebroproj_sym.replaying.text import natural, number, texts
+
+
+class TiedError(Rejected):
+    """A symbol inside a derivative, an integral or an expansion is tied by equations to the variable of that."""
+
+    def __init__(self, name: str, variable: str) -> None:
+        super().__init__(
+            f"a derivative, integral or expansion in {variable} takes {name} as independent of {variable}, but "
+            f"equations relate them: write what {name} is in its place"
+        )
 
 
 @dataclass(frozen=True)
@@ -126,6 +136,9 @@ def statement_of(record: Mapping[str, Any]) -> Statement:
     except UnreadableError as error:
         raise Rejected(f"a text cannot be read: {error}") from None
     require(not any(any(term.integrals()) for _, term in given), "a condition has an integral")
+    tied = tied_to_variable([*sides, *(term for _, term in given)], given)
+    if tied:
+        raise TiedError(*tied)
     if any(len(part.args) == 1 for side in sides for part in side.integrals()):
         require(record["relation"] == "=", "integrals without ends are equal, or are not compared")
         sides, domain = differentiated(sides, given)
@@ -136,6 +149,32 @@ def statement_of(record: Mapping[str, Any]) -> Statement:
     require(not any(part.kind in COMPLEX for form in forms for part in form.parts()), "a real number has no parts")
     require(not any(map(RESERVED.fullmatch, statement.symbols())), "a symbol has a reserved name")
     return statement
+
+
+def tied_to_variable(terms: Iterable[Term], given: Iterable[Condition]) -> tuple[str, ...]:
+    """Return a symbol inside a derivative, an integral or an expansion, and its variable, if equations tie the two.
+
+    There symbols do not depend on each other.  So under ``f = sin(x)`` the derivative of f by x would be 0.
+
+    Examples
+    --------
+    >>> tied_to_variable([read("diff(f, x)")], [*equations("f = sin(y)"), *equations("y = 2*x")])
+    ('f', 'x')
+    >>> tied_to_variable([read("diff(f*x**2, x)")], [*equations("x = 3"), *equations("f = 2*y")])
+    ()
+    """
+    groups = list[frozenset[str]]()
+    for relation, term in given:
+        if relation == "=":
+            joined = [group for group in groups if group & term.symbols()]
+            groups = [group for group in groups if group not in joined] + [term.symbols().union(*joined)]
+    for part in (part for term in terms for part in term.parts() if part.kind in CALCULUS):
+        names = part.value[0] if part.kind == "taylor" else [part.value]
+        for name in names:
+            tied = frozenset().union(*(group for group in groups if name in group))
+            if others := sorted((tied & part.args[0].symbols()) - {*names}):
+                return others[0], name
+    return ()
 
 
 def _given(record: Mapping[str, Any]) -> Iterator[Condition]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Element, Field
@@ -71,9 +71,9 @@ class Theory:
         self.contradictory = False
         self._terms: dict[Term, Element] = {}
 
-    def branch(self) -> Theory:
+    def branch(self) -> Self:
         """Return a copy, for a case."""
-        other = object.__new__(Theory)
+        other = object.__new__(type(self))
         other.field, other.contradictory, other.depth = self.field, self.contradictory, self.depth
         other.alive, other.known = set(self.alive), set(self.known)
         other.facts, other.applications = list(self.facts), dict(self.applications)

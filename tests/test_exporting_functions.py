@@ -1,0 +1,221 @@
+"""Theorems for Coq about real functions: what they say, that Coq accepts them, and no others."""
+
+import copy
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+from sympy import cos, sin, sqrt, symbols
+
+from algebroproj_sym import Section
+from algebroproj_sym.declaring import judge
+from algebroproj_sym.exporting import assumptions, compiled, compiled_lemmas, exported, render
+from algebroproj_sym.exporting.compiling import ALLOWED, CLASSICAL
+from algebroproj_sym.exporting.files import FUNCTIONS, HEADER
+from algebroproj_sym.exporting.reals import real_theorems
+from algebroproj_sym.exporting.refusal import NotExportable, Silent
+from algebroproj_sym.expressions import Matrix
+from algebroproj_sym.files import write_texts
+from algebroproj_sym.proving.reals import decided
+from algebroproj_sym.replaying import Rejected
+from algebroproj_sym.reporting.ledger import claim_record
+
+CORPUS = Path(__file__).resolve().parent / "corpus"
+TRUE = [
+    item
+    for name in ("functions", "inequalities")
+    for item in json.loads((CORPUS / f"{name}.json").read_text(encoding="utf-8"))
+    if item["expected"] == "proved" and "found" not in item
+]
+
+needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: no theorem was compiled")
+
+
+def proved(lhs, rhs, **asked):
+    question = {"relation": "=", "assumptions": [], "constraints": [], "nonzero": []}
+    return decided({"lhs": lhs, "rhs": rhs} | question | asked)
+
+
+def of_item(item):
+    keys = ("lhs", "rhs", "relation", "assumptions", "constraints", "nonzero")
+    return proved(**{key: item[key] for key in keys if key in item})
+
+
+def statement(*asked, **more):
+    return real_theorems(proved(*asked, **more))["holds"][0]
+
+
+def test_what_is_assumed_and_where_both_sides_are_real_are_premises():
+    assert statement("log(x*y)", "log(x) + log(y)", assumptions=["x > 1"]).splitlines() == [
+        "forall x y : R,", "1 < x ->", "0 < x * y ->", "0 < x ->", "0 < y ->", "ln (x * y) = ln x + ln y",
+    ]  # fmt: skip
+    assert "cos x <> 0 ->" in statement("tan(x)*cos(x)", "sin(x)")
+    assert statement("sqrt(1/x)", "0", relation=">").splitlines()[1:3] == ["x <> 0 ->", "0 <= 1 / x ->"]
+
+
+def test_conditions_of_an_assumption_are_premises_too():
+    assert "0 <= x ->" in statement("x*sin(y)^2", "x - x*cos(y)^2", assumptions=["sqrt(x) > 1"])
+
+
+def test_relations_keep_their_direction():
+    less, more = "sin(x)^2 - 3", "y^2"
+    for relation, said in {"<": "<", "<=": "<=", "!=": "<>"}.items():
+        assert statement(less, more, relation=relation).endswith(f"\n(sin x) ^ 2 - 3 {said} y ^ 2")
+    for relation, said in {">": "<", ">=": "<="}.items():
+        assert statement(more, less, relation=relation).endswith(f"\n(sin x) ^ 2 - 3 {said} y ^ 2")
+
+
+def test_a_symbol_may_have_any_name():
+    assert statement("sin(PI)^2", "1 - cos(PI)^2").startswith("forall PI'' : R,")
+    assert statement("sin(v)^2 + cos(matching)^2", "1 - cos(v)^2 + cos(matching)^2").startswith(
+        "forall matching v : R,"
+    )
+
+
+def test_what_has_no_theorem_says_why():
+    with pytest.raises(Silent, match="derivatives, integrals and expansions"):
+        real_theorems(proved("diff(sin(x), x)", "cos(x)"))
+    with pytest.raises(Silent, match="refutes"):
+        real_theorems(proved("sin(2*x)", "2*sin(x)"))
+    with pytest.raises(Silent, match="by the law 'mean value'"):
+        real_theorems(proved("sin(x)", "x", relation="<", assumptions=["x > 0"]))
+
+
+x, y, t = symbols("x y t")
+
+
+def claims():
+    section = Section("demo", "1", "Angles")
+    section.identity("1.1", "half an angle", printed=2 * sin(t) * cos(t), derived=sin(2 * t))
+    section.identity("1.2", "a root", printed=sqrt(x**2), derived=x, assumptions=[x > 0])
+    section.identity(
+        "1.3", "a turn", printed=Matrix([[1, 0], [0, 1]]), derived=turn(t) * turn(t).T,
+    )  # fmt: skip
+    section.identity("1.4", "a sign", printed=sin(-t), derived=sin(t), expect="misprint", corrected=-sin(-t))
+    section.inequality(
+        "1.5", "means", printed=sqrt(x * y), derived=(x + y) / 2, relation="<=", assumptions=[x > 0, y > 0]
+    )
+    section.identity("1.6", "rational", printed=(x**2 - y**2) / (x + y), derived=x - y)
+    return [json.loads(json.dumps(claim_record(judge(claim), timed=False))) for claim in section.claims]
+
+
+def turn(angle):
+    return Matrix([[cos(angle), -sin(angle)], [sin(angle), cos(angle)]])
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("coq")
+    write_texts(render([]), folder)
+    assert not any(lemma.error for lemma in compiled_lemmas(folder))
+    return folder
+
+
+def accepted(folder, theorems):
+    """Whether Coq accepts statements with their proofs."""
+    texts = (f"Theorem t{n} :\n{said}.\nProof.\n{proof}\nQed.\n" for n, (said, proof) in enumerate(theorems))
+    write_texts({"tried.v": "\n".join([HEADER, FUNCTIONS, *texts])}, folder)
+    (found,) = compiled(folder, ["tried"])
+    return not found.error
+
+
+@pytest.mark.whole
+@needs_coq
+def test_the_kernel_accepts_claims_and_they_rest_on_the_excluded_middle_at_most(folder):
+    found = [exported(record) for record in claims()]
+    assert [len(claim.theorems) for claim in found] == [1, 1, 4, 1, 1, 1]
+    write_texts(render(found), folder)
+    (built,) = compiled(folder, ["s_demo_1"])
+    assert not built.error
+    assert ALLOWED <= {*assumptions(folder, CLASSICAL).axioms} <= CLASSICAL
+    assert not assumptions(folder, CLASSICAL).error
+
+
+def theorems_of(items):
+    """The theorems of what is proved by laws that have lemmas."""
+    found = []
+    for item in items:
+        try:
+            found += real_theorems(of_item(item)).values()
+        except Silent:
+            continue
+    return found
+
+
+@needs_coq
+@pytest.mark.whole
+@pytest.mark.parametrize("start", range(9))
+def test_the_kernel_accepts_the_corpus(folder, start):
+    items = TRUE[start::9]
+    theorems = theorems_of(items)
+    assert len(theorems) > 0.6 * len(items)
+    assert accepted(folder, theorems)
+
+
+FORGED = {
+    "sin(2*x) = 2*sin(x)*cos(x)": ["sin(2*x) = 2*sin(x)", "sin(3*x) = 2*sin(x)*cos(x)", "sin(2*x) = -2*sin(x)*cos(x)"],
+    "sqrt(x^2) = x | x >= 0": ["sqrt(x^2) = x", "sqrt(x^2) = -x | x >= 0", "sqrt(x^2) = x | x >= -1"],
+    "asin(sin(x)) = x | -pi/2 <= x <= pi/2": [
+        "asin(sin(x)) = x | -pi/2 <= x <= pi", "asin(sin(x)) = pi - x | -pi/2 <= x <= pi/2",
+    ],
+    "log(x*y) = log(x) + log(y)": ["log(x/y) = log(x) + log(y)", "log(x^2*y) = log(x) + log(y)"],
+    "atan2(y, x) = atan(y/x) | x > 0": ["atan2(y, x) = atan(y/x) | x != 0", "atan2(x, y) = atan(y/x) | x > 0"],
+    "sqrt(x*y) <= (x + y)/2 | x > 0, y > 0": [
+        "sqrt(x*y) < (x + y)/2 | x > 0, y > 0", "sqrt(x*y) <= (x + y)/3 | x > 0, y > 0",
+    ],
+    "exp(x) >= 1 + x": ["exp(x) > 1 + x", "exp(x) >= 1 + 2*x"],
+    "sign(x*y) = sign(x)*sign(y)": ["sign(x + y) = sign(x)*sign(y)"],
+}  # fmt: skip
+
+
+def question_of(text):
+    said, _, given = text.partition(" | ")
+    lhs, relation, rhs = re.split(r" (<=|>=|=|<|>) ", said)
+    assumptions = re.split(r",(?![^(]*\)) ", given) if given else []
+    return {"lhs": lhs, "rhs": rhs, "relation": relation, "assumptions": assumptions}
+
+
+def refused(folder, record):
+    """Whether the exporter finds no theorem, or Coq rejects it; the replay is left out."""
+    try:
+        theorems = real_theorems(record)
+    except (NotExportable, Rejected, KeyError, IndexError, AttributeError, AssertionError):
+        return True
+    return not accepted(folder, theorems.values())
+
+
+@needs_coq
+@pytest.mark.whole
+@pytest.mark.parametrize("true", FORGED, ids=str)
+def test_a_proof_is_none_of_a_statement_that_is_false(folder, true):
+    found = proved(**question_of(true))
+    assert accepted(folder, real_theorems(found).values())
+    for false in FORGED[true]:
+        assert refused(folder, {**found, **question_of(false)}), false
+
+
+@needs_coq
+@pytest.mark.whole
+@pytest.mark.parametrize("true", FORGED, ids=str)
+def test_a_statement_is_not_changed_behind_its_proof(folder, true):
+    """Coq itself tells a conclusion, or a premise, from another one."""
+    ((stated, proof),) = real_theorems(proved(**question_of(true))).values()
+    *premises, conclusion = stated.splitlines()
+    assert not accepted(folder, [("\n".join([*premises, f"{conclusion} + 1"]), proof)])
+    for place in range(1, len(premises)):
+        weaker = [*premises[:place], "True ->", *premises[place + 1 :], conclusion]
+        assert not accepted(folder, [("\n".join(weaker), proof)])
+
+
+@needs_coq
+@pytest.mark.whole
+def test_steps_that_are_forged_prove_nothing(folder):
+    found = proved("sin(x)", "sqrt(1 - cos(x)^2)", assumptions=["0 <= x <= pi"])
+    proof = found["certificate"]["proof"]
+    assert proof["steps"]
+    for place in range(len(proof["steps"])):
+        forged = copy.deepcopy(found)
+        del forged["certificate"]["proof"]["steps"][place]
+        assert refused(folder, forged)

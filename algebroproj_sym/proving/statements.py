@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import sympy
@@ -175,13 +175,38 @@ def _difference(constraint: Any) -> Any:
 
 def _complex_names(forms: Sequence[Any], given: Sequence[str] | None) -> frozenset[str] | None:
     """Return the names of the complex variables of a statement about complex numbers, or None."""
-    from algebroproj_sym.proving.reals.reading import has_complex_parts, symbols_in
+    from algebroproj_sym.replaying.reals.terms import has_parts
 
     if isinstance(given, str) or not isinstance(given, Sequence | None):
         raise TypeError(f"complex: expected a sequence of names, got {_kind(given)}")
-    symbols = {symbol.name for symbol in symbols_in(forms) if symbol.is_complex and symbol.is_real is None}
-    asked = given is not None or any(map(has_complex_parts, forms)) or (symbols and any(map(has_functions, forms)))
-    return frozenset([*(given or ()), *symbols]) if asked else None
+    nodes = [*_distinct(forms)]
+    names = {node.name for node in nodes if isinstance(node, sympy.Symbol) and node.is_complex and node.is_real is None}
+    asked = given is not None or any(isinstance(form, str) and has_parts(form) for form in forms)
+    asked |= any(isinstance(node, _OF_COMPLEX_NUMBERS) for node in nodes)
+    asked |= bool(names) and any(_is_function(node) for node in nodes)
+    return frozenset([*(given or ()), *names]) if asked else None
+
+
+_OF_COMPLEX_NUMBERS = (type(sympy.I), sympy.re, sympy.im, sympy.conjugate, sympy.arg)
+
+
+def _is_function(node: Any) -> bool:
+    is_root = isinstance(node, sympy.Pow) and not isinstance(node.exp, sympy.Integer)
+    calculus = isinstance(node, sympy.Derivative | sympy.Integral)
+    return is_root or calculus or (isinstance(node, sympy.Function) and not isinstance(node, over))
+
+
+def _distinct(values: Iterable[Any]) -> Iterator[Any]:
+    """Yield each node of expressions once: some have more paths than could be walked."""
+    seen: set[Any] = set()
+    given = [entry for value in values for entry in (value.flat() if isinstance(value, sympy.MatrixBase) else [value])]
+    waiting = [value for value in given if isinstance(value, sympy.Basic)]
+    while waiting:
+        node = waiting.pop()
+        if node not in seen:
+            seen.add(node)
+            waiting += node.args
+            yield node
 
 
 def _complex(
@@ -252,16 +277,9 @@ def _rational(
 
 def speaks_of_letters(values: Iterable[Any]) -> bool:
     """Whether some expressions have matrices that are not written out."""
-    seen: set[Any] = set()
-    waiting = [value for value in values if isinstance(value, sympy.Basic)]
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, sympy.MatrixExpr) and not isinstance(node, sympy.MatrixBase):
-            return True
-        if node not in seen:
-            seen.add(node)
-            waiting += node.args
-    return False
+    return any(
+        isinstance(node, sympy.MatrixExpr) and not isinstance(node, sympy.MatrixBase) for node in _distinct(values)
+    )
 
 
 def _of_letters(

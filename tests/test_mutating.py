@@ -111,7 +111,7 @@ def test_every_digit_of_a_number_is_changed():
 
 def test_what_holds_and_is_not_the_same_statement_survives():
     claim = declared("rank", 1, Matrix([[x, y], [2 * x, 2 * y]]), kernel=[vector(y, -x)])
-    assert _fate(claim, claim.printed, "flint") == (
+    assert _fate(claim, claim.printed) == (
         "survived",
         "the changed form holds, but is not the same statement",
     )

@@ -175,16 +175,20 @@ def _difference(constraint: Any) -> Any:
 
 def _complex_names(forms: Sequence[Any], given: Sequence[str] | None) -> frozenset[str] | None:
     """Return the names of the complex variables of a statement about complex numbers, or None."""
-    from algebroproj_sym.replaying.reals.terms import has_parts
-
     if isinstance(given, str) or not isinstance(given, Sequence | None):
         raise TypeError(f"complex: expected a sequence of names, got {_kind(given)}")
     nodes = [*_distinct(forms)]
     names = {node.name for node in nodes if isinstance(node, sympy.Symbol) and node.is_complex and node.is_real is None}
-    asked = given is not None or any(isinstance(form, str) and has_parts(form) for form in forms)
+    asked = given is not None or any(isinstance(form, str) and "(" in form and _has_parts(form) for form in forms)
     asked |= any(isinstance(node, _OF_COMPLEX_NUMBERS) for node in nodes)
     asked |= bool(names) and any(_is_function(node) for node in nodes)
     return frozenset([*(given or ()), *names]) if asked else None
+
+
+def _has_parts(text: str) -> bool:
+    from algebroproj_sym.replaying.reals.terms import has_parts
+
+    return has_parts(text)
 
 
 _OF_COMPLEX_NUMBERS = (type(sympy.I), sympy.re, sympy.im, sympy.conjugate, sympy.arg)

@@ -245,7 +245,9 @@ def _formulas(
             continue
         if mark.startswith(("#", r"\chapter", r"\paragraph")) or "section" in mark:
             part += 1
-            words += "\n"
+            title = _TITLE.match(text, place)
+            words += f"\n{title.group()}.\n" if title else "\n"
+            place = title.end() if title else place
             continue
         name, star = openers.get(mark, match[1] or ""), match[2] or ""
         endings = [rf"\end{{{name}{star}}}", *closers.get(name, ())] if name else [_PARTNERS[mark]]
@@ -266,6 +268,9 @@ def _formulas(
         words = words + f"${inside}$" if inline else ""
         place = end + len(ending)
 
+
+_TITLE = re.compile(r"\*?\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{[^{}]*\})*\}|(?<=# ).*")
+"""The title of a section, which ends a sentence."""
 
 _PARTNERS = {r"\[": r"\]", "$$": "$$", r"\(": r"\)", "$": "$"}
 

@@ -170,6 +170,9 @@ FORGED = {
 }  # fmt: skip
 
 
+HOLDS_ANYWAY = ("2 <> 0 ->", "(sin x) ^ 2 <= 1 ->")
+
+
 def question_of(text):
     said, _, given = text.partition(" | ")
     lhs, relation, rhs = re.split(r" (<=|>=|=|<|>) ", said)
@@ -204,9 +207,10 @@ def test_a_statement_is_not_changed_behind_its_proof(folder, true):
     ((stated, proof),) = real_theorems(proved(**question_of(true))).values()
     *premises, conclusion = stated.splitlines()
     assert not accepted(folder, [("\n".join([*premises, f"{conclusion} + 1"]), proof)])
-    for place in range(1, len(premises)):
-        weaker = [*premises[:place], "True ->", *premises[place + 1 :], conclusion]
-        assert not accepted(folder, [("\n".join(weaker), proof)])
+    for place, premise in enumerate(premises):
+        if place and premise not in HOLDS_ANYWAY:
+            weaker = [*premises[:place], "True ->", *premises[place + 1 :], conclusion]
+            assert not accepted(folder, [("\n".join(weaker), proof)]), premise
 
 
 @needs_coq

@@ -18,7 +18,7 @@ OPTIONS = (
     *("--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
     *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
 )
-SELECTORS = ("fundamentals1996:2.2", "fundamentals1996:1.2", "rhodos1990:1.1", "bridges:8")
+SELECTORS = ("fundamentals1996:2.2", "fundamentals1996:1.2", "rhodos1990:1.1", "bridges:5")
 REPRESENTATIVE = (
     "index.html",
     "search.html",
@@ -29,7 +29,7 @@ REPRESENTATIVE = (
     "fundamentals1996/symbols.html",
     "fundamentals1996/graph.html",
     "fundamentals1996/graph-2.2.html",
-    "bridges/8_epipole.html",
+    "bridges/5_epipole.html",
     "fundamentals1996/2.2.4.html",
     "fundamentals1996/2.2.6.html",
     "fundamentals1996/2.2_eight-points.html",

@@ -20,7 +20,7 @@ from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
 from algebroproj_sym.verifying.straight_line import straight_line_of_c
 
-CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Instances", "Elimination", "Formulas", "Exact")
+CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Elimination", "Formulas", "Instances", "Exact")
 """The files that all others require, each after those that it requires itself."""
 
 _OPERATORS = {

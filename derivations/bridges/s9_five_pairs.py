@@ -10,6 +10,7 @@ from itertools import combinations_with_replacement
 import sympy
 
 from algebroproj_derivations.cameras import skew
+from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.five_pairs import five_pairs
 from algebroproj_derivations.fundamentals1996.s1_1_projection import quaternion
 from algebroproj_derivations.fundamentals1996.s1_1_projection import rotation as scaled_rotation
@@ -19,6 +20,23 @@ from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, Scalar, adjugate, cross, determinant, dot, over, vector
 
 section = Section("bridges", "9", "Five pairs")
+
+# %% [markdown]
+# **An example.**  Each pair says that two rays meet: one equation for the direction of the base and the rotation, which
+# have five parameters together.
+
+# %%
+CENTERS = {"C'": vector(0, 0, 0), "C''": vector(3, 0, 0)}
+POINTS = {
+    f"P{number}": vector(*place)
+    for number, place in enumerate([(0, 1, -4), (1, -1, -3), (2, 1, -3), (3, -1, -4), (4, 1, -5)], start=1)
+}
+SpaceDrawing(
+    "Five points and their rays to both centers.",
+    CENTERS | POINTS,
+    segments=[("C'", "C''"), *((center, point) for center in CENTERS for point in POINTS)],
+    axes=("X_1", "X_2", "X_3"),
+)
 
 # %% [markdown]
 # ## Base and rotation

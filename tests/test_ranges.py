@@ -1,5 +1,8 @@
 """Within its range nothing overflows or underflows in a function, whatever the digits of the arguments are."""
 
+from fractions import Fraction
+from random import Random
+
 import numpy as np
 import pytest
 
@@ -78,3 +81,35 @@ def test_an_intersection_that_overflows_is_not_finite(dtype, scales):
     assert 0.1 < finite.mean() < 0.9
     off = abs(found[finite] - wide[finite]).max(axis=1) / abs(wide[finite]).max(axis=1)
     assert off.max() < 64 * np.finfo(dtype).eps
+
+
+def moved(generator, exponents):
+    """Change the size of an entry, or of all that are as large."""
+    changed, place, by = list(exponents), generator.randrange(len(exponents)), generator.randint(-40, 40)
+    alike = generator.random() < 0.3
+    for k, exponent in enumerate(exponents):
+        if k == place or (alike and exponent == exponents[place]):
+            changed[k] = min(max(exponent + by, -100), 0)
+    return changed
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_small_coordinates_keep_their_digits_in_an_intersection(seed):
+    """Hill climbing over the exponents, down to 1e-30, finds no entry that a sum such as 1 - x has swallowed."""
+    generator = Random(seed)
+    digits = [generator.choice((-1, 1)) * generator.uniform(1, 2) for _ in range(14)]
+    bounds_of = [(0, 2), (2, 4), (4, 7), (7, 9), (9, 12), (12, 14)]
+
+    def error(exponents):
+        point = [d * 2.0**e for d, e in zip(digits, exponents, strict=True)]
+        exact = orientation._intersect(*map(Fraction, point))
+        found = orientation.intersect(*(point[a:b] for a, b in bounds_of))
+        return max(abs(Fraction(float(x)) / y - 1) for x, y in zip(found, exact, strict=True))
+
+    exponents = [generator.choice((0, -100)) for _ in digits]
+    worst = error(exponents)
+    for _ in range(150):
+        candidate = moved(generator, exponents)
+        if (larger := error(candidate)) >= worst:
+            exponents, worst = candidate, larger
+    assert worst < 5 * 2.0**-53

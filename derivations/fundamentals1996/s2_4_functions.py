@@ -8,7 +8,7 @@ from itertools import product
 
 import sympy
 
-from algebroproj_derivations.cameras import PLACES, wedge, with_ray
+from algebroproj_derivations.cameras import PLACES, Ray, wedge
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import M_star
 from algebroproj_derivations.fundamentals1996.s2_4_relative_orientation import (
@@ -111,12 +111,11 @@ section.kernel(
 augmented = Matrix(4, 4, sympy.symbols("a:4:4"))
 four_equations, right_sides = augmented[:, :3], augmented[:, 3]
 minors_of_four = Matrix(4, 4, sympy.symbols("d:4:4"))
+totals = sympy.symbols("s:4")
 object_point = vector(y1, y2, y3)
 
-total = sympy.Add(*(minors_of_four[i, 3] ** 2 for i in range(4)))
-mean = vector(
-    *(over(sympy.Add(*(minors_of_four[i, 3] * minors_of_four[i, j] for i in range(4))), total) for j in range(3))
-)
+squares = sympy.Add(*(total**2 for total in totals))
+mean = vector(*(over(sympy.Add(*(totals[i] * minors_of_four[i, j] for i in range(4))), squares) for j in range(1, 4)))
 
 
 def minor(row_omitted: int, unknown: int) -> sympy.Expr:
@@ -125,7 +124,8 @@ def minor(row_omitted: int, unknown: int) -> sympy.Expr:
     return determinant(augmented.extract([row for row in range(4) if row != row_omitted], places))
 
 
-MINORS = {minors_of_four[i, j]: minor(i, j) for i, j in product(range(4), repeat=2)}
+MINORS = {minors_of_four[i, j + 1]: minor(i, j) for i, j in product(range(4), range(3))}
+MINORS |= {total: minor(i, 3) for i, total in enumerate(totals)}
 section.identity(
     "2.4/beyond/intersection",
     "the weighted mean satisfies the normal equations",
@@ -141,58 +141,92 @@ section.identity(
 )
 
 # %% [markdown]
-# Each minor has both rows of one image: their own minors are the Plücker coordinates of its ray, and these are linear
-# in the image coordinates, as $(u_1 \mathbf m_0 - \mathbf m_1) \wedge (u_2 \mathbf m_0 - \mathbf m_2) =
-# \mathbf m_1 \wedge \mathbf m_2 + u_1\,\mathbf m_2 \wedge \mathbf m_0 + u_2\,\mathbf m_0 \wedge \mathbf m_1$.  The
-# product $u_1 u_2\,\mathbf m_0 \wedge \mathbf m_0$, large and zero, never arises.  Likewise the remaining row
-# $u_i \mathbf m_0 - \mathbf m_i$ is combined with the ray of the other image before the difference is taken.
+# With $y_0 = 1 - y_1 - y_2 - y_3$ an equation is $b_0 y_0 + b_1 y_1 + b_2 y_2 + b_3 y_3 = 0$: its coefficients are
+# $b_j - b_0$, its right side is $-b_0$.  The minors are then the barycentric coordinates of the point where three planes
+# meet, and their sum.  Each has both planes of one image: the minors of these are the Plücker coordinates of its ray.
 
 # %%
-LEFT_RAY, RIGHT_RAY = wedge(augmented.row(0), augmented.row(1)), wedge(augmented.row(2), augmented.row(3))
+planes = Matrix(4, 4, sympy.symbols("b:4:4"))
+AFFINE = {augmented[i, j]: planes[i, j + 1] - planes[i, 0] for i, j in product(range(4), range(3))}
+AFFINE |= {augmented[i, 3]: -planes[i, 0] for i in range(4)}
+LEFT_RAY, RIGHT_RAY = wedge(planes.row(0), planes.row(1)), wedge(planes.row(2), planes.row(3))
 partner = {0: (1, RIGHT_RAY), 1: (0, RIGHT_RAY), 2: (3, LEFT_RAY), 3: (2, LEFT_RAY)}
+
+
+def meeting_point(plane: Matrix, ray: Ray) -> list[sympy.Expr]:
+    """Return the barycentric coordinates of the point where a ray meets a plane, not divided by their sum."""
+    others = [sorted({*range(4)} - {k}) for k in range(4)]
+    return [
+        (-1) ** k * (plane[h] * ray[i, j] - plane[i] * ray[h, j] + plane[j] * ray[h, i])
+        for k, (h, i, j) in enumerate(others)
+    ]
+
+
+def with_sum(point: list[sympy.Expr]) -> list[sympy.Expr]:
+    return [*point[1:], sympy.Add(*point)]
+
+
 section.identity(
     "2.4/beyond/intersection#rays",
-    "the minors are combinations of an equation of one image and the ray of the other",
-    printed=Matrix(4, 4, lambda i, j: with_ray(augmented.row(partner[i][0]), partner[i][1], j)),
-    derived=Matrix(4, 4, minor),
+    "the minors are the coordinates of points where a ray of one image meets a plane of the other",
+    printed=Matrix([with_sum(meeting_point(planes.row(partner[i][0]), partner[i][1])) for i in range(4)]),
+    derived=Matrix(4, 4, minor).xreplace(AFFINE),
 )
 
+# %% [markdown]
+# In these coordinates a camera has the rows $\mathbf m_0 = (1, \mu_1, \mu_2, \mu_3)$, $\mathbf m_1 = (0, \mu_1, 0,
+# \mu_3 u_{31})$ and $\mathbf m_2 = (0, 0, \mu_2, \mu_3 u_{32})$, without a difference.  A plane is
+# $u_i \mathbf m_0 - \mathbf m_i$.  In the ray nearly everything cancels.  What remains is written down, so that small
+# coordinates keep their digits beside the 1.
 
+
+# %%
 def image_symbols(primes: str) -> dict[str, Matrix]:
     names = {"u": f"u{primes}(1:3)", "mu": f"mu{primes}(1:4)", "u3": f"u{primes}3(1:3)"}
     return {key: vector(*sympy.symbols(name)) for key, name in names.items()}
 
 
-def camera_rows(image: dict[str, Matrix]) -> Matrix:
-    """Return the rows m_0, m_1, m_2, the column of the constant last and with the sign of a right side."""
+def planes_of(image: dict[str, Matrix]) -> list[Matrix]:
+    """Return the two equations of an image point in barycentric coordinates."""
     own = dict(zip((*mu, *fourth_image), (*image["mu"], *image["u3"]), strict=True))
     camera = M_star[:3, :].xreplace(own)
-    return columns(camera[:, 1:], -camera[:, 0])
-
-
-def equations_of(image: dict[str, Matrix]) -> list[Matrix]:
-    m = camera_rows(image)
+    m = columns(camera[:, 0], *(camera[:, j] + camera[:, 0] for j in range(1, 4)))
     return [image["u"][i] * m.row(0) - m.row(i + 1) for i in range(2)]
 
 
-def linear_ray(image: dict[str, Matrix]) -> dict[tuple[int, int], sympy.Expr]:
-    m0, m1, m2 = (camera_rows(image).row(i) for i in range(3))
-    wedges, weights = (wedge(m1, m2), wedge(m2, m0), wedge(m0, m1)), (1, *image["u"])
-    return {place: sympy.Add(*(w * v[place] for w, v in zip(weights, wedges, strict=True))) for place in PLACES}
+def factored_planes(image: dict[str, Matrix]) -> list[Matrix]:
+    (first, second), weights, (u31, u32) = image["u"], image["mu"], image["u3"]
+    return [
+        vector(first, weights[0] * (first - 1), weights[1] * first, weights[2] * (first - u31)),
+        vector(second, weights[0] * second, weights[1] * (second - 1), weights[2] * (second - u32)),
+    ]
+
+
+def factored_ray(image: dict[str, Matrix]) -> Ray:
+    (first, second), (weight1, weight2, weight3), (u31, u32) = image["u"], image["mu"], image["u3"]
+    turned = second * u31 - first * u32
+    return {
+        (0, 1): weight1 * second,
+        (0, 2): -weight2 * first,
+        (0, 3): weight3 * turned,
+        (1, 2): weight1 * weight2 * (1 - first - second),
+        (1, 3): weight1 * weight3 * (u32 - second + turned),
+        (2, 3): weight2 * weight3 * (first - u31 + turned),
+    }
 
 
 image_left, image_right = image_symbols("p"), image_symbols("pp")
 ray_left, ray_right = (dict(zip(PLACES, sympy.symbols(f"{name}(:6)"), strict=True)) for name in ("rp", "rpp"))
-rays, linear_rays, rows_with_rays, split_rows = {}, {}, {}, {}
+rays, factored_rays, points, factored_points = {}, {}, {}, {}
 for image, ray, other, first in ((image_left, ray_left, ray_right, 0), (image_right, ray_right, ray_left, 2)):
-    own_wedge, own_linear = wedge(*equations_of(image)), linear_ray(image)
+    own_wedge, own_factored = wedge(*planes_of(image)), factored_ray(image)
     rays |= {symbol: own_wedge[place] for place, symbol in ray.items()}
-    linear_rays |= {symbol: own_linear[place] for place, symbol in ray.items()}
-    m = camera_rows(image)
-    for i, j in product(range(2), range(4)):
-        symbol = minors_of_four[first + 1 - i, j]
-        rows_with_rays[symbol] = with_ray(equations_of(image)[i], other, j)
-        split_rows[symbol] = image["u"][i] * with_ray(m.row(0), other, j) - with_ray(m.row(i + 1), other, j)
+    factored_rays |= {symbol: own_factored[place] for place, symbol in ray.items()}
+    for i in range(2):
+        names = minors_of_four.row(first + 1 - i)
+        points |= dict(zip(names, meeting_point(planes_of(image)[i], other), strict=True))
+        factored_points |= dict(zip(names, meeting_point(factored_planes(image)[i], other), strict=True))
+sums = {total: sympy.Add(*minors_of_four.row(i)) for i, total in enumerate(totals)}
 section.kernel(
     "orientation.intersect",
     "Object point of two homologous image points: least squares of the four equations of its images.",
@@ -212,7 +246,7 @@ section.kernel(
         "mu_right": f"Right image: {ABOUT_MU}",
         "u3_right": f"Right image: {ABOUT_U3}",
     },
-    through=[let(rays, form=linear_rays), let(rows_with_rays, form=split_rows)],
+    through=[let(rays, form=factored_rays), let(points, form=factored_points), let(sums)],
     derived=mean,
     claims=["1.3.1", "2.4/beyond/intersection", "2.4/beyond/intersection#rays", "2.4/beyond/intersection#exact"],
     example={

@@ -238,45 +238,49 @@ def intersect(u_left: ArrayLike, u_right: ArrayLike, mu_left: ArrayLike, u3_left
     -----
     Formula::
 
-        rp0 = mup1*mup2 - mup1*up2*(-1 + mup2) - mup2*up1*(-1 + mup1)
-        rp1 = up2*(-mup1*(-1 + mup3) + mup3*up31*(-1 + mup1)) + mup1*mup3*up32 - mup3*up1*up32*(-1 + mup1)
-        rp2 = mup1*up2
-        rp3 = up1*(mup2*(-1 + mup3) - mup3*up32*(-1 + mup2)) - mup2*mup3*up31 + mup3*up2*up31*(-1 + mup2)
-        rp4 = -mup2*up1
-        rp5 = mup3*up2*up31 - mup3*up1*up32
-        rpp0 = mupp1*mupp2 - mupp1*upp2*(-1 + mupp2) - mupp2*upp1*(-1 + mupp1)
-        rpp1 = upp2*(-mupp1*(-1 + mupp3) + mupp3*upp31*(-1 + mupp1)) + mupp1*mupp3*upp32 - mupp3*upp1*upp32*(-1 + mupp1)
-        rpp2 = mupp1*upp2
-        rpp3 = upp1*(mupp2*(-1 + mupp3) - mupp3*upp32*(-1 + mupp2)) - mupp2*mupp3*upp31 + mupp3*upp2*upp31*(-1 + mupp2)
-        rpp4 = -mupp2*upp1
-        rpp5 = mupp3*upp2*upp31 - mupp3*upp1*upp32
-        d10 = up1*(-rpp3 + rpp5*(-1 + mup2) - rpp4*(-1 + mup3)) + mup3*rpp4*up31
-        d11 = mup1*rpp5 + up1*(rpp1 + rpp2*(-1 + mup3) - rpp5*(-1 + mup1)) - mup3*rpp2*up31
-        d12 = up1*(-rpp0 + rpp4*(-1 + mup1) - rpp2*(-1 + mup2)) - mup1*rpp4
-        d13 = up1*(rpp0*(-1 + mup3) + rpp3*(-1 + mup1) - rpp1*(-1 + mup2)) - mup1*rpp3 - mup3*rpp0*up31
-        d00 = up2*(-rpp3 + rpp5*(-1 + mup2) - rpp4*(-1 + mup3)) - mup2*rpp5 + mup3*rpp4*up32
-        d01 = up2*(rpp1 + rpp2*(-1 + mup3) - rpp5*(-1 + mup1)) - mup3*rpp2*up32
-        d02 = mup2*rpp2 + up2*(-rpp0 + rpp4*(-1 + mup1) - rpp2*(-1 + mup2))
-        d03 = mup2*rpp1 + up2*(rpp0*(-1 + mup3) + rpp3*(-1 + mup1) - rpp1*(-1 + mup2)) - mup3*rpp0*up32
-        d30 = upp1*(-rp3 + rp5*(-1 + mupp2) - rp4*(-1 + mupp3)) + mupp3*rp4*upp31
-        d31 = mupp1*rp5 + upp1*(rp1 + rp2*(-1 + mupp3) - rp5*(-1 + mupp1)) - mupp3*rp2*upp31
-        d32 = upp1*(-rp0 + rp4*(-1 + mupp1) - rp2*(-1 + mupp2)) - mupp1*rp4
-        d33 = upp1*(rp0*(-1 + mupp3) + rp3*(-1 + mupp1) - rp1*(-1 + mupp2)) - mupp1*rp3 - mupp3*rp0*upp31
-        d20 = upp2*(-rp3 + rp5*(-1 + mupp2) - rp4*(-1 + mupp3)) - mupp2*rp5 + mupp3*rp4*upp32
-        d21 = upp2*(rp1 + rp2*(-1 + mupp3) - rp5*(-1 + mupp1)) - mupp3*rp2*upp32
-        d22 = mupp2*rp2 + upp2*(-rp0 + rp4*(-1 + mupp1) - rp2*(-1 + mupp2))
-        d23 = mupp2*rp1 + upp2*(rp0*(-1 + mupp3) + rp3*(-1 + mupp1) - rp1*(-1 + mupp2)) - mupp3*rp0*upp32
-        result[0] = (d00*d03 + d10*d13 + d20*d23 + d30*d33)/(d03**2 + d13**2 + d23**2 + d33**2)
-        result[1] = (d01*d03 + d11*d13 + d21*d23 + d31*d33)/(d03**2 + d13**2 + d23**2 + d33**2)
-        result[2] = (d02*d03 + d12*d13 + d22*d23 + d32*d33)/(d03**2 + d13**2 + d23**2 + d33**2)
+        rp0 = mup1*up2
+        rp1 = -mup2*up1
+        rp2 = mup3*(up2*up31 - up1*up32)
+        rp3 = mup1*mup2*(1 - up1 - up2)
+        rp4 = mup1*mup3*(up32 - up2 + up2*up31 - up1*up32)
+        rp5 = mup2*mup3*(up1 - up31 + up2*up31 - up1*up32)
+        rpp0 = mupp1*upp2
+        rpp1 = -mupp2*upp1
+        rpp2 = mupp3*(upp2*upp31 - upp1*upp32)
+        rpp3 = mupp1*mupp2*(1 - upp1 - upp2)
+        rpp4 = mupp1*mupp3*(upp32 - upp2 + upp2*upp31 - upp1*upp32)
+        rpp5 = mupp2*mupp3*(upp1 - upp31 + upp2*upp31 - upp1*upp32)
+        d10 = mup1*rpp5*(-1 + up1) + mup3*rpp3*(up1 - up31) - mup2*rpp4*up1
+        d11 = -rpp5*up1 + mup2*rpp2*up1 - mup3*rpp1*(up1 - up31)
+        d12 = rpp4*up1 + mup3*rpp0*(up1 - up31) - mup1*rpp2*(-1 + up1)
+        d13 = -rpp3*up1 + mup1*rpp1*(-1 + up1) - mup2*rpp0*up1
+        d00 = mup1*rpp5*up2 + mup3*rpp3*(up2 - up32) - mup2*rpp4*(-1 + up2)
+        d01 = -rpp5*up2 + mup2*rpp2*(-1 + up2) - mup3*rpp1*(up2 - up32)
+        d02 = rpp4*up2 + mup3*rpp0*(up2 - up32) - mup1*rpp2*up2
+        d03 = -rpp3*up2 + mup1*rpp1*up2 - mup2*rpp0*(-1 + up2)
+        d30 = mupp1*rp5*(-1 + upp1) + mupp3*rp3*(upp1 - upp31) - mupp2*rp4*upp1
+        d31 = -rp5*upp1 + mupp2*rp2*upp1 - mupp3*rp1*(upp1 - upp31)
+        d32 = rp4*upp1 + mupp3*rp0*(upp1 - upp31) - mupp1*rp2*(-1 + upp1)
+        d33 = -rp3*upp1 + mupp1*rp1*(-1 + upp1) - mupp2*rp0*upp1
+        d20 = mupp1*rp5*upp2 + mupp3*rp3*(upp2 - upp32) - mupp2*rp4*(-1 + upp2)
+        d21 = -rp5*upp2 + mupp2*rp2*(-1 + upp2) - mupp3*rp1*(upp2 - upp32)
+        d22 = rp4*upp2 + mupp3*rp0*(upp2 - upp32) - mupp1*rp2*upp2
+        d23 = -rp3*upp2 + mupp1*rp1*upp2 - mupp2*rp0*(-1 + upp2)
+        s0 = d00 + d01 + d02 + d03
+        s1 = d10 + d11 + d12 + d13
+        s2 = d20 + d21 + d22 + d23
+        s3 = d30 + d31 + d32 + d33
+        result[0] = (d01*s0 + d11*s1 + d21*s2 + d31*s3)/(s0**2 + s1**2 + s2**2 + s3**2)
+        result[1] = (d02*s0 + d12*s1 + d22*s2 + d32*s3)/(s0**2 + s1**2 + s2**2 + s3**2)
+        result[2] = (d03*s0 + d13*s1 + d23*s2 + d33*s3)/(s0**2 + s1**2 + s2**2 + s3**2)
 
-    The result is not finite, and NumPy warns, where one of these is zero: ``d03**2 + d13**2 + d23**2 + d33**2``.
-    The function `hypotheses` of this package computes them. In float64 nothing overflows or underflows where
-    every entry is zero or, in absolute value, between 2**-14 and 2**14.
+    The result is not finite, and NumPy warns, where one of these is zero: ``s0**2 + s1**2 + s2**2 + s3**2``. The
+    function `hypotheses` of this package computes them. In float64 nothing overflows or underflows where every
+    entry is zero or, in absolute value, between 2**-19 and 2**19.
 
-    Operations: 207 (27 additions, 52 subtractions, 121 multiplications, 3 divisions, 4 negations).
-    The derived expression takes 377 as written.
-    With compensation of sums that may cancel: 1129 (112 of them compute errors of products).
+    Operations: 181 (37 additions, 40 subtractions, 99 multiplications, 3 divisions, 2 negations).
+    The derived expression takes 317 as written.
+    With compensation of sums that may cancel: 1019 (94 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
     Examples
@@ -291,62 +295,66 @@ def _intersect(
     up1: Any, up2: Any, upp1: Any, upp2: Any, mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any,
     mupp1: Any, mupp2: Any, mupp3: Any, upp31: Any, upp32: Any,
 ) -> tuple[Any, ...]:
-    t2 = wide(mup2) - 1
-    t6 = wide(mup1) - 1
-    rp0 = wide(mup1) * mup2 - wide(up2) * mup1 * t2 - wide(up1) * mup2 * t6
-    t9 = wide(mup3) * up32
-    t11 = wide(mup3) - 1
-    t13 = wide(mup3) * up31
-    rp1 = t9 * mup1 - wide(up2) * (wide(mup1) * t11 - t13 * t6) - wide(up1) * t9 * t6
-    rp2 = wide(mup1) * up2
-    rp3 = wide(up1) * (wide(mup2) * t11 - t9 * t2) + wide(up2) * t13 * t2 - t13 * mup2
-    rp4 = -(wide(mup2) * up1)
-    rp5 = t13 * up2 - t9 * up1
-    t38 = wide(mupp2) - 1
-    t42 = wide(mupp1) - 1
-    rpp0 = wide(mupp1) * mupp2 - wide(upp2) * mupp1 * t38 - wide(upp1) * mupp2 * t42
-    t45 = wide(mupp3) * upp32
-    t47 = wide(mupp3) - 1
-    t49 = wide(mupp3) * upp31
-    rpp1 = t45 * mupp1 - wide(upp2) * (wide(mupp1) * t47 - t49 * t42) - wide(upp1) * t45 * t42
-    rpp2 = wide(mupp1) * upp2
-    rpp3 = wide(upp1) * (wide(mupp2) * t47 - t45 * t38) + wide(upp2) * t49 * t38 - t49 * mupp2
-    rpp4 = -(wide(mupp2) * upp1)
-    rpp5 = t49 * upp2 - t45 * upp1
-    t76 = rpp3 + rpp4 * t11 - rpp5 * t2
-    d10 = t13 * rpp4 - wide(up1) * t76
-    t82 = rpp1 + rpp2 * t11 - rpp5 * t6
-    d11 = wide(up1) * t82 + wide(mup1) * rpp5 - t13 * rpp2
-    t91 = rpp4 * t6 - rpp0 - rpp2 * t2
-    d12 = wide(up1) * t91 - wide(mup1) * rpp4
-    t99 = rpp0 * t11 + rpp3 * t6 - rpp1 * t2
-    t128 = wide(up1) * t99 - wide(mup1) * rpp3 - t13 * rpp0
-    d13 = rounded(t128)
-    d00 = t9 * rpp4 - wide(up2) * t76 - wide(mup2) * rpp5
-    d01 = wide(up2) * t82 - t9 * rpp2
-    d02 = wide(mup2) * rpp2 - wide(up2) * -t91
-    t137 = wide(mup2) * rpp1 + wide(up2) * t99 - t9 * rpp0
-    d03 = rounded(t137)
-    t126 = rp3 + rp4 * t47 - rp5 * t38
-    d30 = t49 * rp4 - wide(upp1) * t126
-    t132 = rp1 + rp2 * t47 - rp5 * t42
-    d31 = wide(upp1) * t132 + wide(mupp1) * rp5 - t49 * rp2
-    t141 = rp4 * t42 - rp0 - rp2 * t38
-    d32 = wide(upp1) * t141 - wide(mupp1) * rp4
-    t149 = rp0 * t47 + rp3 * t42 - rp1 * t38
-    t144 = wide(upp1) * t149 - wide(mupp1) * rp3 - t49 * rp0
-    d33 = rounded(t144)
-    d20 = t45 * rp4 - wide(upp2) * t126 - wide(mupp2) * rp5
-    d21 = wide(upp2) * t132 - t45 * rp2
-    d22 = wide(mupp2) * rp2 - wide(upp2) * -t141
-    t154 = wide(mupp2) * rp1 + wide(upp2) * t149 - t45 * rp0
-    d23 = rounded(t154)
-    t185 = d03 * d03 + d13 * d13 + d23 * d23 + d33 * d33
-    t203 = 0 * t185
+    rp0 = wide(mup1) * up2
+    rp1 = -(wide(mup2) * up1)
+    t5 = wide(up2) * up31 - wide(up1) * up32
+    rp2 = wide(mup3) * t5
+    rp3 = wide(mup1) * mup2 * (1 - wide(up1) - up2)
+    t12 = wide(up2) - up32
+    rp4 = wide(mup1) * mup3 * (t5 - t12)
+    t16 = wide(up1) - up31
+    rp5 = wide(mup2) * mup3 * (t16 + t5)
+    rpp0 = wide(mupp1) * upp2
+    rpp1 = -(wide(mupp2) * upp1)
+    t24 = wide(upp2) * upp31 - wide(upp1) * upp32
+    rpp2 = wide(mupp3) * t24
+    rpp3 = wide(mupp1) * mupp2 * (1 - wide(upp1) - upp2)
+    t31 = wide(upp2) - upp32
+    rpp4 = wide(mupp1) * mupp3 * (t24 - t31)
+    t35 = wide(upp1) - upp31
+    rpp5 = wide(mupp2) * mupp3 * (t35 + t24)
+    t39 = wide(mup1) * (wide(up1) - 1)
+    t41 = wide(mup3) * t16
+    t44 = wide(up1) * mup2
+    d10 = t39 * rpp5 + t41 * rpp3 - t44 * rpp4
+    d11 = t44 * rpp2 - rpp5 * up1 - t41 * rpp1
+    d12 = rpp4 * up1 + t41 * rpp0 - t39 * rpp2
+    d13 = t39 * rpp1 - rpp3 * up1 - t44 * rpp0
+    t62 = wide(up2) * mup1
+    t64 = wide(mup3) * t12
+    t68 = wide(mup2) * (wide(up2) - 1)
+    d00 = t62 * rpp5 + t64 * rpp3 - t68 * rpp4
+    d01 = t68 * rpp2 - rpp5 * up2 - t64 * rpp1
+    d02 = rpp4 * up2 + t64 * rpp0 - t62 * rpp2
+    d03 = t62 * rpp1 - rpp3 * up2 - t68 * rpp0
+    t87 = wide(mupp1) * (wide(upp1) - 1)
+    t89 = wide(mupp3) * t35
+    t92 = wide(upp1) * mupp2
+    d30 = t87 * rp5 + t89 * rp3 - t92 * rp4
+    d31 = t92 * rp2 - rp5 * upp1 - t89 * rp1
+    d32 = rp4 * upp1 + t89 * rp0 - t87 * rp2
+    d33 = t87 * rp1 - rp3 * upp1 - t92 * rp0
+    t110 = wide(upp2) * mupp1
+    t112 = wide(mupp3) * t31
+    t116 = wide(mupp2) * (wide(upp2) - 1)
+    d20 = t110 * rp5 + t112 * rp3 - t116 * rp4
+    d21 = t116 * rp2 - rp5 * upp2 - t112 * rp1
+    d22 = rp4 * upp2 + t112 * rp0 - t110 * rp2
+    d23 = t110 * rp1 - rp3 * upp2 - t116 * rp0
+    t136 = d00 + d01 + d02 + d03
+    s0 = rounded(t136)
+    t139 = d10 + d11 + d12 + d13
+    s1 = rounded(t139)
+    t142 = d20 + d21 + d22 + d23
+    s2 = rounded(t142)
+    t145 = d30 + d31 + d32 + d33
+    s3 = rounded(t145)
+    t159 = s0 * s0 + s1 * s1 + s2 * s2 + s3 * s3
+    t177 = 0 * t159
     return (
-        rounded(d00 * t137 + d10 * t128 + d20 * t154 + d30 * t144) / t185 + t203,
-        rounded(d01 * t137 + d11 * t128 + d21 * t154 + d31 * t144) / t185 + t203,
-        rounded(d02 * t137 + d12 * t128 + d22 * t154 + d32 * t144) / t185 + t203,
+        rounded(d01 * t136 + d11 * t139 + d21 * t142 + d31 * t145) / t159 + t177,
+        rounded(d02 * t136 + d12 * t139 + d22 * t142 + d32 * t145) / t159 + t177,
+        rounded(d03 * t136 + d13 * t139 + d23 * t142 + d33 * t145) / t159 + t177,
     )
 
 
@@ -357,57 +365,61 @@ def _intersect_factors(
     up1: Any, up2: Any, upp1: Any, upp2: Any, mup1: Any, mup2: Any, mup3: Any, up31: Any, up32: Any,
     mupp1: Any, mupp2: Any, mupp3: Any, upp31: Any, upp32: Any,
 ) -> tuple[Any, ...]:
-    t2 = wide(mup2) - 1
-    t6 = wide(mup1) - 1
-    rp0 = wide(mup1) * mup2 - wide(up2) * mup1 * t2 - wide(up1) * mup2 * t6
-    t9 = wide(mup3) * up32
-    t11 = wide(mup3) - 1
-    t13 = wide(mup3) * up31
-    rp1 = t9 * mup1 - wide(up2) * (wide(mup1) * t11 - t13 * t6) - wide(up1) * t9 * t6
-    rp2 = wide(mup1) * up2
-    rp3 = wide(up1) * (wide(mup2) * t11 - t9 * t2) + wide(up2) * t13 * t2 - t13 * mup2
-    rp4 = -(wide(mup2) * up1)
-    rp5 = t13 * up2 - t9 * up1
-    t38 = wide(mupp2) - 1
-    t42 = wide(mupp1) - 1
-    rpp0 = wide(mupp1) * mupp2 - wide(upp2) * mupp1 * t38 - wide(upp1) * mupp2 * t42
-    t45 = wide(mupp3) * upp32
-    t47 = wide(mupp3) - 1
-    t49 = wide(mupp3) * upp31
-    rpp1 = t45 * mupp1 - wide(upp2) * (wide(mupp1) * t47 - t49 * t42) - wide(upp1) * t45 * t42
-    rpp2 = wide(mupp1) * upp2
-    rpp3 = wide(upp1) * (wide(mupp2) * t47 - t45 * t38) + wide(upp2) * t49 * t38 - t49 * mupp2
-    rpp4 = -(wide(mupp2) * upp1)
-    rpp5 = t49 * upp2 - t45 * upp1
-    t76 = rpp3 + rpp4 * t11 - rpp5 * t2
-    d10 = t13 * rpp4 - wide(up1) * t76
-    t82 = rpp1 + rpp2 * t11 - rpp5 * t6
-    d11 = wide(up1) * t82 + wide(mup1) * rpp5 - t13 * rpp2
-    t91 = rpp4 * t6 - rpp0 - rpp2 * t2
-    d12 = wide(up1) * t91 - wide(mup1) * rpp4
-    t99 = rpp0 * t11 + rpp3 * t6 - rpp1 * t2
-    d13 = rounded(wide(up1) * t99 - wide(mup1) * rpp3 - t13 * rpp0)
-    d00 = t9 * rpp4 - wide(up2) * t76 - wide(mup2) * rpp5
-    d01 = wide(up2) * t82 - t9 * rpp2
-    d02 = wide(mup2) * rpp2 - wide(up2) * -t91
-    d03 = rounded(wide(mup2) * rpp1 + wide(up2) * t99 - t9 * rpp0)
-    t126 = rp3 + rp4 * t47 - rp5 * t38
-    d30 = t49 * rp4 - wide(upp1) * t126
-    t132 = rp1 + rp2 * t47 - rp5 * t42
-    d31 = wide(upp1) * t132 + wide(mupp1) * rp5 - t49 * rp2
-    t141 = rp4 * t42 - rp0 - rp2 * t38
-    d32 = wide(upp1) * t141 - wide(mupp1) * rp4
-    t149 = rp0 * t47 + rp3 * t42 - rp1 * t38
-    d33 = rounded(wide(upp1) * t149 - wide(mupp1) * rp3 - t49 * rp0)
-    d20 = t45 * rp4 - wide(upp2) * t126 - wide(mupp2) * rp5
-    d21 = wide(upp2) * t132 - t45 * rp2
-    d22 = wide(mupp2) * rp2 - wide(upp2) * -t141
-    d23 = rounded(wide(mupp2) * rp1 + wide(upp2) * t149 - t45 * rp0)
-    return (d03 * d03 + d13 * d13 + d23 * d23 + d33 * d33,)
+    rp0 = wide(mup1) * up2
+    rp1 = -(wide(mup2) * up1)
+    t5 = wide(up2) * up31 - wide(up1) * up32
+    rp2 = wide(mup3) * t5
+    rp3 = wide(mup1) * mup2 * (1 - wide(up1) - up2)
+    t12 = wide(up2) - up32
+    rp4 = wide(mup1) * mup3 * (t5 - t12)
+    t16 = wide(up1) - up31
+    rp5 = wide(mup2) * mup3 * (t16 + t5)
+    rpp0 = wide(mupp1) * upp2
+    rpp1 = -(wide(mupp2) * upp1)
+    t24 = wide(upp2) * upp31 - wide(upp1) * upp32
+    rpp2 = wide(mupp3) * t24
+    rpp3 = wide(mupp1) * mupp2 * (1 - wide(upp1) - upp2)
+    t31 = wide(upp2) - upp32
+    rpp4 = wide(mupp1) * mupp3 * (t24 - t31)
+    t35 = wide(upp1) - upp31
+    rpp5 = wide(mupp2) * mupp3 * (t35 + t24)
+    t39 = wide(mup1) * (wide(up1) - 1)
+    t41 = wide(mup3) * t16
+    t44 = wide(up1) * mup2
+    d10 = t39 * rpp5 + t41 * rpp3 - t44 * rpp4
+    d11 = t44 * rpp2 - rpp5 * up1 - t41 * rpp1
+    d12 = rpp4 * up1 + t41 * rpp0 - t39 * rpp2
+    d13 = t39 * rpp1 - rpp3 * up1 - t44 * rpp0
+    t62 = wide(up2) * mup1
+    t64 = wide(mup3) * t12
+    t68 = wide(mup2) * (wide(up2) - 1)
+    d00 = t62 * rpp5 + t64 * rpp3 - t68 * rpp4
+    d01 = t68 * rpp2 - rpp5 * up2 - t64 * rpp1
+    d02 = rpp4 * up2 + t64 * rpp0 - t62 * rpp2
+    d03 = t62 * rpp1 - rpp3 * up2 - t68 * rpp0
+    t87 = wide(mupp1) * (wide(upp1) - 1)
+    t89 = wide(mupp3) * t35
+    t92 = wide(upp1) * mupp2
+    d30 = t87 * rp5 + t89 * rp3 - t92 * rp4
+    d31 = t92 * rp2 - rp5 * upp1 - t89 * rp1
+    d32 = rp4 * upp1 + t89 * rp0 - t87 * rp2
+    d33 = t87 * rp1 - rp3 * upp1 - t92 * rp0
+    t110 = wide(upp2) * mupp1
+    t112 = wide(mupp3) * t31
+    t116 = wide(mupp2) * (wide(upp2) - 1)
+    d20 = t110 * rp5 + t112 * rp3 - t116 * rp4
+    d21 = t116 * rp2 - rp5 * upp2 - t112 * rp1
+    d22 = rp4 * upp2 + t112 * rp0 - t110 * rp2
+    d23 = t110 * rp1 - rp3 * upp2 - t116 * rp0
+    s0 = rounded(d00 + d01 + d02 + d03)
+    s1 = rounded(d10 + d11 + d12 + d13)
+    s2 = rounded(d20 + d21 + d22 + d23)
+    s3 = rounded(d30 + d31 + d32 + d33)
+    return (s0 * s0 + s1 * s1 + s2 * s2 + s3 * s3,)
 
 
 _INTERSECT_FACTORS = (
-    "d03**2 + d13**2 + d23**2 + d33**2",
+    "s0**2 + s1**2 + s2**2 + s3**2",
 )
 
 

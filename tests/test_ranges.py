@@ -113,3 +113,12 @@ def test_small_coordinates_keep_their_digits_in_an_intersection(seed):
         if (larger := error(candidate)) >= worst:
             exponents, worst = candidate, larger
     assert worst < 5 * 2.0**-53
+
+
+@pytest.mark.parametrize("intersect", [orientation.intersect, orientation._intersect], ids=["compiled", "NumPy"])
+def test_underflow_is_reported_as_numpy_reports_it(intersect):
+    """Products of numbers near 1e-48 are zero: who asks is told, whatever computes."""
+    numbers = np.linspace(1e-48, 2e-48, 14)
+    arguments = np.split(numbers, [2, 4, 7, 9, 12]) if intersect is orientation.intersect else numbers
+    with np.errstate(under="raise"), pytest.raises(FloatingPointError, match="underflow"):
+        intersect(*arguments)

@@ -142,8 +142,9 @@ section.identity(
 
 # %% [markdown]
 # With $y_0 = 1 - y_1 - y_2 - y_3$ an equation is $b_0 y_0 + b_1 y_1 + b_2 y_2 + b_3 y_3 = 0$: its coefficients are
-# $b_j - b_0$, its right side is $-b_0$.  The minors are then the barycentric coordinates of the point where three planes
-# meet, and their sum.  Each has both planes of one image: the minors of these are the Plücker coordinates of its ray.
+# $b_j - b_0$, its right side is $-b_0$.  The minors are then the barycentric coordinates of the point where three
+# planes meet, and their sum.  Each has both planes of one image: the minors of these are the Plücker coordinates of its
+# ray.
 
 # %%
 planes = Matrix(4, 4, sympy.symbols("b:4:4"))

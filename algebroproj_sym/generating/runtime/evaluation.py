@@ -101,10 +101,13 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     >>> float(evaluate(ratio, lambda x0, x1: (x0 / x1,), ([1, 2],)))
     0.5
     """
-    if signature.twin is not None and out is None:
+    if signature.twin is not None and (out is None or _is_small(out)):
         results = calls[signature.twin](*given)
-        if results is not None:
+        if results is not None and out is None:
             return results
+        if results is not None and _has_room(out, results):
+            out[...] = results
+            return out
     if signature.twin is not None and _are_alike(given) and (out is None or _is_fitting(signature, given, out)):
         try:
             return signature.twin(*given) if out is None else signature.twin(*given, out)
@@ -219,6 +222,18 @@ def _are_alike(given: Sequence[Any]) -> bool:
         if type(array) is not np.ndarray or array.dtype is not dtype:
             return False
     return dtype in COMPILED
+
+
+def _is_small(out: Any) -> bool:
+    """Whether copying a result into an array costs less than a ufunc that writes there."""
+    return type(out) is np.ndarray and out.size < BLOCK
+
+
+def _has_room(out: Any, result: Any) -> bool:
+    """Whether an array takes one result as it is."""
+    if isinstance(result, tuple) or out.dtype is not result.dtype:
+        return False
+    return bool(out.shape == result.shape and out.flags.writeable)
 
 
 def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:

@@ -291,7 +291,7 @@ def computations(
                 if n in used
             ]
         else:
-            lines += solved(step, next(systems), names)
+            lines += solved(step, next(systems), {name: text for name, text in names.items() if name in used})
     return lines, [_assigned(output, names) for output in program.outputs]
 
 
@@ -367,7 +367,7 @@ def solving(
         "};",
         f"real solution{place}[{len(call.names)}]{initial};",
         solved,
-        *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
+        *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names) if name in names),
     ]
 
 

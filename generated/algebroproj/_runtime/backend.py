@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "DIGEST_OF_THE_SOURCE"
+DIGEST = "710a4ec516f2ece4"
 """What identifies the C source that belongs to this package."""
 
 

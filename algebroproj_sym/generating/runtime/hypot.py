@@ -45,4 +45,4 @@ def hypot_of_pair(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
     length = xp.hypot(x.hi, y.hi)
     divisor = xp.where(length == 0, xp.ones_like(length), length)
     x, y = x / divisor, y / divisor
-    return double_double(length) + (x * x + y * y - 1) * length / 2
+    return double_double(double_double(length) + (x * x + y * y - 1) * length / 2)

@@ -291,7 +291,8 @@ def computations(
                 if n in used
             ]
         else:
-            lines += solved(step, next(systems), {name: text for name, text in names.items() if name in used})
+            wanted = names if step.primitive in LINEAR else {name: text for name, text in names.items() if name in used}
+            lines += solved(step, next(systems), wanted)
     return lines, [_assigned(output, names) for output in program.outputs]
 
 
@@ -367,7 +368,7 @@ def solving(
         "};",
         f"real solution{place}[{len(call.names)}]{initial};",
         solved,
-        *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names) if name in names),
+        *(f"const real {names[name]} = solution{place}[{k}];" for k, name in enumerate(call.names)),
     ]
 
 

@@ -5,13 +5,14 @@ many digits are found, w = 1, and a theorem says how far the exact ones are.
 
 Theorem.  Let A be the coefficients of the ten products of x, y and z in the equations, and U the matrix whose columns u
 are the ten products of degree two or less at the approximate solutions, r the residuals of the equations there.  If A
-is regular, no solution has w = 0, and multiplication by x in the ring of the solutions is a matrix M of ten rows
-(bridges 9/degree).  A row of ``M u - x u`` is zero if the product is of degree two or less; if not, it is one of
-``-A^-1 r``.  So ``U^-1 M U`` is the diagonal matrix of all x, but for a matrix of norm at most
-``e = |U^-1| |A^-1| |r|``.  Discs about the x of radius e have all ten eigenvalues in them, as many in discs that hang
-together as there are of them (Bauer and Fike 1960).  The same holds of y and z.  With the coordinate of an eigenvector
-that is largest in the columns of U, each solution is within ``sqrt(10) e`` of one and the same approximate solution in
-x, y and z.
+is regular, no solution has w = 0, and the products of degree two or less span the ring of the solutions (bridges
+9/degree).  The degree of the variety is ten, and so the solutions are ten, each counted as often as it is one: the
+products are a basis of the ring, and multiplication by x is a matrix M of ten rows.  A row of ``M u - x u`` is zero if
+the product is of degree two or less; if not, it is one of ``-A^-1 r``.  So ``U^-1 M U`` is the diagonal matrix of all
+x, but for a matrix of norm at most ``e = |U^-1| |A^-1| |r|``.  Discs about the x of radius e have all ten eigenvalues
+in them, as many in discs that hang together as there are of them (Bauer and Fike 1960).  The same holds of y and z.
+With the coordinate of an eigenvector that is largest in the columns of U, each solution is within ``sqrt(10) e`` of one
+and the same approximate solution in x, y and z.
 """
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
-"""Five pairs that floating-point numbers do not decide: all solutions in integers, singly or as clusters.
+"""All solutions of five pairs in integers, singly or as clusters: hand-written functions of the package.
+
+They are for problems that floating-point numbers do not decide.
 
 The coordinates are rational, and so are the ten cubic equations of bridges 9/cubics.  Ten approximate solutions s with
 many digits are found, w = 1, and a theorem says how far the exact ones are.

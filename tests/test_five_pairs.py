@@ -349,8 +349,11 @@ def test_degenerate_problems_have_no_count(left, right):
 
 
 def test_numbers_of_any_size_are_taken_as_they_are():
-    large = np.multiply(LEFT, 1e300)
-    assert minimal.five_pairs(large, RIGHT).count in (-1, oracle(large, RIGHT))
+    for size in (1e300, 1e8, 1e-8, 1e-300):
+        left, right = np.multiply(LEFT, size), np.multiply(RIGHT, 1 / size)
+        assert minimal.five_pairs(left, RIGHT).count in (-1, oracle(left, RIGHT))
+        assert minimal.five_pairs(left, right).count in (-1, oracle(left, right))
+    assert minimal.five_pairs(np.multiply(LEFT, 1e8), RIGHT).count >= 0
 
 
 def test_a_turned_image_has_no_base():

@@ -94,7 +94,7 @@ def isolated(left: NDArray[Any], right: NDArray[Any]) -> list[Group] | None:
         for attempt in range(ATTEMPTS):
             try:
                 return _groups(_combined(kernel, attempt))
-            except (_UndecidedError, ZeroDivisionError, np.linalg.LinAlgError):
+            except (_UndecidedError, ArithmeticError, np.linalg.LinAlgError):
                 continue
     return None
 

@@ -43,5 +43,5 @@ def declared_driver(qualified_name: str, function: Callable[..., Any], needs: Se
     module, _, name = qualified_name.partition(".")
     if function.__name__ != name:
         raise DeclarationError(f"driver {qualified_name}: expected a function {name}, got {function.__name__}")
-    source, *others = (Path(str(inspect.getsourcefile(each))) for each in (function, *needs))
-    return Driver(module, name, source, tuple(others))
+    needed = tuple(Path(str(inspect.getsourcefile(each))) for each in needs)
+    return Driver(module, name, Path(str(inspect.getsourcefile(function))), needed)

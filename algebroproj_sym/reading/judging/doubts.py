@@ -30,12 +30,13 @@ _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf
 def doubt_of_premises(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary) -> str:
     """Return why an equation that fails under its premises need not contradict them.
 
-    It must follow from them by its own words, and they must be in the same section.
+    It must follow from them by its own words, or in a chain from definitions, and they must be in the same section.
     """
     for each in used_by(vocabulary, formula.sides[index], formula.sides[index + 1]):
         if each.role != "definition" and each.part != beside.part:
             return "a letter may have another meaning where it was given"
-    if not _is_said(beside, formula):
+    defined = all(each.role == "definition" for each in used_by(vocabulary, *formula.sides[index : index + 2]))
+    if not (_is_said(beside, formula) or (index > 0 and defined)):
         return "it is not said to follow"
     return doubt_of(beside, formula, index, vocabulary)
 

@@ -34,7 +34,8 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
 
 def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:
     """Whether an equation such as y(a) = b says one value of a function, and not what it is everywhere."""
-    return bool(parameters) and not {*parameters} & {*symbols_in(value)}
+    symbols = symbols_in(value)
+    return bool(parameters) and not {*parameters} & {*symbols} and not any("/" in each for each in symbols)
 
 
 def is_table(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:

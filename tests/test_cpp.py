@@ -12,10 +12,9 @@ from click.testing import CliRunner
 
 import algebroproj
 from algebroproj_sym.cli import main
-from algebroproj_sym.declaring import kernels
+from algebroproj_sym.declaring import ELEMENTARY, kernels
 from algebroproj_sym.generating.backends import BACKENDS
-from algebroproj_sym.generating.backends.c import is_compiled
-from algebroproj_sym.generating.backends.cpp import declaration, render
+from algebroproj_sym.generating.backends.cpp import declaration, is_written, render
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.generating.writing import write
 from algebroproj_sym.verifying.c_execution import NotUnderstoodError
@@ -28,7 +27,11 @@ COMPILER = shutil.which("g++")
 OPTIONS = ["-std=c++17", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-O1"]
 TYPES = {"float": np.float32, "double": np.float64, "long double": np.longdouble}
 compiling = pytest.mark.skipif(COMPILER is None, reason="needs g++")
-SOME = ["optics.image_point", "critical.determinant", "correlation.correlation_matrix", "projection.projection_matrix"]
+CALLING = {name for name, kernel in KERNELS.items() if ELEMENTARY.keys() & {s.primitive for s in kernel.stages}}
+SOME = [
+    *CALLING, "optics.image_point", "critical.determinant", "correlation.correlation_matrix",
+    "projection.projection_matrix",
+]  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -47,14 +50,13 @@ def test_the_source_of_every_function_is_proved(name, lowered, files):
     assert cpp_source_is_proved(lowered(name), files)
 
 
-def test_functions_are_those_that_c_has(every, files):
-    headers = {
-        name: header_of(text) for name, text in files.items() if name not in ("arithmetic.hpp", "algebroproj.hpp")
-    }
-    names = {f"{low.kernel.module}.{low.kernel.name}" for low in every if is_compiled(low)}
+def test_all_functions_are_there_but_those_that_are_too_long(every, files):
+    shared = ("arithmetic.hpp", "elementary.hpp", "algebroproj.hpp")
+    headers = {name: header_of(text) for name, text in files.items() if name not in shared}
+    names = {f"{low.kernel.module}.{low.kernel.name}" for low in every if is_written(low)}
     modules = {name.partition(".")[0] for name in names}
     found = {f"{m}.{function}" for m in modules for function in headers[f"{m}.hpp"].bodies}
-    assert found == names
+    assert found == names > CALLING
 
 
 def refused(kernel, header):
@@ -157,7 +159,10 @@ def program_of(kernels_, kind):
     lines = [HEAD]
     for kernel in kernels_:
         names, head = declaration(kernel)
-        types = [t.replace("real", kind) for t in re.findall(r"const (\S.*?) &?\w+(?:, (?=const)|\)$)", head)]
+        types = [
+            t.replace("real", kind)
+            for t in re.findall(r"const (\S.*?) &?\w+(?: \[\[maybe_unused\]\])?(?:, (?=const)|\)$)", head)
+        ]
         assert len(types) == len(names)
         lines.append("    for (long points = taken<long>(); points > 0; points--) {")
         lines += [f"        const auto {name} = taken<{t}>();" for name, t in zip(names.values(), types, strict=True)]
@@ -178,7 +183,7 @@ def values_of(low, dtype):
 @compiling
 @pytest.mark.parametrize("kind", TYPES)
 def test_every_function_gives_the_bits_of_the_numpy_source(kind, every, files, tmp_path):
-    chosen = [low for low in every if is_compiled(low)]
+    chosen = [low for low in every if is_written(low)]
     if kind != "double":  # what differs is the type alone: some functions are enough
         chosen = [low for low in chosen if low.kernel.qualified_name in SOME]
     dtype = TYPES[kind]
@@ -199,7 +204,10 @@ def test_every_function_gives_the_bits_of_the_numpy_source(kind, every, files, t
     for low, part in zip(chosen, expected, strict=True):
         computed = results[start : start + part.size].reshape(part.shape)
         start += part.size
-        assert same_bits(computed, part), low.kernel.qualified_name
+        if low.kernel.qualified_name in CALLING:
+            np.testing.assert_allclose(computed, part, 16 * np.finfo(dtype).eps, 0, err_msg=low.kernel.qualified_name)
+        else:
+            assert same_bits(computed, part), low.kernel.qualified_name
 
 
 @compiling

@@ -7,7 +7,19 @@ import pytest
 import sympy
 
 from algebroproj_sym import Section
-from algebroproj_sym.declaring import DeclarationError, cos_sin, kernels, let, null_vector, solution
+from algebroproj_sym.declaring import (
+    DeclarationError,
+    arctan2,
+    cos_sin,
+    exp,
+    hypot,
+    kernels,
+    let,
+    log,
+    null_vector,
+    solution,
+    sqrt,
+)  # fmt: skip
 from algebroproj_sym.declaring.jacobian import derivative
 from algebroproj_sym.expressions import Matrix, derivatives, divided, evaluate, over, vector
 from algebroproj_sym.generating.backends.numpy import render
@@ -81,6 +93,8 @@ def test_divisions_stay_recorded():
         (Matrix([[x, 1], [y**2, x * y]]), {}),
         (PARTS, {"form": PARTS}),
         (vector(u * c, v * s), {"through": [let({w: x * y + 1}), cos_sin(c, s, w), SYSTEM]}),
+        (vector(u * v, s), {"through": [hypot(u, x, x * y), log(w, u + x), exp(v, w - y), sqrt(s, v + 1)]}),
+        (s * u, {"through": [arctan2(u, y, x), sqrt(s, over(x, y))]}),
         (u * y + x, {"through": [solution([u], Matrix([[x + 2]]), vector(y * x))]}),
     ],
 )

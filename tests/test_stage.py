@@ -12,9 +12,13 @@ from algebroproj_sym.declaring import (
     DeclarationError,
     arctan2,
     cos_sin,
+    exp,
+    hypot,
     let,
+    log,
     null_vector,
     solution,
+    sqrt,
 )
 from algebroproj_sym.expressions import Matrix, NotRationalError, over, vector
 
@@ -39,6 +43,10 @@ EXAMPLES = {
     "let": let({a: x + y, b: over(x, y)}),
     "cos_sin": cos_sin(c, s, x + y),
     "arctan2": arctan2(phi, x, y),
+    "exp": exp(a, x),
+    "hypot": hypot(a, x, y),
+    "log": log(a, x + y),
+    "sqrt": sqrt(a, x * y),
     "solve": solution([a, b], square, vector(x, 1)),
     "null_vector": null_vector([a, b, c], wide.xreplace({z: y})),
 }
@@ -54,13 +62,16 @@ def test_there_is_a_way_to_declare_every_primitive_function():
 
 
 def test_the_results_are_in_the_order_of_the_declaration():
-    assert [stage.results for stage in EXAMPLES.values()] == [(a, b), (c, s), (phi,), (a, b), (a, b, c)]
+    assert [stage.results for stage in EXAMPLES.values()] == [
+        (a, b), (c, s), (phi,), (a,), (a,), (a,), (a,), (a, b), (a, b, c),
+    ]  # fmt: skip
 
 
 def test_the_operands_stand_as_they_are_given():
     assert list(EXAMPLES["let"].derived) == [x + y, over(x, y)]
     assert list(EXAMPLES["cos_sin"].derived) == [x + y]
-    assert list(EXAMPLES["arctan2"].derived) == [x, y]
+    assert list(EXAMPLES["arctan2"].derived) == list(EXAMPLES["hypot"].derived) == [x, y]
+    assert [EXAMPLES[name].derived[0] for name in ("exp", "log", "sqrt")] == [x, x + y, x * y]
     assert EXAMPLES["solve"].derived == Matrix([[x, y, x], [1, 2, 1]])
     assert EXAMPLES["null_vector"].derived == Matrix([[x, y, 1], [1, 2, y]])
 

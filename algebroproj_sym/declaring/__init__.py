@@ -32,6 +32,10 @@ from algebroproj_sym.declaring.driver import Driver
 from algebroproj_sym.declaring.elementary import ELEMENTARY, PRIMITIVES
 from algebroproj_sym.declaring.elementary.arctan2 import arctan2
 from algebroproj_sym.declaring.elementary.cos_sin import cos_sin
+from algebroproj_sym.declaring.elementary.exp import exp
+from algebroproj_sym.declaring.elementary.hypot import hypot
+from algebroproj_sym.declaring.elementary.log import log
+from algebroproj_sym.declaring.elementary.sqrt import sqrt
 from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFileError, identities
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root
 from algebroproj_sym.declaring.judging import Judgement, judge, judge_all
@@ -84,7 +88,9 @@ __all__ = [
     "derivations",
     "derivations_of",
     "drivers",
+    "exp",
     "grade_of",
+    "hypot",
     "identities",
     "import_root",
     "in_derived_terms",
@@ -94,6 +100,7 @@ __all__ = [
     "kernels",
     "let",
     "located",
+    "log",
     "null_vector",
     "numbered_with",
     "publication",
@@ -102,5 +109,6 @@ __all__ = [
     "select",
     "solution",
     "split",
+    "sqrt",
     "statement_text",
 ]

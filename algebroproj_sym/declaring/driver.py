@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from algebroproj_sym.declaring.claim import DeclarationError
@@ -21,14 +22,17 @@ class Driver:
         Where it is found in the package: ``algebroproj.<module>.<name>``.
     source : Path
         The module that defines it, which is copied into the package.
+    needs : tuple of Path
+        Other hand-written modules that it imports, which are copied, too.
     """
 
     module: str
     name: str
     source: Path
+    needs: tuple[Path, ...] = ()
 
 
-def declared_driver(qualified_name: str, function: Callable[..., Any]) -> Driver:
+def declared_driver(qualified_name: str, function: Callable[..., Any], needs: Sequence[ModuleType] = ()) -> Driver:
     """Return a driver.
 
     Raises
@@ -39,4 +43,5 @@ def declared_driver(qualified_name: str, function: Callable[..., Any]) -> Driver
     module, _, name = qualified_name.partition(".")
     if function.__name__ != name:
         raise DeclarationError(f"driver {qualified_name}: expected a function {name}, got {function.__name__}")
-    return Driver(module, name, Path(str(inspect.getsourcefile(function))))
+    needed = tuple(Path(str(inspect.getsourcefile(each))) for each in needs)
+    return Driver(module, name, Path(str(inspect.getsourcefile(function))), needed)

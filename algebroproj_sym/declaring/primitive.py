@@ -34,6 +34,8 @@ class Primitive:
         The results in Arb.
     is_complex : bool
         Whether it takes complex numbers.
+    domain : str
+        What its operand has to be, if that is not any number.
     """
 
     name: str
@@ -44,3 +46,4 @@ class Primitive:
     exact: Callable[..., tuple[Any, ...]]
     ball: Callable[..., tuple[Any, ...]]
     is_complex: bool = True
+    domain: str = ""

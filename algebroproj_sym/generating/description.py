@@ -7,7 +7,7 @@ from itertools import groupby, product
 
 import sympy
 
-from algebroproj_sym.declaring import LINEAR, Kernel, Result, Stage
+from algebroproj_sym.declaring import ELEMENTARY, LINEAR, Kernel, Result, Stage
 from algebroproj_sym.expressions import Scalar, divided, entries
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.ranges import reach
@@ -81,6 +81,11 @@ def singularities(low: Lowered, telling: str = "") -> list[str]:
         sentences.append(
             "Where the linear system is singular, or so near to it that rounding hides it, the result is not finite."
         )
+    sentences += [
+        f"It is a number only where this is {ELEMENTARY[stage.primitive].domain}: {_factor(entries(stage.form)[0])}."
+        for stage in low.kernel.stages
+        if stage.primitive in ELEMENTARY and ELEMENTARY[stage.primitive].domain
+    ]
     if not sentences:
         sentences.append(
             "No input is singular." if low.kernel.stages else "The formula is a polynomial: no input is singular."
@@ -95,8 +100,8 @@ def singularities(low: Lowered, telling: str = "") -> list[str]:
 
 
 def _factor(factor: Scalar) -> str:
-    text = factor_name(factor)
-    return f"``{text}``" if text == str(factor) else text
+    text = factor_name(divided(factor))
+    return f"``{text}``" if text == str(divided(factor)) else text
 
 
 def factor_name(factor: Scalar) -> str:

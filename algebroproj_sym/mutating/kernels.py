@@ -10,11 +10,11 @@ from types import ModuleType
 import numpy as np
 
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.samples import Sample, stratified
+from algebroproj_sym.generating.samples import Sample
 from algebroproj_sym.mutating.forms import sampled
 from algebroproj_sym.mutating.sources import SourceMutant, recompiled, source_mutants
 from algebroproj_sym.proving import seed_of
-from algebroproj_sym.verifying.accuracy import is_within_bound, results_of, truths
+from algebroproj_sym.verifying.accuracy import is_within_bound, results_of, samples_of, truths
 from algebroproj_sym.verifying.proof_of_source import Expectation, at_points, in_general
 from algebroproj_sym.verifying.shipped import Function, function_of
 
@@ -80,7 +80,7 @@ def mutate_kernel(lowered: Lowered, package: ModuleType, limit: int = 0, size: i
     found = source_mutants(function)
     chosen = sampled(found, limit, seed_of(kernel.qualified_name))
     points, general = at_points(kernel, POINTS), in_general(kernel)
-    samples = _strata_in_turn(stratified(lowered, size))
+    samples = _strata_in_turn(samples_of(lowered, size))
     known = truths(lowered, samples)
     unchanged = recompiled(function)
     if not general.is_met_by(unchanged) or not is_within_bound(lowered, unchanged, samples, known):

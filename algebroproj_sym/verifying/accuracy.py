@@ -25,8 +25,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.samples import Sample
-from algebroproj_sym.verifying.oracle import Truth, oracle
+from algebroproj_sym.generating.samples import Sample, stratified
+from algebroproj_sym.verifying.oracle import Truth, is_defined, oracle
 from algebroproj_sym.verifying.shipped import Function, call
 
 UNIT_ROUNDOFF = 2.0**-53
@@ -108,6 +108,11 @@ def truths(lowered: Lowered, samples: Sequence[Sample]) -> tuple[Truth, ...]:
     """Return the exact results of a kernel at some samples."""
     truth = oracle(lowered.kernel)
     return tuple(truth(sample.values) for sample in samples)
+
+
+def samples_of(lowered: Lowered, size: int) -> tuple[Sample, ...]:
+    """Return samples of a kernel, at most `size` in each stratum, where its elementary functions are defined."""
+    return tuple(sample for sample in stratified(lowered, size) if is_defined(lowered.kernel, sample.values))
 
 
 def measured(

@@ -19,9 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.samples import Sample, stratified
+from algebroproj_sym.generating.samples import Sample
 from algebroproj_sym.proving import seed_of
-from algebroproj_sym.verifying.accuracy import Accuracy, measured, strata_record
+from algebroproj_sym.verifying.accuracy import Accuracy, measured, samples_of, strata_record
 from algebroproj_sym.verifying.shipped import call, function_of
 
 Numbers: TypeAlias = "NDArray[np.float64]"
@@ -57,7 +57,7 @@ def attack(lowered: Lowered, package: ModuleType, seconds: float) -> Attack:
     """
     deadline = perf_counter() + seconds
     generator = np.random.default_rng(seed_of(lowered.kernel.qualified_name, "attack", 0))
-    samples = stratified(lowered, CLIMBERS)
+    samples = samples_of(lowered, CLIMBERS)
     strata = np.unique([sample.stratum for sample in samples], return_inverse=True)[1]
     names = [symbol.name for symbol in lowered.kernel.symbols]
     points = np.array([[sample.values[name] for name in names] for sample in samples])

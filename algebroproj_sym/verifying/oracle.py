@@ -23,6 +23,10 @@ LAST_PRECISION = 2000
 STEP_DIGITS = 30
 
 
+class OutsideError(ZeroDivisionError):
+    """An elementary function is not defined at the input."""
+
+
 class NoAgreementError(ArithmeticError):
     """The value did not settle to the wanted digits."""
 
@@ -63,6 +67,17 @@ def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
     return truth
 
 
+def is_defined(kernel: Kernel, inputs: Mapping[str, float]) -> bool:
+    """Whether every elementary function of a kernel is defined at an input."""
+    if not any(stage.primitive in ELEMENTARY and ELEMENTARY[stage.primitive].domain for stage in kernel.stages):
+        return True
+    try:
+        _at(_compiled(kernel), [inputs[symbol.name] for symbol in kernel.symbols], FIRST_PRECISION)
+    except OutsideError:
+        return False
+    return True
+
+
 def _compiled(kernel: Kernel) -> Callable[..., tuple[Any, ...]]:
     """Return a function from mpmath numbers for the symbols of a kernel to the derived entries, stage by stage."""
     known = list(kernel.symbols)
@@ -85,7 +100,10 @@ def _compiled(kernel: Kernel) -> Callable[..., tuple[Any, ...]]:
 def _given(primitive: str, operands: Sequence[Any], width: int) -> Sequence[Any]:
     """Return what a stage gives."""
     if primitive in ELEMENTARY:
-        return ELEMENTARY[primitive].exact(*operands)
+        values = ELEMENTARY[primitive].exact(*operands)
+        if any(map(mpmath.isnan, values)):
+            raise OutsideError(f"{primitive}: expected an input where it is defined, got {operands}")
+        return values
     return _LINEAR[primitive](operands, width) if primitive in _LINEAR else operands
 
 

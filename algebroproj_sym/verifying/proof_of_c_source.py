@@ -18,7 +18,7 @@ import sympy
 from flint.utils.flint_exceptions import DomainError
 from sympy.polys.polyerrors import ExactQuotientFailed
 
-from algebroproj_sym.declaring import LINEAR, Kernel
+from algebroproj_sym.declaring import ELEMENTARY, LINEAR, Kernel
 from algebroproj_sym.generating.backends.c import c_name, is_compiled, is_compiled_plain
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.proving.engines import ring
@@ -99,6 +99,9 @@ def is_proved(kernel: Kernel, outputs: Outputs, *, once: bool) -> bool:
     calls = Calls(wanted)
 
     def call(name: str, rows: list[list[Any]]) -> Sequence[Any]:
+        doubled = name.removesuffix("_doubled")
+        if name in ELEMENTARY or doubled in ELEMENTARY:
+            return _elementary(calls, doubled, rows, is_doubled=name not in ELEMENTARY)
         primitive = next((each for each in LINEAR if name == solver_name(each, len(rows), once)), name)
         return calls.results(primitive, rows if once else list(map(_with_rests, rows)))
 
@@ -107,6 +110,13 @@ def is_proved(kernel: Kernel, outputs: Outputs, *, once: bool) -> bool:
         return wanted.is_given_by(calls, outputs(wanted.values, meaning))
     except OtherCallError:
         return False
+
+
+def _elementary(calls: Calls, name: str, rows: list[list[Any]], *, is_doubled: bool) -> list[Any]:
+    """Return what an elementary function gives; of numbers of twice the digits, each with a second part."""
+    if not is_doubled:
+        return calls.results(name, rows)
+    return [part for result in calls.results(name, list(map(_with_rests, rows))) for part in (result, result - result)]
 
 
 def _with_rests(row: Sequence[Any]) -> list[Any]:

@@ -13,8 +13,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring import LINEAR, Kernel
-from algebroproj_sym.generating.backends.c import is_compiled
-from algebroproj_sym.generating.backends.cpp import declaration, in_double
+from algebroproj_sym.generating.backends.cpp import declaration, in_double, is_written
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, Source, body_values
 from algebroproj_sym.verifying.proof_of_c_source import is_proved, product_errors_are_proved, solver_is_proved
@@ -22,11 +21,11 @@ from algebroproj_sym.verifying.proof_of_c_source import is_proved, product_error
 _COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 _FUNCTION = re.compile(
     r"((?:^template <typename real>\nstruct \w+ \{\n[^}]*\};\n\s*)?"
-    r"^template <typename real>\nconstexpr [^\n]*? (\w+)\([^\n]*\))\n(\{\n.*?^\})",
+    r"^template <typename real>\n(?:constexpr|inline) [^\n]*? (\w+)\([^\n]*\))\n(\{\n.*?^\})",
     re.DOTALL | re.MULTILINE,
 )
 _FRAME = re.compile(
-    r'#pragma once|#include "(arithmetic|systems)\.hpp"|namespace [\w:]+ \{|using namespace arithmetic;|\}'
+    r'#pragma once|#include "(arithmetic|elementary|systems)\.hpp"|namespace [\w:]+ \{|using namespace arithmetic;|\}'
 )
 _RETURN = re.compile(r"return \{((?:-?\w+(?:, )?)+)\};\s*\}$")
 _SYSTEM = re.compile(r"const real \(&system\)\[(\d+)\]\[(\d+)\], real \(&solution\)\[(\d+)\]\)$")
@@ -67,7 +66,7 @@ def cpp_source_is_proved(lowered: Lowered, files: Mapping[str, str]) -> bool:
 
     A kernel that is left out counts as proved.
     """
-    if not is_compiled(lowered):
+    if not is_written(lowered):
         return True
     kernel = lowered.kernel
     try:

@@ -9,8 +9,7 @@ from typing import Any
 
 from algebroproj_sym.expressions import Scalar
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.samples import stratified
-from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, strata_record, truths
+from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, as_record, measured, samples_of, strata_record, truths
 from algebroproj_sym.verifying.adversary import Attack, attack, attack_record
 from algebroproj_sym.verifying.condition_numbers import a_priori_record
 from algebroproj_sym.verifying.identity import is_identical
@@ -71,7 +70,7 @@ def verify(lowered: Lowered, package: ModuleType, size: int, seconds: float = 0.
     none.
     """
     function = function_of(lowered.kernel, package)
-    samples = stratified(lowered, size)
+    samples = samples_of(lowered, size)
     exact = truths(lowered, samples)
     proofs = (source_is_proved(lowered.kernel, package, plain=plain) for plain in (False, True))
     c_proofs = (c_source_is_proved(lowered, package, plain=plain) for plain in (False, True))

@@ -6,6 +6,7 @@ dimension 3.  What is cut has at most as many components as the degree says (Bez
 So ten different isolated solutions are all.
 
 Elimination gives approximate solutions.  A test proves that near each of them there is a solution, and just one.
+Problems that floating-point numbers do not decide are solved with many digits (see `isolating`).
 """
 
 from __future__ import annotations
@@ -30,8 +31,11 @@ SOLUTIONS = 10
 BLOCK = 512
 """How many problems are solved at once."""
 
-ATTEMPTS = 8
-"""How often problems that are not decided are tried, each time with other unknowns."""
+ATTEMPTS = 3
+"""How often floating-point numbers try a problem, each time with other unknowns."""
+
+FEW = 5
+"""Up to how many problems integers solve alone.  For so few, operations on arrays take longer."""
 
 STEPS = 3
 """How many steps of Newton's method are made at most: one in the first attempt, then more."""
@@ -56,17 +60,24 @@ class FivePairs(NamedTuple):
     Attributes
     ----------
     count : ndarray of int, shape (...)
-        The number of different real solutions, 0 to 10; -1 where it is not decided: two solutions are the same or
-        nearly so, or there are infinitely many.
+        The number of different real solutions, 0 to 10; -1 where it is not told.
     E : ndarray, shape (..., 10, 3, 3)
         The solutions, each of norm 1 with a positive largest element; NaN where there are fewer than ten.
     error : ndarray, shape (..., 10, 3, 3)
         A multiple of the exact solution differs from E by at most this, element by element.
+    multiplicity : ndarray of int, shape (..., 10)
+        How many solutions, real or not, are within these errors, counted as often as each is one; 0 where there is
+        none.  All other solutions are not real.
+    case : ndarray of str, shape (...)
+        ``"counted"``, or why the count is -1: ``"cluster"``, if some multiplicity is above 1, ``"singular"``, if there
+        are infinitely many solutions, real or complex, or ``"undecided"``.
     """
 
     count: NDArray[Any]
     E: NDArray[Any]
     error: NDArray[Any]
+    multiplicity: NDArray[Any]
+    case: NDArray[Any]
 
 
 def five_pairs(x_left: ArrayLike, x_right: ArrayLike) -> FivePairs:
@@ -76,8 +87,8 @@ def five_pairs(x_left: ArrayLike, x_right: ArrayLike) -> FivePairs:
     for all pairs, where u' = (x', y', 1) and u'' = (x'', y'', 1).  The essential matrix of OpenCV is the transposed
     one.
 
-    The number of solutions is that of the given numbers as they are, or it is not told: guaranteed bounds decide it.
-    If it is told, no error is above 1e-12.
+    The number of solutions is that of the given numbers as they are, or it is not told: guaranteed bounds decide it,
+    and integers where those do not suffice.  No error is above 1e-12.
 
     Parameters
     ----------
@@ -110,6 +121,8 @@ def five_pairs(x_left: ArrayLike, x_right: ArrayLike) -> FivePairs:
     6
     >>> bool(np.nanmax(found.error) < 1e-14)
     True
+    >>> str(five_pairs(x_left, x_left).case)                    # no base
+    'singular'
     """
     left, right = (points_of(value, name, 5) for value, name in ((x_left, "x_left"), (x_right, "x_right")))
     batch = broadcast("five_pairs", left.shape[:-2], right.shape[:-2])
@@ -120,14 +133,23 @@ def five_pairs(x_left: ArrayLike, x_right: ArrayLike) -> FivePairs:
             raise ValueError(f"{name}: expected numbers that float64 holds, got {points[number != points][0]}")
         floats.append(np.broadcast_to(number, (*batch, 5, 2)).reshape(-1, 5, 2))
     total = len(floats[0])
-    found = FivePairs(np.full(total, -1), *(np.full((total, SOLUTIONS, 3, 3), np.nan) for _ in range(2)))
+    found = FivePairs(
+        np.full(total, -1),
+        *(np.full((total, SOLUTIONS, 3, 3), np.nan) for _ in range(2)),
+        np.zeros((total, SOLUTIONS), int),
+        np.full(total, "undecided"),
+    )
     sizes = [np.abs(points) for points in floats]
     moderate = np.all([((size == 0) | (size > 1 / MODERATE)) & (size < MODERATE) for size in sizes], axis=(0, 2, 3))
     for attempt in range(ATTEMPTS):
         waiting = np.flatnonzero(moderate & (found.count < 0))
-        for start in range(0, len(waiting), BLOCK):
+        for start in range(0, len(waiting) if len(waiting) > FEW else 0, BLOCK):
             places = waiting[start : start + BLOCK]
             _solve(*(points[places] for points in floats), attempt, places, found)
+    for place in np.flatnonzero(found.count < 0):
+        _solve_by_integers(
+            *(points[place] for points in floats), FivePairs(*(part[place : place + 1] for part in found))
+        )
     return FivePairs(*(part.reshape((*batch, *part.shape[1:]))[()] for part in found))
 
 
@@ -145,8 +167,28 @@ def _solve(left: Numbers, right: Numbers, attempt: int, places: NDArray[Any], fo
     kept = np.take_along_axis(real[..., None, None], order, axis=1)
     decided = usable & (count >= 0)
     found.count[places[decided]] = count[decided]
+    found.multiplicity[places[decided]] = kept[decided, :, 0, 0]
+    found.case[places[decided]] = "counted"
     for part, numbers in ((found.E, values), (found.error, errors)):
         part[places[decided]] = np.where(kept, np.take_along_axis(numbers, order, axis=1), np.nan)[decided]
+
+
+def _solve_by_integers(left: Numbers, right: Numbers, found: FivePairs) -> None:
+    """Write what integers tell of one problem."""
+    from .isolating import InfinitelyManyError, isolated
+
+    try:
+        groups = isolated(left, right)
+    except InfinitelyManyError:
+        found.case[0] = "singular"
+        return
+    if groups is None:
+        return
+    for k, group in enumerate(groups):
+        found.E[0, k], found.error[0, k], found.multiplicity[0, k] = group.E, group.error, group.multiplicity
+    counted = all(group.multiplicity == 1 for group in groups)
+    found.count[0] = len(groups) if counted else -1
+    found.case[0] = "counted" if counted else "cluster"
 
 
 # Approximate solutions.

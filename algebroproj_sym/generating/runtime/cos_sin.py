@@ -59,11 +59,11 @@ def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
     True
     """
     xp = namespace([angle.hi])
-    if _dtype(angle.hi).kind == "c":
+    if dtype_of(angle.hi).kind == "c":
         return DoubleDouble(xp.cos(angle.hi)), DoubleDouble(xp.sin(angle.hi))
-    first, second, third = (_like(angle.hi, part) for part in _parts(HALF_PI, 3, _dtype(angle.hi)))
+    first, second, third = (like(angle.hi, part) for part in parts_of_fraction(HALF_PI, 3, dtype_of(angle.hi)))
     far = abs(angle.hi) >= _farthest(angle.hi)
-    angle = DoubleDouble(xp.where(far, _like(angle.hi, np.inf), angle.hi), angle.lo)
+    angle = DoubleDouble(xp.where(far, like(angle.hi, np.inf), angle.hi), angle.lo)
     quarters = xp.round(angle.hi / first)
     rest = angle - DoubleDouble(quarters) * first - DoubleDouble(quarters) * second - DoubleDouble(quarters) * third
     square = rest * rest
@@ -79,13 +79,13 @@ def cos_sin_of_pair(angle: DoubleDouble) -> tuple[DoubleDouble, DoubleDouble]:
 
 def _farthest(angle: Any) -> float:
     """Return the least absolute value of angles whose last digit is worth half a radian."""
-    return float(0.5 / np.finfo(_dtype(angle)).eps)
+    return float(0.5 / np.finfo(dtype_of(angle)).eps)
 
 
 def _series(square: DoubleDouble, odd: int) -> DoubleDouble:
     """Return the sum of (-square)**k / (2 k + odd)!."""
     fractions = [Fraction((-1) ** k, factorial(2 * k + odd)) for k in range(TERMS)]
-    *coefficients, last = (_constant(fraction, square.hi) for fraction in fractions)
+    *coefficients, last = (constant(fraction, square.hi) for fraction in fractions)
     total = last
     for coefficient in reversed(coefficients):
         total = total * square + coefficient
@@ -96,7 +96,7 @@ def _signed(number: DoubleDouble, negative: Any) -> DoubleDouble:
     return chosen(negative, -number, number)
 
 
-def _dtype(number: Any) -> Any:
+def dtype_of(number: Any) -> Any:
     """Return the dtype of NumPy that has the digits of a number."""
     if not is_foreign(number):
         return np.asarray(number).dtype
@@ -106,17 +106,17 @@ def _dtype(number: Any) -> Any:
     return np.dtype(np.float32 if xp.finfo(number.dtype).bits == 32 else np.float64)
 
 
-def _constant(value: Fraction, number: Any) -> DoubleDouble:
-    return DoubleDouble(*two_sum(*(_like(number, part) for part in _parts(value, 2, _dtype(number)))))
+def constant(value: Fraction, number: Any) -> DoubleDouble:
+    return DoubleDouble(*two_sum(*(like(number, part) for part in parts_of_fraction(value, 2, dtype_of(number)))))
 
 
-def _like(number: Any, constant: Any) -> Any:
+def like(number: Any, constant: Any) -> Any:
     """Return a constant that may be combined with a number."""
     return namespace([number]).asarray(float(constant), dtype=number.dtype) if is_foreign(number) else constant
 
 
 @cache
-def _parts(value: Fraction, count: int, dtype: Any) -> tuple[Any, ...]:
+def parts_of_fraction(value: Fraction, count: int, dtype: Any) -> tuple[Any, ...]:
     """Return numbers whose sum is a fraction, each the rounded rest."""
     parts = []
     for _ in range(count):

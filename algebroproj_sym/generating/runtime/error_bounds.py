@@ -102,7 +102,7 @@ class Bounded:
         a, b = magnitude(self.value), magnitude(_value(other))
         inherited = a * _error(other) + b * self.error + self.error * _error(other)
         rounding = _rounding_of_product(self.value, _value(other), product)
-        return bounded(product, inherited + rounding + _tiny(product))
+        return bounded(product, inherited + rounding + tiny(product))
 
     __rmul__ = __mul__
 
@@ -120,7 +120,7 @@ def _quotient(a: Number, b: Number) -> Bounded:
     left = np.where(left > 0, left, 0)
     inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * unit) * _error(b)) / left
     rounding = _rounding_of_quotient(_value(a), _value(b), quotient)
-    return bounded(quotient, inherited + rounding + _tiny(quotient))
+    return bounded(quotient, inherited + rounding + tiny(quotient))
 
 
 def bounded(value: Number, error: Number) -> Bounded:
@@ -211,10 +211,10 @@ def _rounding_of_quotient(a: Number, b: Number, quotient: Number) -> Number:
     if not hasattr(quotient, "hi"):
         return unit_of(quotient) * abs(quotient)
     if isinstance(quotient, DoubleDouble):
-        return _doubled(quotient) + _tiny(quotient) / abs(high(b))
+        return _doubled(quotient) + tiny(quotient) / abs(high(b))
     b = separated(b)
     unit = unit_of(quotient)
-    remainder = unit * (3 * abs(quotient.hi) * tail(b) + 2 * tail(a)) + tail(quotient) * tail(b) + _tiny(quotient)
+    remainder = unit * (3 * abs(quotient.hi) * tail(b) + 2 * tail(a)) + tail(quotient) * tail(b) + tiny(quotient)
     return remainder / abs(high(b)) + 4 * unit * tail(quotient)
 
 
@@ -236,7 +236,7 @@ def unit_of(number: Number) -> Number:
     return _unit(getattr(high(number), "dtype", _FLOAT64))
 
 
-def _tiny(number: Number) -> Number:
+def tiny(number: Number) -> Number:
     """Return more than what underflow can change: a product of parts of double-double numbers may underflow."""
     return _least(getattr(high(number), "dtype", _FLOAT64))
 

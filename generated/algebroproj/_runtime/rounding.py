@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .evaluation import Body, batch_of, parts_of, placed, reals
-from .pairs import DoubleDouble
+from .pairs import DIGITS, DoubleDouble
 from .precision import on_bounded
 from .wrapping import Wrapped
 
@@ -47,7 +47,7 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
     Raises
     ------
     TypeError
-        If the function is not a generated one, or computes a sine, cosine or arctangent, or an argument is not real.
+        If the function is not a generated one, or calls an elementary function, or an argument is not real.
 
     Examples
     --------
@@ -57,9 +57,9 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
     (0.3333333333333333, 0.9995061728395062)
     """
     signature, body = parts_of(function, "rounded")
-    called = {"arctan2", "cos_sin"}.intersection(body.__code__.co_names)
+    called = sorted({*body.__code__.co_names} - {"solve", "null_vector", *DIGITS})
     if called:
-        raise TypeError(f"rounded: expected a rational function, got {signature.name}, which calls {called.pop()}")
+        raise TypeError(f"rounded: expected a rational function, got {signature.name}, which calls {called[0]}")
 
     def correctly_rounded(*arguments: Any, **named: Any) -> Any:
         given = reals(signature, placed(signature, arguments, named))

@@ -291,7 +291,8 @@ def computations(
                 if n in used
             ]
         else:
-            lines += solved(step, next(systems), names)
+            wanted = names if step.primitive in LINEAR else {name: text for name, text in names.items() if name in used}
+            lines += solved(step, next(systems), wanted)
     return lines, [_assigned(output, names) for output in program.outputs]
 
 

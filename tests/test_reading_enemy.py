@@ -1,7 +1,7 @@
-r"""True documents that look like false ones: none of their equations may be called a contradiction.
+r"""True documents that look like false ones, of which nothing may be called a contradiction, and false ones.
 
-Each has an equation that differs in one place from a consequence of what stands above it, and is true all the same: of
-another case, limit, medium, body, convention, or meaning of a letter.
+Each true one has an equation that differs in one place from a consequence of what stands above it, and is true all the
+same: of another case, limit, medium, body, convention, or meaning of a letter.
 """
 
 import pytest
@@ -109,6 +109,46 @@ TRUE = {
     "rounded": r"\[ s := \frac13. \] Hence \[ s = 0.333. \]",
     "a congruence": r"\[ s := 7. \] Hence \[ s = 2 \pmod 5. \]",
     "logarithms": r"\[ L := \ln a + \ln b. \] Hence \[ L = \log(ab). \]",
+    # Chains, with a case that hardly shows.
+    "a dropped term in a chain": r"\[ y = (1 + e)^2 - 1 = 2e + e^2 = 2e. \]",
+    "a chain to first order in words": r"To first order, \begin{align} \sin x &= x - x^3/6 \\ "
+    r"&= x. \end{align}",
+    "a chain that ends at rest": r"At rest, \begin{align} E &= \frac12 m v^2 + m g h \\ "
+    r"&= m g h. \end{align}",
+    "a chain with a fixed point": r"A fixed point has \[ x = 2x - x^2 = x^2. \]",
+    "a chain with a root": r"\[ y = \sqrt{x^2} = x. \]",
+    "a chain modulo": r"Modulo 5 we have \[ 2^4 = 16 = 1. \]",
+    "a chain of equal halves": r"Both halves are equal, so \[ y = a + b = 2 a. \]",
+    "a chain of a period": r"\[ y = u(t + T) = u(t). \]",
+    "a chain of an even function": r"For even functions \[ y = g(x) + h(-x) = g(x) + h(x). \]",
+    # Letters that a sentence lets be something.
+    "a letter let": SUM + r"Let $b$ be zero. Hence \[ s^2 = a^2 - 2ab + b^2. \]",
+    "let of a product": SUM + r"Let $a b = 0$. Hence \[ s^2 = a^2 - 2ab + b^2. \]",
+    "let the difference": SUM + r"Let $s = a - b$ from here on. Hence \[ s^2 = a^2 - 2ab + b^2. \]",
+    "let of a set": r"Let $x \in \{0, 1\}$ and \[ y := x^2. \] Hence \[ y = x. \]",
+    "let of an interval": r"\[ y := \sqrt{x^2}. \] Let $x \in [-1, 0]$. Hence \[ y = -x. \]",
+    # What is computed has a name in its sentence.
+    "a determinant of another one": r"\[ R = \begin{pmatrix} c & -s \\ s & c \end{pmatrix}. \] "
+    r"The determinant of the mirrored one is \[ \det R = -c^2 - s^2. \]",
+    "a determinant where": r"\[ A = \begin{pmatrix} a & b \\ b & a \end{pmatrix}. \] "
+    r"Its determinant, for a sum of zero, is \[ \det A = a^2 + b^2. \]",
+    "a unit determinant": r"\[ A = \begin{pmatrix} a & b \\ c & d \end{pmatrix}. \] "
+    r"Its determinant is \[ \det A = 1. \]",
+    "a length of one": r"\[ \mathbf{n} = \begin{pmatrix} x \\ y \end{pmatrix}. \] "
+    r"Its length is \[ \|\mathbf{n}\| = 1. \]",
+    "an orthogonal inverse": r"\[ R = \begin{pmatrix} c & -s \\ s & c \end{pmatrix}. \] Its inverse is "
+    r"\[ R^{-1} = \begin{pmatrix} c & s \\ -s & c \end{pmatrix}. \]",
+    # Derivatives.
+    "a prime for another frame": r"The frequency is \[ f(v) = \frac{c}{c - v}. \] In the other frame it is "
+    r"\[ f'(v) = \frac{c}{c + v}. \]",
+    "a prime for the image": r"\[ I(x) = x^2 + 1. \] The image after the filter is \[ I'(x) = 2 x + 1. \]",
+    "a prime without words": r"\[ f(x) = x^2. \] \[ f'(x) = x^2 + 1. \]",
+    "a stationary value": r"\[ f(x) = x^2 - 2 a x. \] The derivative is zero there: \[ f'(x) = 0. \]",
+    "a value of the derivative": r"\[ f(x) = x^2 + a x. \] The derivative at the origin is \[ f'(x) = a. \]",
+    "a derivative along a curve": r"\[ z = \frac{d}{dx} (x^2 + y^2) = 2x + 2 y \frac{dy}{dx}. \]",
+    "a derivative with a prime": r"\[ z = \frac{d}{dx} (x y) = y + x y'. \]",
+    "a derivative along the motion": r"\[ z = \frac{d}{dt} (t x) = x + t \dot x. \]",
+    "a derivative set to zero": r"\[ z = \frac{d}{dx} (x^2 - 2 a x) = 2x - 2a = 0. \]",
 }
 
 
@@ -116,3 +156,66 @@ TRUE = {
 def test_what_may_be_true_is_not_called_a_contradiction(latex):
     found = read_document(document_of(latex), seconds=5)
     assert [each.read for each in found if each.verdict == "contradicts"] == []
+
+
+MATRIX = r"\begin{bmatrix} a & b \\ c & d \end{bmatrix}"
+FALSE = {
+    "sign in a chain": r"\begin{align} (a+b)^2 &= a^2 + 2ab + b^2 \\ &= a^2 + b(2a + b) \\ "
+    r"&= a^2 + b(2a - b) \end{align}",
+    "whole sign in a chain": r"\begin{align} \frac1x - \frac1y &= -\frac{x - y}{xy} \\ "
+    r"&= \frac{x - y}{xy}. \end{align}",
+    "function in a chain": r"\begin{align*} \sin(2t) &= 2\tan t \cos^2 t \\ &= 2\tan t \sin^2 t \end{align*}",
+    "product in a chain": r"\begin{align} (x-1)(x+1)(x^2+1) &= (x^2-1)(x^2+1) \\ &= x^4 + 1. \end{align}",
+    "half of a side": r"\begin{align} s &= (a+b)^2 - (a-b)^2 \\ &= 4 a b \\ &= 2 ab \end{align}",
+    "derivative in a chain": r"\begin{align} \frac{d}{dx} (x^3 + 2x) &= 3x^2 + 2 \\ &= 3x^2 + 3 \end{align}",
+    "derivative itself": r"\[ y = \frac{d}{dx} (x^3 + 2x) = 3x^2 - 2. \]",
+    "area": r"The area is \begin{align} A &= \pi (R^2 - r^2) \\ &= \pi (R - r)(R + r) \\ &= \pi (R - r)^2. \end{align}",
+    "exponent in a chain": r"\begin{align} (1 - q)(1 + q + q^2) &= 1 + q^2 - q^2 - q^3 \\ &= 1 - q^2. \end{align}",
+    "cross product": r"\begin{align} \mathbf{a} \times \mathbf{b} &= -\mathbf{b} \times \mathbf{a} \\ "
+    r"&= \mathbf{b} \times \mathbf{a}. \end{align} with $\mathbf{a}, \mathbf{b} \in \mathbb{R}^3$.",
+    "numbers": r"It is known that \[ 2^{10} = 1000. \]",
+    "matrices of numbers": r"\[ \begin{pmatrix} 1 & 2 \\ 3 & 4\end{pmatrix} "
+    r"\begin{pmatrix} 0 & 1 \\ 1 & 0\end{pmatrix} "
+    r"= \begin{pmatrix} 2 & 1 \\ 4 & 2\end{pmatrix} \]",
+    "let": r"Let $c = a^2 + b^2$. We have \[ c - 2ab = (a + b)^2. \]",
+    "sum and difference": r"Define \[ u := x + y, \quad v := x - y. \] Then \[ u v = x^2 + y^2. \]",
+    "determinant": r"The rotation is " + TURN + r"Its determinant is \[ \det R = \cos^2 t - \sin^2 t. \]",
+    "inverse": rf"With \[ A = {MATRIX} \] the inverse is "
+    r"\[ A^{-1} = \frac{1}{ad - bc} \begin{bmatrix} d & b \\ -c & a \end{bmatrix}. \]",
+    "trace": rf"We have \[ A = {MATRIX}. \] Its trace is \[ \operatorname{{tr}} A = a - d. \]",
+    "derivative of a function": r"Let \[ f(x) = x^3 - 3x. \] Its derivative is \[ f'(x) = 3x^2 + 3. \]",
+    "second derivative": r"We have \[ f(x) = x^3 - a x. \] Its derivatives are then \[ f''(x) = 6x^2. \]",
+    "substitution": r"The energy is \[ T = \frac12 m v^2 \] where \[ v = r w. \] "
+    r"It follows that \[ T = \frac12 m r w^2. \]",
+    "polar": r"\[ x = r\cos t, \quad y = r \sin t. \] Thus \[ x^2 + y^2 = 2 r^2. \]",
+}
+
+
+@pytest.mark.parametrize("latex", FALSE.values(), ids=FALSE)
+def test_a_contradiction_that_a_reader_sees_is_called_one(latex):
+    verdicts = [each.verdict for each in read_document(document_of(latex), seconds=5)]
+    assert verdicts[-1] == "contradicts", verdicts
+    assert verdicts.count("contradicts") == 1
+
+
+def test_a_derivative_is_taken_before_its_place_is_put_in():
+    found = read_document(
+        document_of(r"\[ f(x) := a x. \] \[ f'(a) = a. \] \[ f'(2) = a. \] \[ f'(a) = 2a. \]"), seconds=5
+    )
+    assert [each.verdict for each in found[1:3]] == ["follows", "follows"]
+    assert found[3].verdict != "follows"
+
+
+def test_what_holds_of_the_values_of_functions_needs_none_of_their_definitions():
+    text = (
+        r"\[ f(x) := \sum_k a_k n_k(x). \] \[ \frac{f(x + h) - f(x) + f(x) - f(u)}{2h} = \frac{f(x + h) - f(u)}{2h}. \]"
+    )
+    (found,) = read_document(document_of(text), seconds=5)[1:]
+    assert (found.verdict, found.links[0].rests_on) == ("follows", ())
+
+
+def test_one_value_of_a_function_says_nothing_of_another_one():
+    found = read_document(document_of(r"\[ y(a) = b \] \[ y(c) = b \] \[ y(a) - y(c) = 0 \]"), seconds=5)
+    assert "follows" not in [each.verdict for each in found]
+    found = read_document(document_of(r"\[ f(x) = a x. \] \[ f(a) = a^2. \] \[ f(2) = 4. \]"), seconds=5)
+    assert [each.verdict for each in found] == ["definition", "follows", "independent"]

@@ -78,7 +78,12 @@ def reading_lines(name: str, readings: Sequence[Reading], *, full: bool) -> Iter
         for verdict in ("not decided", "not read"):
             yield from _by_reason(verdict, [each for each in readings if each.verdict == verdict])
     counts = summary_of(readings)
-    yield f"{name}: {len(readings)} equations: " + ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
+    if not readings:
+        yield f"{name}: no displayed equation was found"
+        return
+    yield f"{name}: {len(readings)} {'equation' if len(readings) == 1 else 'equations'}: " + ", ".join(
+        f"{count} {verdict}" for verdict, count in counts.items()
+    )
 
 
 def _by_reason(verdict: str, readings: Sequence[Reading]) -> Iterator[str]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -18,18 +18,22 @@ import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
-from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
+from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions
 
+MOST_PREMISES = 300
+"""From how many equations before one it may follow, besides those that it names."""
 MOST_NEAR = 3
 """How many equations before one may be premises of it, though words beside them speak of a case."""
 _CITED = re.compile(r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\((\d+(?:\.\d+)*[a-z]?)\)")
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
 _DERIVATIVE = re.compile(r"(d|\\partial)(.+)/\1(.+)")
+_OPERATOR = re.compile(r"(d|\\partial)/\1([a-zA-Z]|\\[a-z]+)")
 
 
 @dataclass(frozen=True)
@@ -68,7 +72,7 @@ class Premise:
         """What it says of a letter that stands alone; None if none does."""
         for side, other in ((self.left, self.right), (self.right, self.left)):
             symbol, parameters = defined_by(side)
-            if symbol:
+            if symbol and not is_one_value(parameters, other):
                 return self._of(symbol, parameters, other)
         return None
 
@@ -132,8 +136,12 @@ def applicable(premises: Sequence[Premise], part: int, cited: frozenset[str]) ->
 
     They are those that it names, those beside which no case is spoken of, and the last ones in the same section.
     """
-    near = [each for each in premises[-MOST_NEAR:] if each.part == part]
-    return [each for each in premises if each.names & cited or not each.special or each in near]
+    first, near = len(premises) - MOST_PREMISES, len(premises) - MOST_NEAR
+    return [
+        each
+        for place, each in enumerate(premises)
+        if each.names & cited or (place >= first and not each.special) or (place >= near and each.part == part)
+    ]
 
 
 def neighbours(premises: Sequence[Premise], part: int, cited: frozenset[str]) -> list[Premise]:
@@ -146,10 +154,13 @@ def neighbours(premises: Sequence[Premise], part: int, cited: frozenset[str]) ->
 def extended(vocabulary: Vocabulary, given: Iterable[Definition]) -> Vocabulary:
     """Return a vocabulary in which letters stand for what premises say; a later premise goes first.
 
-    A premise by which a letter would be given by itself is left out.
+    A premise by which a letter would be given by itself is left out, and one that gives a function at another place.
     """
     found = vocabulary.copied()
     for each in given:
+        known = found.definitions.get(each.symbol)
+        if known is not None and known.parameters != each.parameters and known.role == "definition":
+            continue
         before = found.definitions.pop(each.symbol, None)
         reached = {symbol for used in found.used_in(each.tree) for symbol in used.symbols} | {*symbols_in(each.tree)}
         if each.symbol not in reached:
@@ -199,10 +210,45 @@ def crosses_in(symbols: Iterable[str], words: Iterable[str]) -> Iterator[Definit
                 yield Definition(symbol, (), cross, 'the words "tilde matrix"', 0, True)
 
 
+def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tuple[Any, list[Definition]]:
+    r"""Return a formula in which each ``\frac{d}{dx}`` of something is a letter, and what these letters stand for.
+
+    The letters beside x do not change.  A derivative stays as it is if the document speaks of one of another letter.
+    """
+    if not isinstance(tree, Tree):
+        return tree, []
+    parts = [computed(each, vocabulary, occurring) for each in tree.children]
+    found, made = Tree(tree.data, [each for each, _ in parts]), [each for _, more in parts for each in more]
+    match = _OPERATOR.fullmatch(str(tree.children[0])) if tree.data == "big" else None
+    if match is None:
+        return found, made
+    sign, variable = match.groups()
+    body = found.children[1]
+    letters = vocabulary.letters_of(body) - {each.symbol for each in made}
+    others = sorted(letters - {variable})
+    bare = frozenset(map(_bare, occurring))
+    changing = any(
+        {_with_dot(each), f"{_bare(each)}'", *(f"{d}{_bare(each)}/{d}{variable}" for d in ("d", r"\partial"))} & bare
+        for each in others
+    )
+    inside = {variable, *others} & {str(each.children[0]) for each in tree.iter_subtrees() if each.data == "call"}
+    hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
+    if variable not in letters or changing or inside or (hidden and sign != "d"):
+        return found, made
+    where = f"the derivative by {vocabulary.name(variable)}"
+    if others:
+        where += f", where {', '.join(map(vocabulary.name, others))} do not change"
+    symbol = f"{tree.children[0]} {vocabulary.text(body)}"
+    made.append(Definition(symbol, (), _slope(body, variable), where, -1, True))
+    return _letter(symbol), made
+
+
 def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
     if "/" in symbol:
         match = _DERIVATIVE.fullmatch(symbol)
         return None if match is None else _of_quotient(symbol, match, vocabulary)
+    if "'" in symbol:
+        return _of_prime(symbol, vocabulary)
     function = _by_bare(vocabulary.definitions).get(_without_dot(symbol))
     return None if function is None else _rate(symbol, function, vocabulary, occurring)
 
@@ -224,6 +270,26 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
         return None
     others = sorted(letters - {variable}) if sign == "d" else []
     return _made(symbol, _slope(value, variable), definition, others, vocabulary)
+
+
+def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
+    """Return the derivative of a function of one letter."""
+    letter, primes, below, above = split_symbol(symbol)
+    definition = vocabulary.definitions.get(written(letter, 0, below, above))
+    if definition is None or not definition.usable or len(definition.parameters) != 1:
+        return None
+    (variable,) = definition.parameters
+    if any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(definition.tree)):
+        return None
+    value: Formula = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", [_letter(variable)])])
+    for _ in range(primes):
+        value = _slope(value, variable)
+    try:
+        vocabulary.value(value)
+    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+        return None
+    others = sorted(vocabulary.letters_of(definition.tree) - {variable})
+    return replace(_made(symbol, value, definition, others, vocabulary), parameters=(variable,))
 
 
 def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:

@@ -32,6 +32,12 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
     return "", ()
 
 
+def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:
+    """Whether an equation such as y(a) = b says one value of a function, and not what it is everywhere."""
+    symbols = symbols_in(value)
+    return bool(parameters) and not {*parameters} & {*symbols} and not any("/" in each for each in symbols)
+
+
 def is_table(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:
     """Whether a value is a printed matrix, and the letter for it has no size yet: it cannot have been a condition."""
     while value.data in ("marked", "group"):

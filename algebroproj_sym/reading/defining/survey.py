@@ -112,6 +112,11 @@ class Survey:
         """The symbols of the document."""
         return frozenset(symbol for side in _sides(self.formulas) for symbol in symbols_in(side))
 
+    @cached_property
+    def restricted(self) -> frozenset[str]:
+        r"""The letters that are said to be in a set or an interval, as in ``x \in \{0, 1\}``."""
+        return frozenset(match[1] for each in self.document.formulas for match in _IN_A_SET.finditer(each.latex))
+
     def vocabulary(self) -> Vocabulary:
         """Return what is known of the letters before the first equation."""
         sizes, properties = sizes_in(self.statements), properties_in(self.statements)
@@ -143,6 +148,9 @@ class Survey:
                 if base == _E and isinstance(exponent, Tree):
                     powers.append(bool(symbols_in(exponent)))
         return len(powers) == letters and any(powers)
+
+
+_IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 
 
 def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula]:

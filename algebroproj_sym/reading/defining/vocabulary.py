@@ -247,6 +247,13 @@ class Vocabulary:
         def function(*arguments: Any) -> Any:
             if len(arguments) != len(definition.parameters):
                 raise UnreadableError(f"{definition.symbol} is a function of {len(definition.parameters)} arguments")
+            if definition.tree.data == "slope":
+                letters = [sympy.Dummy(each) for each in definition.parameters]
+                inside = evaluated(
+                    definition.tree,
+                    self._names_with({**values, **dict(zip(definition.parameters, letters, strict=True))}),
+                )
+                return inside.xreplace(dict(zip(letters, arguments, strict=True)))
             own = {**values, **dict(zip(definition.parameters, arguments, strict=True))}
             return evaluated(definition.tree, self._names_with(own))
 

@@ -321,7 +321,7 @@ def _notebook(path: Path, text: str) -> Document:
         parts = [part if isinstance(part, list) else part.splitlines(keepends=True) for part in sources]
         written = [line for part in parts for line in [*(str(each).rstrip("\n") for each in part), ""]]
     except (ValueError, KeyError, TypeError, RecursionError) as error:
-        raise UnreadableDocumentError(f"{path}: expected a Jupyter notebook, got {type(error).__name__}") from error
+        raise UnreadableDocumentError(f"{path}: expected a Jupyter notebook, got something else") from error
     return document_of("\n".join(written), latex=False, lines=tuple(_lines_of(written, text)))
 
 

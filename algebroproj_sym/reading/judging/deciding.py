@@ -25,7 +25,7 @@ from algebroproj_sym.reading.judging.questions import (
     rests_of,
     used_by,
 )
-from algebroproj_sym.reading.judging.repairs import STRONG, Repair, repairs
+from algebroproj_sym.reading.judging.repairs import MULTIPLE, STRONG, WITHIN, Repair, repairs
 from algebroproj_sym.reading.judging.verdicts import Link
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import symbols_in
@@ -50,6 +50,7 @@ class Asked:
     link: Link
     identity: bool
     certain: bool
+    chained: bool
 
 
 def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
@@ -64,7 +65,10 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         if each.link.verdict != "follows":
             refuted = [(way, answer) for way, (_, answer) in zip(each.ways, answered, strict=True)]
             failing += [(each, way, answer) for way, answer in refuted if answer.verdict == "refuted" and not way.reads]
-    candidates = [_likely_repairs(way) if way.doubt not in (A_CONDITION, NOT_GIVEN) else [] for _, way, _ in failing]
+    candidates = [
+        [] if way.doubt in (A_CONDITION, NOT_GIVEN) else _likely_repairs(way, chained=each.chained)
+        for each, way, _ in failing
+    ]
     found = answers([way for changes in candidates for _, way in changes], seconds, jobs)
     for (each, way, refutation), changes in zip(failing, candidates, strict=True):
         tried = [(repair, changed, *found.pop(0)) for repair, changed in changes]
@@ -81,15 +85,22 @@ def _says(link: Link) -> tuple[bool, bool]:
     return link.verdict == "contradicts", bool(link.suggestion)
 
 
-def _likely_repairs(way: Way) -> list[tuple[Repair, Way]]:
-    """Return the changes after which the sides agree at some points."""
+def _likely_repairs(way: Way, *, chained: bool) -> list[tuple[Repair, Way]]:
+    """Return the changes after which the sides agree at some points.
+
+    They are the same after it only in a chain, where the side before is given, and if the change is within a side.
+    """
     vocabulary, left, right = way.vocabulary, way.left, way.right
     used = used_by(vocabulary, left, right)
     symbols = {symbol for tree in (left, right, *(each.tree for each in used)) for symbol in symbols_in(tree)}
     changes = [(each, replace(way, right=each.formula)) for each in repairs(right, symbols)]
     changes += [(each, replace(way, left=each.formula)) for each in repairs(left, symbols)]
     found = sorted(changes, key=lambda pair: pair[0].kind not in STRONG)
-    changed = [pair for pair in found if pair[1].left != pair[1].right]
+    changed = [
+        (each, other)
+        for each, other in found
+        if other.left != other.right or (chained and each.kind in WITHIN and each.before not in (left, right))
+    ]
     if is_lettered(way):
         return changed[:MOST_REPAIRS_OF_LETTERS]
     return [*islice((pair for pair in changed if _agree(vocabulary, pair[1].sides)), MOST_REPAIRS)]
@@ -163,7 +174,12 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
     doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
     plain = way is asked.ways[0]
     certain = (plain and asked.certain) or (
-        repair is not None and (repair.kind in STRONG or (repair.kind == "letter" and _holds_beside(way, repaired)))
+        repair is not None
+        and (
+            repair.kind in STRONG
+            or (repair.kind == MULTIPLE and asked.chained)
+            or (repair.kind == "letter" and _holds_beside(way, repaired))
+        )
     )
     asserted = (certain and not doubt) or (plain and asked.identity and not (doubt and is_lettered(way)))
     reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"

@@ -10,18 +10,26 @@ from algebroproj_sym.reading.defining.premises import (
     Premise,
     applicable,
     cited_in,
+    computed,
     derivatives_in,
     extended,
     neighbours,
 )
-from algebroproj_sym.reading.defining.recognising import EQUALITIES, computes, defined_by, is_circular, is_table
+from algebroproj_sym.reading.defining.recognising import (
+    EQUALITIES,
+    computes,
+    defined_by,
+    is_circular,
+    is_one_value,
+    is_table,
+)
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import Asked, decide
-from algebroproj_sym.reading.judging.doubts import doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.doubts import NOT_GIVEN, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import Sides, Way, asked_of, both_sides, rests_of, used_by
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.words import (
@@ -211,7 +219,7 @@ class _Pass:
         sides = formula.sides[defines:]
         pairs = [(sides[0], sides[-1]), *(pairwise(sides) if len(sides) > 2 else ())] if len(sides) > 1 else []
         names = frozenset((statement.number, statement.label)) - {""}
-        special, words = bool(self.beside.case), self.beside.words
+        special, words = bool(self.beside.case()), self.beside.words
         where, display = _where(statement), statement.display
         for left, right in pairs:
             self.premises.append(Premise(left, right, where, display.part, display.place, names, special, words))
@@ -231,7 +239,9 @@ class _Pass:
             return None
         explicit = explicit or relation in (":=", "=:") or self._named(statement, self.given.definitions)
         table = is_table(symbol, right, self.vocabulary)
-        if self.beside.is_conditional and not (explicit or table):
+        if (self.beside.is_conditional and not (explicit or table)) or (
+            not explicit and is_one_value(parameters, right)
+        ):
             return None
         late = late or explicit or self.introduced or table
         used = self.asserted.get(symbol, statement.display.place) != statement.display.place and not late
@@ -254,8 +264,10 @@ class _Pass:
         rests = rests_of(self.vocabulary, left, right)
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
-        doubt = doubt_of(self.beside, formula, index, self.vocabulary)
         letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
+        ranged = sorted(letters & self.survey.restricted)
+        doubt = f"{self.vocabulary.name(ranged[0])} is of a set" if ranged else ""
+        doubt = doubt or doubt_of(self.beside, formula, index, self.vocabulary)
         identity = self._named(statement, self.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.vocabulary, left, right))
         vocabulary = self.vocabulary.copied()
@@ -263,9 +275,14 @@ class _Pass:
         ways = [
             Way(left, right, vocabulary, doubt),
             *(Way(*each, vocabulary, reads=" = ".join(map(vocabulary.text, each))) for each in others),
-            *self._with_premises(statement, formula, index, vocabulary),
+            *(
+                replace(each, doubt=doubt) if ranged else each
+                for each in self._with_premises(statement, formula, index, vocabulary)
+            ),
+            *self._without_definitions(left, right, vocabulary),
         ]
-        asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain)
+        chained = len(formula.sides) > 2
+        asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained)
         return asked.link, asked
 
     def _others(self, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
@@ -288,6 +305,20 @@ class _Pass:
             if (ids := tuple(map(id, used))) not in seen:
                 seen.append(ids)
                 yield Way(left, right, known, doubt_of_premises(self.beside, formula, index, known))
+        (ours, made), (theirs, more) = (computed(side, vocabulary, self.survey.occurring) for side in (left, right))
+        if made or more:
+            known = extended(vocabulary, [*made, *more])
+            yield Way(ours, theirs, known, doubt_of(self.beside, formula, index, vocabulary))
+
+    def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
+        """Yield a relation as it stands, of letters of which nothing is known but their sizes."""
+        used = used_by(vocabulary, left, right)
+        if used and r"\pi" not in {each.symbol for each in used}:
+            bare = vocabulary.copied()
+            for each in used:
+                bare.definitions.pop(each.symbol, None)
+            bare.forget()
+            yield Way(left, right, bare, NOT_GIVEN)
 
     def _vocabularies(
         self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
@@ -296,7 +327,7 @@ class _Pass:
         cited, part = cited_in(statement.display.before), statement.display.part
         found = [each.gives for each in applicable(self.premises, part, cited) if each.gives is not None]
         lone = frozenset(symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol)
-        for given in ([each for each in found if each.symbol not in lone], found):
+        for given in ([], [each for each in found if each.symbol not in lone], found):
             known = extended(vocabulary, given)
             yield known
             yield extended(known, derivatives_in((left, right), known, self.survey.occurring))

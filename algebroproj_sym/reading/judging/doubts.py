@@ -23,18 +23,20 @@ from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 NOT_COMPUTED = "stands for is not computed"
 NOT_GIVEN = "its letters are defined nowhere above it"
 A_CONDITION = "it may be a condition"
+_MINUS_ONE = Tree("sum", [Token("SIGN", "-"), Tree("number", [Token("NUMBER", "1")])])
 _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
 
 
 def doubt_of_premises(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary) -> str:
     """Return why an equation that fails under its premises need not contradict them.
 
-    It must follow from them by its own words, and they must be in the same section.
+    It must follow from them by its own words, or in a chain from definitions, and they must be in the same section.
     """
     for each in used_by(vocabulary, formula.sides[index], formula.sides[index + 1]):
         if each.role != "definition" and each.part != beside.part:
             return "a letter may have another meaning where it was given"
-    if not beside.follows:
+    defined = all(each.role == "definition" for each in used_by(vocabulary, *formula.sides[index : index + 2]))
+    if not (_is_said(beside, formula) or (index > 0 and defined)):
         return "it is not said to follow"
     return doubt_of(beside, formula, index, vocabulary)
 
@@ -54,7 +56,8 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
         return "it stands beside a condition"
     lone = [tree for tree in (left, right) if defined_by(tree)[0]]
     within = bool(used) and not lone and all(each.place == beside.place for each in used)
-    if case := beside.case_within if within else beside.case:
+    given = [each.symbol for each in used if each.explicit]
+    if case := beside.case_within if within else beside.case(given):
         return f"the word {case!r} beside it may limit it to a case"
     if doubt := _doubt_of_reading((left, right, *(each.tree for each in used)), symbols):
         return doubt
@@ -65,16 +68,16 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
         return f"what {vocabulary.name(unusable[0])} {NOT_COMPUTED}"
     if within:
         return _doubt_of_letters(formula, index, vocabulary, used, chained=len(formula.sides) > 2)
-    if used and (word := beside.strange(frozenset().union(*(each.words for each in used)))):
+    if used and (word := beside.strange(_operators(formula).union(*(each.words for each in used)))):
         return f"the word {word!r} beside it may speak of another thing"
     for tree in lone:
         definition = vocabulary.definitions.get(defined_by(tree)[0])
-        if definition is not None and not _is_meant(definition, beside):
+        if definition is not None and not _is_meant(definition, beside, formula):
             return _other_meaning(definition, vocabulary)
     first = [vocabulary.definitions[each] for each in sorted(symbols) if each in vocabulary.definitions]
     if renamed := [each for each in first if re.sub(r"[{}\s]", "", each.symbol) in beside.renamed]:
         return _other_meaning(renamed[0], vocabulary)
-    if words_of(beside.sentence) and not lone and first and not any(_is_meant(each, beside) for each in first):
+    if words_of(beside.sentence) and not lone and first and not any(_is_meant(each, beside, formula) for each in first):
         return _other_meaning(first[0], vocabulary)
     return _doubt_of_letters(formula, index, vocabulary, used, chained=len(formula.sides) > 2 and not lone)
 
@@ -110,9 +113,36 @@ def _doubt_of_letters(
     return ""
 
 
-def _is_meant(definition: Definition, beside: Beside) -> bool:
+def _is_meant(definition: Definition, beside: Beside, formula: Parsed) -> bool:
     """Whether a letter still has the meaning that it was given."""
-    return definition.part == beside.part and (definition.explicit or beside.follows)
+    return definition.part == beside.part and (definition.explicit or _is_said(beside, formula))
+
+
+def _is_said(beside: Beside, formula: Parsed) -> bool:
+    """Whether an equation is said to follow, or its sentence names what is computed in it, as "its determinant"."""
+    return beside.follows or bool(_operators(formula) & words_of(beside.sentence))
+
+
+_NAMED = {
+    "det": ("determinant",),
+    "tr": ("trace",),
+    "marked": ("transpose", "transposed"),
+    "inverse": ("inverse",),
+    "norm": ("norm", "length", "magnitude"),
+    "'": ("derivative", "derivatives"),
+}
+"""The words that name what is computed."""
+
+
+def _operators(formula: Parsed) -> frozenset[str]:
+    """Return the words that name what is computed in a formula."""
+    found = set[str]()
+    for tree in (each for side in formula.sides for each in side.iter_subtrees()):
+        head = str(tree.children[0]) if tree.children else ""
+        if tree.data == "power" and tree.children[1] == _MINUS_ONE:
+            found.add("inverse")
+        found.add("'" if tree.data == "call" and "'" in head else head if tree.data == "function" else str(tree.data))
+    return frozenset(word for each in found for word in _NAMED.get(each, ()))
 
 
 def _other_meaning(definition: Definition, vocabulary: Vocabulary) -> str:

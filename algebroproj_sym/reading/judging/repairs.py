@@ -15,10 +15,14 @@ from algebroproj_sym.reading.parsing.grammar import Formula
 MOST = 250
 STRONG = frozenset(("sign", "number", "exponent", "index", "fraction", "function"))
 """Changes that no special case makes: a factor or term that is missing may be one or zero in the author's mind."""
+WITHIN = frozenset(("sign", "number", "function"))
+"""Changes within a side that may make it the other side of a chain, word by word."""
+MULTIPLE = "multiple"
+"""A whole side doubled or halved: in a chain, no special case makes it but zero."""
 
-_ORDER = ("sign", "number", "index", "exponent", "function", "letter", "fraction", "transpose", "factor")
+_ORDER = ("sign", "number", "index", "exponent", "function", MULTIPLE, "letter", "fraction", "transpose", "factor")
 _OTHERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh", "tan": "cot", "cot": "tan"}
-_TWO = Tree("number", [Token("NUMBER", "2")])
+_ZERO, _ONE, _TWO = (Tree("number", [Token("NUMBER", each)]) for each in "012")
 _MINUS, _PLUS = Token("SIGN", "-"), Token("SIGN", "+")
 
 
@@ -42,7 +46,9 @@ def repairs(formula: Formula, symbols: Collection[str]) -> list[Repair]:
     symbols : collection of str
         The symbols that may take the place of one that differs in its index or its primes.
     """
-    found = [Repair("sign", formula, _negated(formula), _negated(formula)), *_changes(formula, sorted(symbols))]
+    whole = [("sign", _negated(formula)), *((MULTIPLE, each) for each in _doubled(formula))]
+    found = [Repair(kind, formula, now, now) for kind, now in whole]
+    found += _changes(formula, sorted(symbols))
     ordered = sorted(islice(found, 4 * MOST), key=lambda each: _ORDER.index(each.kind))
     return ordered[:MOST]
 
@@ -72,10 +78,13 @@ def _of(node: Any, symbols: list[str]) -> Iterator[tuple[str, Formula]]:
             yield from (("factor", _with(node, place, changed)) for changed in _doubled(parts[place]))
     elif kind == "cell" and parts and parts[0].data != "sum":
         yield "sign", Tree("cell", [_negated(parts[0])])
+        if parts[0] in (_ZERO, _ONE):
+            yield "number", Tree("cell", [_ONE if parts[0] == _ZERO else _ZERO])
     elif kind == "number" and str(parts[0]).isdigit() and len(parts[0]) < 6:
         for value in (int(parts[0]) + 1, int(parts[0]) - 1):
             if value >= 0:
-                yield "number", Tree("number", [Token("NUMBER", str(value))])
+                dropped = "0" in (str(value), str(parts[0]))
+                yield "factor" if dropped else "number", Tree("number", [Token("NUMBER", str(value))])
     elif kind == "symbol":
         siblings = _siblings(str(parts[0]), symbols)
         yield from (("index", Tree("symbol", [Token("SYMBOL", other)])) for other in siblings)

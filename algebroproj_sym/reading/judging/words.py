@@ -15,7 +15,8 @@ CASES = re.compile(
     r"\b(?:if|when|whenever|case|cases|assum\w+|suppose|approximat\w*|small|large|neglect\w*|limit\w*|either|roots?|"
     r"wrong|solutions?|otherwise|instead|special\w*|let|mod|modulo|convention|sign|opposite|alternative\w*|except|unless|"
     r"setting|choos\w+|solv\w+|equilibrium|condition\w*|requir\w+|impos\w+|vanish\w*|equation of|not|never|without|"
-    r"provided|absence|ignor\w+|drop\w*|error|erroneous\w*|mistak\w+|false)\b"
+    r"at rest|fixed|steady|stationary|extrem\w+|optim\w+|complementary|provided|absence|ignor\w+|drop\w*|error|"
+    r"erroneous\w*|mistak\w+|false)\b"
     r"|(?:for|with|at|in which|where)\s+\$[^$]*=",
     re.IGNORECASE,
 )
@@ -84,10 +85,15 @@ class Beside:
     place: int
     ends: bool
 
-    @property
-    def case(self) -> str:
-        """A word by which the equation may be of a case; empty for none."""
-        return _case_in(f"{self.before} {self.sentence} {self.condition} {self.behind}")
+    def case(self, given: Collection[str] = ()) -> str:
+        """Return a word by which the equation may be of a case; empty for none.
+
+        "Let $s = a + b$" is none if the letter is given by it.
+        """
+        words = f"{self.before} {self.sentence} {self.condition} {self.behind}"
+        bare = {re.sub(r"[{}\s]", "", each) for each in given}
+        kept = lambda match: "" if not match[1] or re.sub(r"[{}\s]", "", match[1]) in bare else match[0]  # noqa: E731
+        return _case_in(_LET.sub(kept, words))
 
     @property
     def case_within(self) -> str:
@@ -112,7 +118,7 @@ class Beside:
     @property
     def introduces(self) -> bool:
         """Whether words such as "where" stand right before the equation, and none of a case."""
-        return DEFINES.search(self.sentence) is not None and not self.case
+        return DEFINES.search(self.sentence) is not None and not self.case()
 
     @property
     def renamed(self) -> frozenset[str]:
@@ -166,6 +172,7 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     return next((each for each in words if each.lower() not in known), "")
 
 
+_LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "710a4ec516f2ece4"
+DIGEST = "5cba40cab41439c1"
 """What identifies the C source that belongs to this package."""
 
 

@@ -166,8 +166,8 @@ def test_both_ways_are_used_and_every_proof_says_for_what_it_holds(records, repo
     always = sum(certificate["scope"] == "for every size" for certificate in words)
     told = (repository / "docs" / "explanation" / "limits.md").read_text(encoding="utf-8")
     assert (
-        f"Of {len(proved)} identities of linear algebra all are proved: {len(words)} in words, of these {always} for every "
-        f"size, and {len(proved) - len(words)} by entries."
+        f"Of {len(proved)} identities of linear algebra all are proved: {len(words)} in words, "
+        f"of these {always} for every size, and {len(proved) - len(words)} by entries."
     ) in " ".join(told.split())
 
 
@@ -188,7 +188,8 @@ def test_what_cancels_within_an_inverse_is_found(left, right):
 def test_the_number_of_claims_in_letters_is_told(repository):
     declared = Counter(claim.paper == "bridges" for claim in select() if claim.letters)
     told = " ".join((repository / "docs" / "explanation" / "limits.md").read_text(encoding="utf-8").split())
-    assert f"Of the claims of the five papers {declared[False]} are in letters, and {declared[True]} of the bridges" in told
+    counts = f"Of the claims of the five papers {declared[False]} are in letters, and {declared[True]} of the bridges"
+    assert counts in told
 
 
 # -- a property is needed where it is used

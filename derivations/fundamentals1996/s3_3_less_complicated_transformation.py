@@ -311,9 +311,9 @@ section.identity(
     expect="error",
     corrected=1 + z12,
     note="Both fractions of (3.3.7) are inverted, which no slip of the press explains.",
-    follows="Both fractions of (3.3.7) are upside down. In the example tau''2 is {4/i#right.tau2}. The printed "
-    "formula gives {4/i/beyond/as-printed#right.tau2}, and the images are not in the normal case. See "
-    "docs/findings/inverted-parameters.md.",
+    follows="Both fractions of (3.3.7) are upside down. In the example the second parameter of the right image is "
+    "{4/i#right.tau2}. The printed formula gives {4/i/beyond/as-printed#right.tau2}, and the images are not in the "
+    "normal case. See docs/findings/inverted-parameters.md.",
 )
 
 # %% [markdown]

@@ -227,3 +227,9 @@ def test_missing_modules_are_named_with_what_to_do(tmp_path, monkeypatch):
 def test_markdown_takes_no_markup_but_its_own():
     assert "<b>" not in markdown_html("<b>bold</b> <script>alert(1)</script>")
     assert latex_html("x", block=False).startswith("<math")
+
+
+def test_a_table_of_a_notebook_scrolls_by_keyboard():
+    html = markdown_html("|a|b|\n|-|-|\n|1|2|\n")
+    assert re.match('<div class="wide" tabindex="0"[^>]*><table>', html)
+    assert html.endswith("</table></div>")

@@ -27,6 +27,7 @@ from algebroproj_sym.replaying import declaration_digest, replay_claim
 from algebroproj_sym.reporting.explaining import explanation
 from algebroproj_sym.reporting.ledger import claim_record
 from algebroproj_sym.reporting.site.comparison import comparison, conditions
+from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.showing.display import markdown
@@ -486,6 +487,24 @@ IN_WORDS = {
 @pytest.mark.parametrize("text", IN_WORDS)
 def test_letters_are_shown_as_printed(text):
     assert latex_of_text(TextForm(text, (("E", "3x3"), ("R", "3x3 rotation"), ("t", "3x1")))) == IN_WORDS[text]
+
+
+DIFFERENT = {
+    ("R.T*t", "E.T*t"): ("<R>^{T} t", "<E>^{T} t"),
+    ("t - R*t", "t - t"): ("t - <R t>", "t - <t>"),
+    ("R = E", "R = E.T"): ("R = <E>", "R = <E^{T}>"),
+    ("R*t", "E*R*t"): ("<R t>", "<E R t>"),
+    ("R*t", "R*t"): ("R t", "R t"),
+    ("R", "R = E"): ("<R>", "<R = E>"),
+}
+
+
+@pytest.mark.parametrize("texts", DIFFERENT)
+def test_what_differs_in_letters_is_marked(texts):
+    forms = [TextForm(text, (("E", "3x3"), ("R", "3x3"), ("t", "3x1"))) for text in texts]
+    shown = map(latex_of_text, forms, difference(*forms))
+    marked = [text.replace("<", r"\class{differs}{").replace(">", "}") for text in DIFFERENT[texts]]
+    assert [*shown] == marked
 
 
 @pytest.mark.whole

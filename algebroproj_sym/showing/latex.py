@@ -1,55 +1,25 @@
 r"""Rational expressions and matrices as LaTeX, in the order and with the brackets that they have.
 
 SymPy's own printers rearrange what they are given (``3*(x + y)/z`` loses its brackets); here a form is shown as it is
-declared.  What is marked, because it differs from another form, is in ``\class{differs}{...}``.
+declared.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
 
 from algebroproj_sym.expressions import TextForm, over
 from algebroproj_sym.expressions.arranging import arranged
+from algebroproj_sym.showing.marks import NOTHING, Marks, marked
 from algebroproj_sym.showing.names import latex_name, parts
 from algebroproj_sym.showing.text_latex import latex_of_text
 
-MARK = "differs"
 _TIMES = " "
 _DOT = r" \cdot "
 _TAKES_AN_EXPONENT = re.compile(r"[A-Za-z]|\d+|\\[A-Za-z]+|\\left\(.*\\right\)")
-
-
-@dataclass(frozen=True)
-class Marks:
-    """Marked parts of an expression.
-
-    Attributes
-    ----------
-    whole : bool
-        Whether all of it is marked.
-    sign : bool
-        Whether the sign before it is marked.
-    inside : mapping of int to Marks
-        The marks of the arguments of an expression, or of the entries of a matrix, by their places.
-    """
-
-    whole: bool = False
-    sign: bool = False
-    inside: Mapping[int, Marks] = field(default_factory=dict)
-
-    def of(self, place: int) -> Marks:
-        """Return the marks of the argument, or of the entry, at a place."""
-        return self.inside.get(place, NOTHING)
-
-
-NOTHING = Marks()
-WHOLE = Marks(whole=True)
-SIGN = Marks(sign=True)
 
 
 def latex(expression: Any, marks: Marks = NOTHING, *, ordered: bool = True) -> str:
@@ -64,7 +34,7 @@ def latex(expression: Any, marks: Marks = NOTHING, *, ordered: bool = True) -> s
     -\frac{x}{u^{\prime}_{31}} \left[\begin{matrix} x & \left(u^{\prime}_{31}\right)^{2} \end{matrix}\right]
     """
     if isinstance(expression, TextForm):
-        return _marked(latex_of_text(expression), marks.whole)
+        return latex_of_text(expression, marks)
     form = arranged(expression) if ordered else expression
     return _matrix(form, marks) if isinstance(form, sympy.MatrixBase) else _scalar(form, marks)
 
@@ -75,18 +45,14 @@ def _matrix(matrix: Any, marks: Marks) -> str:
         for i in range(matrix.rows)
     )
     content = r" \\ ".join(rows)
-    return _marked(rf"\left[\begin{{matrix}} {content} \end{{matrix}}\right]", marks.whole)
+    return marked(rf"\left[\begin{{matrix}} {content} \end{{matrix}}\right]", marks.whole)
 
 
 def _scalar(expression: Any, marks: Marks) -> str:
     sign, body = _signed(expression, marks)
     if marks.sign and not sign:
-        return _marked(body, True)
-    return _marked(f"{_marked(sign, marks.sign)}{body}", marks.whole)
-
-
-def _marked(content: str, is_marked: bool) -> str:
-    return rf"\class{{{MARK}}}{{{content}}}" if is_marked and content else content
+        return marked(body, True)
+    return marked(f"{marked(sign, marks.sign)}{body}", marks.whole)
 
 
 def _signed(expression: Any, marks: Marks) -> tuple[str, str]:
@@ -115,8 +81,8 @@ def _sum(expression: Any, marks: Marks) -> str:
         inside = marks.of(place)
         sign, body = ("", _parenthesised(term, inside)) if isinstance(term, sympy.Add) else _signed(term, inside)
         sign = sign or ("+" if content else "")
-        shown = f"{_marked(sign, inside.sign)} {body}" if content else f"{_marked(sign, inside.sign)}{body}"
-        content.append(_marked(shown, inside.whole or (inside.sign and not sign)))
+        shown = f"{marked(sign, inside.sign)} {body}" if content else f"{marked(sign, inside.sign)}{body}"
+        content.append(marked(shown, inside.whole or (inside.sign and not sign)))
     return " ".join(content)
 
 
@@ -149,7 +115,7 @@ def _juxtaposed(factors: list[tuple[Any, Marks]]) -> str:
     for factor, marks in factors:
         piece = _factor(factor, marks, alone=len(factors) == 1)
         separator = "" if not content else _DOT if piece[0].isdigit() else _TIMES
-        content += separator + _marked(piece, marks.whole)
+        content += separator + marked(piece, marks.whole)
     return content or "1"
 
 
@@ -167,13 +133,13 @@ def _power(power: Any, marks: Marks, *, alone: bool = True) -> str:
     if abs(exponent) == 1:
         inside = marks.of(0)
         bracketed = isinstance(base, sympy.Add) and not alone
-        return _marked(_parenthesised(base, inside), inside.whole) if bracketed else _scalar(base, inside)
+        return marked(_parenthesised(base, inside), inside.whole) if bracketed else _scalar(base, inside)
     plain = isinstance(base, sympy.Symbol) and not parts(base.name).primes and not parts(base.name).star
     if plain or (isinstance(base, sympy.Integer) and base >= 0):
         below = _scalar(base, marks.of(0))
     else:
         below = _parenthesised(base, marks.of(0))
-    above = _marked(str(abs(exponent)), marks.of(1).whole)
+    above = marked(str(abs(exponent)), marks.of(1).whole)
     return f"{below}^{{{above}}}" if _TAKES_AN_EXPONENT.fullmatch(below) else f"{{{below}}}^{{{above}}}"
 
 

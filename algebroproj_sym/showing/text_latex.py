@@ -3,14 +3,17 @@ r"""Text with real functions, or in letters, as LaTeX: with the parts in the ord
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
+from itertools import chain, zip_longest
 from math import prod
 from typing import Any, TypeAlias
 
 from algebroproj_sym.expressions import TextForm
 from algebroproj_sym.replaying.reals.matrices import is_matrix, rows_of
 from algebroproj_sym.replaying.reals.terms import Term, read
+from algebroproj_sym.showing.marks import NOTHING, Marks, marked
 from algebroproj_sym.showing.names import latex_name
 
 SUM, PRODUCT, POWER, ATOM = range(4)
@@ -31,8 +34,8 @@ _NAMES = {
 }
 
 
-def latex_of_text(form: TextForm) -> str:
-    r"""Return a form as LaTeX.
+def latex_of_text(form: TextForm, marks: Marks = NOTHING) -> str:
+    r"""Return a form as LaTeX.  In a form in letters the parts of a side can be marked.
 
     Examples
     --------
@@ -42,11 +45,15 @@ def latex_of_text(form: TextForm) -> str:
     E - \left[t\right]_{\times} R^{T}
     """
     if form.letters is None and is_matrix(form.text):
-        return _matrix([map(_with_functions, row) for row in rows_of(form.text)])
-    parts = _COMPARISON.split(form.text)
-    side = _with_functions if form.letters is None else _reader(dict(form.letters))
-    shown = (RELATIONS.get(part, part) if place % 2 else side(part) for place, part in enumerate(parts))
-    return " ".join(shown)
+        return marked(_matrix([map(_with_functions, row) for row in rows_of(form.text)]), marks.whole)
+    texts = _COMPARISON.split(form.text)
+    if form.letters is None:
+        sides = [_with_functions(text) for text in texts[::2]]
+    else:
+        terms = enumerate(sides_in_letters(form))
+        sides = [_in_letters(_with_marks(term, marks.of(place)))[0] for place, term in terms]
+    relations = (f" {RELATIONS[text]} " for text in texts[1::2])
+    return marked("".join(chain.from_iterable(zip_longest(sides, relations, fillvalue=""))), marks.whole)
 
 
 def _inside(written: Written, level: int) -> str:
@@ -164,13 +171,20 @@ def _function(name: str, args: tuple[Term, ...]) -> Written:
 # -- letters
 
 
-def _reader(letters: Mapping[str, str]) -> Callable[[str], str]:
-    """Return what reads text with some letters; what that needs is imported for it alone."""
+def sides_in_letters(form: TextForm) -> list[Any]:
+    """Return the sides of a form as terms; what that needs is imported for it alone."""
     from algebroproj_sym.expressions.letters import parse_letters
     from algebroproj_sym.proving.letters import shape_in_text
 
-    shapes = {name: shape_in_text(name, text) for name, text in letters.items()}
-    return lambda text: _in_letters(parse_letters(text, shapes))[0]
+    shapes = {name: shape_in_text(name, text) for name, text in form.letters or ()}
+    return [parse_letters(text, shapes) for text in _COMPARISON.split(form.text)[::2]]
+
+
+def _with_marks(term: Any, marks: Marks) -> Any:
+    """Return a term with another one of the kind ``marked`` around each of its parts that is marked."""
+    parts = tuple(_with_marks(part, marks.of(place)) for place, part in enumerate(term.parts))
+    whole = replace(term, parts=parts)
+    return replace(whole, kind="marked", parts=(whole,)) if marks.whole else whole
 
 
 _OPERATORS = {"cross": r" \times ", "dot": r" \cdot ", "kron": r" \otimes ", "qmul": r" \circ "}
@@ -183,6 +197,9 @@ _CALLED = {
 
 def _in_letters(term: Any) -> Written:
     kind, parts, value = term.kind, term.parts, term.value
+    if kind == "marked":
+        text, level = _in_letters(parts[0])
+        return marked(text), level
     if kind == "number":
         return _number(value)
     if kind in ("symbol", "letter"):
@@ -223,12 +240,19 @@ def _factors(term: Any) -> list[Any]:
 
 def _signed_letters(term: Any) -> tuple[bool, str]:
     """Return whether a term of a sum is subtracted, and what follows the sign."""
+    if term.kind == "marked":
+        minus, text = _signed_letters(term.parts[0])
+        return minus, marked(text)
     if term.kind == "number" and term.value < 0:
         return True, _number(-term.value)[0]
     if term.kind != "product":
         return False, _inside(_in_letters(term), PRODUCT)
     factors = _factors(term)
     value = prod((part.value for part in factors if part.kind == "number"), start=Fraction(1))
-    others = [_inside(_in_letters(part), POWER) for part in factors if part.kind != "number"]
+    others = [
+        _inside(_in_letters(part), PRODUCT if part.kind == "marked" else POWER)
+        for part in factors
+        if part.kind != "number"
+    ]
     numbers = [] if abs(value) == 1 and others else [_number(abs(value))[0]]
     return value < 0, _multiplied([*numbers, *others])[0]

@@ -27,7 +27,7 @@ from algebroproj_sym.reporting.site.symbols import MOST, Symbols, names_of
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.arranging import Part, as_declared
 from algebroproj_sym.showing.display import markdown
-from algebroproj_sym.showing.latex import MARK, Marks
+from algebroproj_sym.showing.marks import MARK, Marks
 
 MOST_LISTED = 12
 """Claims that rest on one, or on which one rests, before the others are folded."""

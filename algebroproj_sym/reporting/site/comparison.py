@@ -33,7 +33,8 @@ from algebroproj_sym.showing.arranging import Part, as_declared
 from algebroproj_sym.showing.difference import differing_entries
 from algebroproj_sym.showing.display import described_letter
 from algebroproj_sym.showing.forms import derived_form
-from algebroproj_sym.showing.latex import NOTHING, WHOLE, Marks, latex
+from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.marks import NOTHING, WHOLE, Marks
 from algebroproj_sym.showing.naming import in_names
 
 MOST = 6
@@ -103,9 +104,10 @@ def marks_of(judgement: Judgement, forms: Mapping[Part, Any]) -> Mapping[Part, M
             return {**none, "printed": WHOLE}
         printed, corrected = digits_that_differ(claim.printed, claim.corrected)
         return {**none, "printed": printed, "corrected": corrected}
-    if not KINDS[claim.kind].is_marked or isinstance(claim.printed, TextForm):
-        return none
     right: Part = "derived" if claim.corrected is None else "corrected"
+    in_letters = all(isinstance(form, TextForm) and form.letters for form in (forms["printed"], forms[right]))
+    if not in_letters and (not KINDS[claim.kind].is_marked or isinstance(claim.printed, TextForm)):
+        return none
     left_marks, right_marks = difference(forms["printed"], forms[right])
     if claim.kind == "identity" and isinstance(claim.printed, sympy.MatrixBase):
         refuted = sorted(place for place, _, _ in differing_entries(claim))

@@ -10,9 +10,10 @@ from typing import Any, TypeAlias
 
 import sympy
 
-from algebroproj_sym.expressions import over, shape
+from algebroproj_sym.expressions import TextForm, over, shape
 from algebroproj_sym.expressions.arranging import value_of
-from algebroproj_sym.showing.latex import NOTHING, SIGN, WHOLE, Marks
+from algebroproj_sym.showing.marks import NOTHING, SIGN, WHOLE, Marks
+from algebroproj_sym.showing.text_latex import sides_in_letters
 
 Pair: TypeAlias = tuple[Marks, Marks]
 Parts: TypeAlias = Mapping[int, Any]
@@ -34,6 +35,9 @@ def difference(left: Any, right: Any) -> Pair:
     >>> [marks.of(1) == SIGN for marks in difference(left, right)]
     [True, True]
     """
+    if isinstance(left, TextForm):
+        sides = sides_in_letters(left), sides_in_letters(right)
+        return _aligned(*sides, _compared_letters) if len(sides[0]) == len(sides[1]) else (WHOLE, WHOLE)
     if isinstance(left, sympy.MatrixBase) and isinstance(right, sympy.MatrixBase) and shape(left) == shape(right):
         return _aligned(left.flat(), right.flat())
     if _same(left, right):
@@ -67,8 +71,17 @@ def _compared_factors(left: Any, right: Any) -> Pair:
     return WHOLE, WHOLE
 
 
-def _aligned(left: Any, right: Any) -> Pair:
-    pairs = [difference(a, b) for a, b in zip(left, right, strict=True)]
+def _compared_letters(left: Any, right: Any) -> Pair:
+    """Compare two forms in letters: what they are made of, if that is as much."""
+    if left == right:
+        return NOTHING, NOTHING
+    if not left.parts or (left.kind, left.value, len(left.parts)) != (right.kind, right.value, len(right.parts)):
+        return WHOLE, WHOLE
+    return _aligned(left.parts, right.parts, _compared_letters)
+
+
+def _aligned(left: Any, right: Any, compared: Callable[[Any, Any], Pair] = difference) -> Pair:
+    pairs = [compared(a, b) for a, b in zip(left, right, strict=True)]
     first, second = (
         {place: pair[side] for place, pair in enumerate(pairs) if pair[side] != NOTHING} for side in (0, 1)
     )

@@ -11,11 +11,15 @@ from markupsafe import Markup
 
 from algebroproj_sym.declaring import Judgement, statement_text
 from algebroproj_sym.declaring.claim import CORRECTED
+from algebroproj_sym.expressions import Matrix, TextForm
 from algebroproj_sym.proving import point_record
 from algebroproj_sym.reporting.explaining import sides_at_counterexample
 from algebroproj_sym.reporting.site.comparison import place_of
-from algebroproj_sym.reporting.site.formulas import folded, symbol
+from algebroproj_sym.reporting.site.formulas import folded, in_line, symbol
+from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
+from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.text_latex import latex_of_text
 
 LONGEST_VALUE = 1200
 
@@ -107,9 +111,9 @@ def _fraction(value: Fraction, marked: bool = False) -> Markup | str:
     return Markup('<mark class="differs">{}</mark>').format(_value(value)) if marked else _value(value)
 
 
-def _value(value: Any) -> str:
-    """Return a number, or the rows of a matrix, as text."""
-    return f"[{', '.join(map(_value, value))}]" if isinstance(value, list) else str(value).replace("-", "−")
+def _value(value: Any) -> Markup | str:
+    """Return a number as text, or a matrix, given by its rows, as a formula."""
+    return in_line(math(latex(Matrix(value)))) if isinstance(value, list) else str(value).replace("-", "−")
 
 
 def _points(certificate: Mapping[str, Any]) -> list[Table]:
@@ -124,7 +128,7 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
 def _cofactors(certificate: Mapping[str, Any]) -> list[Table]:
     listed = certificate.get("entries", ())
     if isinstance(listed, Mapping):
-        letters = [(symbol(name), _code(text)) for name, text in listed.items()]
+        letters = [(symbol(name), in_line(math(latex_of_text(TextForm(text, ()))))) for name, text in listed.items()]
         return [Table("Entries of the letters", ("letter", "entries"), letters)]
     entries = [(f"entry {k}", entry) for k, entry in enumerate(listed, 1)]
     rows = [

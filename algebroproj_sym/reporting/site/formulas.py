@@ -14,7 +14,8 @@ from algebroproj_sym.declaring import Claim, Statement
 from algebroproj_sym.expressions import TextForm, decimals, entries, leading, size
 from algebroproj_sym.reporting.explaining import plain_rows, shared_out
 from algebroproj_sym.reporting.site.mathml import math
-from algebroproj_sym.showing.latex import MARK, NOTHING, WHOLE, Marks, latex
+from algebroproj_sym.showing.latex import latex
+from algebroproj_sym.showing.marks import MARK, NOTHING, WHOLE, Marks
 from algebroproj_sym.showing.names import letter, parts
 from algebroproj_sym.showing.naming import Meaning, Named, latex_of_name, named_latex
 

@@ -60,7 +60,11 @@ def _renderer() -> Any:
     from markdown_it import MarkdownIt
     from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-    return MarkdownIt("commonmark", {"html": False}).enable("table").use(dollarmath_plugin, renderer=_formula)
+    renderer = MarkdownIt("commonmark", {"html": False}).enable("table").use(dollarmath_plugin, renderer=_formula)
+    begin = '<div class="wide" tabindex="0" role="group" aria-label="table"><table>'
+    renderer.add_render_rule("table_open", lambda *_: begin)
+    renderer.add_render_rule("table_close", lambda *_: "</table></div>")
+    return renderer
 
 
 def _formula(formula: str, options: Mapping[str, Any]) -> Markup:

@@ -1,0 +1,41 @@
+r"""What is marked in a formula, because it differs from another one: in LaTeX as ``\class{differs}{...}``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+MARK = "differs"
+
+
+@dataclass(frozen=True)
+class Marks:
+    """Marked parts of an expression.
+
+    Attributes
+    ----------
+    whole : bool
+        Whether all of it is marked.
+    sign : bool
+        Whether the sign before it is marked.
+    inside : mapping of int to Marks
+        The marks of the arguments of an expression, or of the entries of a matrix, by their places.
+    """
+
+    whole: bool = False
+    sign: bool = False
+    inside: Mapping[int, Marks] = field(default_factory=dict)
+
+    def of(self, place: int) -> Marks:
+        """Return the marks of the argument, or of the entry, at a place."""
+        return self.inside.get(place, NOTHING)
+
+
+NOTHING = Marks()
+WHOLE = Marks(whole=True)
+SIGN = Marks(sign=True)
+
+
+def marked(content: str, is_marked: bool = True) -> str:
+    """Return LaTeX with a mark around it, unless it is empty."""
+    return rf"\class{{{MARK}}}{{{content}}}" if is_marked and content else content

@@ -4,22 +4,42 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from keyword import iskeyword
-from typing import Any, NotRequired, TypedDict, Unpack
+from typing import Any, NotRequired, TypedDict, Unpack, cast
 
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
 from algebroproj_sym.declaring.elementary import PRIMITIVES
+from algebroproj_sym.declaring.kernels_in_letters import entry_by_entry
 from algebroproj_sym.declaring.stage import LINEAR, Stage
 from algebroproj_sym.expressions import Expression, entries, rational, shape, symbols_of, vector
+from algebroproj_sym.proving.statements import speaks_of_letters
+
+STRUCTURES: Mapping[str, tuple[str, Callable[[int, int], bool]]] = {
+    "diagonal": ("the entries beside the diagonal are not read", lambda i, j: i == j),
+    "symmetric": ("the entries above the diagonal stand for those below it, which are not read", lambda i, j: i <= j),
+    "skew": ("the entries above the diagonal stand for the others, which are not read", lambda i, j: i < j),
+}
+"""Matrices some of whose entries give the others: what that means for a function, and which places it reads."""
 
 
 @dataclass(frozen=True)
 class Argument:
-    """An argument of a kernel: its name, and its entries as a symbol or a matrix of symbols."""
+    """An argument of a kernel: its name, and its entries as a symbol or a matrix of symbols.
+
+    A symmetric, skew or diagonal matrix repeats symbols, or has zeros.  The function takes it whole all the same.
+
+    Examples
+    --------
+    >>> a, b, c = sympy.symbols("a b c")
+    >>> dispersion = Argument("S", sympy.ImmutableMatrix([[a, b], [b, c]]))
+    >>> dispersion.structure, dispersion.read, dispersion.symbols
+    ('symmetric', (a, b, c), (a, b, S_21, c))
+    """
 
     name: str
     entries: Expression
@@ -30,9 +50,39 @@ class Argument:
         return shape(self.entries)
 
     @property
+    def structure(self) -> str | None:
+        """One of `STRUCTURES`, None of a matrix that has none, and of what is no square matrix."""
+        size = self.shape
+        if len(size) < 2 or size[0] != size[1] or size[0] == 1:
+            return None
+        if self.entries.is_diagonal():
+            return "diagonal"
+        kinds = {"symmetric": self.entries.T, "skew": -self.entries.T}
+        return next((kind for kind, turned in kinds.items() if turned == self.entries), None)
+
+    @property
+    def read(self) -> tuple[sympy.Expr, ...]:
+        """The entries that the function reads, row by row."""
+        return tuple(entry for _, entry, is_read in self._places() if is_read)
+
+    @property
     def symbols(self) -> tuple[sympy.Symbol, ...]:
-        """The entries row by row."""
-        return tuple(sympy.Symbol(str(entry)) for entry in entries(self.entries))
+        """All entries row by row, those that are not read with names of their own."""
+        return tuple(
+            sympy.Symbol(str(entry) if is_read else f"{self.name}_{''.join(str(k + 1) for k in place)}")
+            for place, entry, is_read in self._places()
+        )
+
+    @property
+    def description(self) -> str:
+        """What is said of its structure, nothing where it has none."""
+        kind = self.structure
+        return f"Taken as {kind}: {STRUCTURES[kind][0]}." if kind else ""
+
+    def _places(self) -> Iterator[tuple[tuple[int, ...], sympy.Expr, bool]]:
+        kind = self.structure
+        for place, entry in zip(product(*map(range, self.shape)), entries(self.entries), strict=True):
+            yield place, entry, kind is None or STRUCTURES[kind][1](*place)
 
 
 @dataclass(frozen=True)
@@ -123,6 +173,11 @@ class Kernel:
         return tuple(symbol for stage in self.stages for symbol in stage.results)
 
     @property
+    def described(self) -> Mapping[str, str]:
+        """What each argument is, with what is said of its structure."""
+        return {a.name: "  ".join(filter(None, [self.describe[a.name], a.description])) for a in self.arguments}
+
+    @property
     def solves_systems(self) -> bool:
         """Whether a stage solves a linear system."""
         return any(stage.primitive in LINEAR for stage in self.stages)
@@ -157,6 +212,7 @@ class KernelParts(TypedDict):
     claims: Sequence[str]
     example: Mapping[str, Any]
     describe: Mapping[str, str]
+    properties: NotRequired[Mapping[Any, Any]]
     form: NotRequired[Any]
     where: NotRequired[Mapping[sympy.Symbol, Any]]
     through: NotRequired[Sequence[Stage]]
@@ -169,6 +225,9 @@ def declared_kernel(
 ) -> Kernel:
     """Return a kernel, after checking that its declaration is complete.
 
+    Arguments can be letters, as ``MatrixSymbol("S", 3, 3)``, and forms can speak of these.  They are then written out
+    here, once.  A letter can be symmetric, skew or diagonal by ``properties={S: "symmetric"}``.
+
     Raises
     ------
     DeclarationError
@@ -176,6 +235,8 @@ def declared_kernel(
         no claim is named, or the example does not give every argument.
     """
     label = f"kernel {qualified_name}"
+    if speaks_of_letters(parts["arguments"].values()) or parts.get("properties"):
+        parts = cast("KernelParts", entry_by_entry(parts, label))
     module, _, name = qualified_name.partition(".")
     kernel = Kernel(
         paper=paper,
@@ -227,9 +288,12 @@ def _results(derived: Any, form: Any, label: str) -> tuple[Result, ...]:
 def _require_complete(kernel: Kernel, label: str) -> None:
     if not (kernel.module and kernel.name):
         raise DeclarationError(f"{label}: expected a name of the form module.function")
-    inputs = kernel.symbols
-    if len(set(inputs)) != len(inputs) or list(inputs) != [e for a in kernel.arguments for e in entries(a.entries)]:
-        raise DeclarationError(f"{label}: expected different plain symbols as entries of the arguments, got {inputs}")
+    inputs, read = kernel.symbols, [entry for argument in kernel.arguments for entry in argument.read]
+    if len(set(inputs)) != len(inputs) or not {*read} <= {*inputs}:
+        raise DeclarationError(
+            f"{label}: expected different plain symbols as entries of the arguments, or symmetric, skew or diagonal "
+            f"matrices with such above or on the diagonal, got {[*read]}"
+        )
     for argument in kernel.arguments:
         if not argument.shape and argument.symbols[0].name != argument.name:
             raise DeclarationError(

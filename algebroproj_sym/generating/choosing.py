@@ -25,6 +25,7 @@ from algebroproj_sym.generating.compensation import compensated, with_sums_round
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.factored import factored
 from algebroproj_sym.generating.lowering import Lowered, lowered_form, program_of
+from algebroproj_sym.generating.mirroring import mirrored
 from algebroproj_sym.generating.program import Program, run
 from algebroproj_sym.generating.samples import Sample, on_sum, stratified
 
@@ -69,7 +70,7 @@ def lower(kernel: Kernel) -> Lowered:
         fraction, which integers cannot give.
     """
     if any(stage.primitive != "let" for stage in kernel.stages):
-        return lowered_form(kernel)
+        return lowered_form(mirrored(kernel)[0])
     lowered = list(_distinct(kernel))
     if len(lowered) == 1:
         return lowered[0]
@@ -95,6 +96,7 @@ def _distinct(kernel: Kernel) -> Iterator[Lowered]:
     """Yield the lowered forms of a kernel whose programs differ."""
     forms = [kernel, *kernel.alternatives]
     forms += [form for form in (factored(kernel),) if form is not None]
+    forms = [each for form in forms for each in mirrored(form)]
     programs: set[Program] = set()
     for form in forms:
         for reciprocals in (False, True):

@@ -7,7 +7,7 @@ of every denominator it ever met: the hypotheses under which a computation is de
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property, reduce
@@ -30,6 +30,8 @@ class RationalFunctionField:
         The variables.
     engine : {"flint", "sympy"}
         Which polynomial arithmetic.
+    spend : callable, optional
+        It is told how many products of terms come next, before they are computed, and may raise an error.
 
     Examples
     --------
@@ -42,10 +44,13 @@ class RationalFunctionField:
     (x - y,)
     """
 
-    def __init__(self, symbols: Sequence[sympy.Symbol], engine: str) -> None:
+    def __init__(
+        self, symbols: Sequence[sympy.Symbol], engine: str, spend: Callable[[int], None] = lambda products: None
+    ) -> None:
         self.ring: Ring = ring(engine, [f"x{place}" for place in range(len(symbols))])
         self.symbols = tuple(symbols)
         self.factors: list[Any] = []
+        self.spend = spend
         self.variables = {
             symbol: RationalFunction(self, generator, ())
             for symbol, generator in zip(self.symbols, self.ring.generators, strict=True)
@@ -69,6 +74,7 @@ class RationalFunctionField:
 
     def irreducible(self, polynomial: Any) -> tuple[Fraction, list[tuple[Any, int]]]:
         """Factor into primitive integer polynomials with positive leading coefficient, and a rational content."""
+        self.spend(len(polynomial) ** 2)
         content, factors = self.ring.factor(polynomial)
         normalised = []
         for factor, multiplicity in factors:
@@ -93,8 +99,14 @@ class RationalFunctionField:
         """Return the product of powers of denominator factors."""
         result = self.ring.constant(Fraction(1))
         for index, exponent in exponents:
-            result = result * self.factors[index] ** exponent
+            self.spend(exponent * len(self.factors[index]) ** 2)
+            result = self.multiplied(result, self.factors[index] ** exponent)
         return result
+
+    def multiplied(self, left: Any, right: Any) -> Any:
+        """Return the product of two polynomials."""
+        self.spend(len(left) * len(right))
+        return left * right
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +142,8 @@ class RationalFunction:
         right = self._coerce(other)
         if right is None:
             return NotImplemented
-        return RationalFunction(self.field, self.numerator * right.numerator, _sum(self.denominator, right.denominator))
+        numerator = self.field.multiplied(self.numerator, right.numerator)
+        return RationalFunction(self.field, numerator, _sum(self.denominator, right.denominator))
 
     def __truediv__(self, other: object) -> RationalFunction:
         right = self._coerce(other)
@@ -170,7 +183,7 @@ class RationalFunction:
 
     def _numerator_over(self, common: Exponents) -> Any:
         missing = _missing(common, self.denominator)
-        return self.numerator * self.field.product(missing) if missing else self.numerator
+        return self.field.multiplied(self.numerator, self.field.product(missing)) if missing else self.numerator
 
     @cached_property
     def _reciprocal(self) -> RationalFunction:

@@ -25,7 +25,7 @@ from algebroproj_sym.expressions import Matrix, dot, over, vector
 section = Section("normalcase1992", "3.2", "Propagation of errors concerning transformation: functions")
 
 # %%
-S_symbols = Matrix(3, 3, lambda r, s: sympy.Symbol(f"s{r + 1}{s + 1}"))
+S_a = sympy.MatrixSymbol("S_a", 3, 3)
 variance_of_image = sympy.Symbol("variance")
 x_normal = vector(xn, yn)
 image_and_orientation = {"R": R_any, "x": vector(x, y), "c": c}
@@ -81,14 +81,15 @@ section.kernel(
 section.kernel(
     "metric.normal_covariance",
     "Dispersion of normal case coordinates from those of the rotations and of the image coordinates.",
-    arguments={**image_and_orientation, "S_a": S_symbols, "variance": variance_of_image},
+    arguments={**image_and_orientation, "S_a": S_a, "variance": variance_of_image},
     describe={
         **about_image,
-        "S_a": "Dispersion of the rotations (dOmega, dphi, dkappa), in radians squared; symmetric.",
+        "S_a": "Dispersion of the rotations (dOmega, dphi, dkappa), in radians squared.",
         "variance": "Variance of an image coordinate, in the square of the unit of c.",
     },
-    derived=B_a * S_symbols * B_a.T + variance_of_image * B_x * B_x.T,
-    form=B_a_any * S_symbols * B_a_any.T + variance_of_image * B_x_any * B_x_any.T,
+    properties={S_a: "symmetric"},
+    derived=B_a * S_a * B_a.T + variance_of_image * B_x * B_x.T,
+    form=B_a_any * S_a * B_a_any.T + variance_of_image * B_x_any * B_x_any.T,
     where=SLOPES | given((*B_a_any, *B_x_any), (*B_a_of_slopes, *B_x_of_minors)),
     claims=["3.2.2", "3.2.1", "3.2/beyond/B_a"],
     example={

@@ -4,7 +4,7 @@
 # # Dispersions of the normal case coordinates, those of the left image, of the right image and between them.
 
 # %%
-import sympy
+from sympy import BlockMatrix, MatrixSymbol
 
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_derivations.normalcase1992.s3_3_reconstruction import parallax, point
@@ -14,8 +14,8 @@ from algebroproj_sym.expressions import Matrix, columns, diff, vector
 section = Section("normalcase1992", "3.3", "Propagation of errors concerning reconstruction: functions")
 
 # %%
-S_left, S_right, S_mixed = (Matrix(2, 2, sympy.symbols(f"{n}:2:2")) for n in ("sl", "sr", "sm"))
-dispersion = S_left.row_join(S_mixed).col_join(S_mixed.T.row_join(S_right))
+S_left, S_right, S_mixed = (MatrixSymbol(name, 2, 2) for name in ("S_left", "S_right", "S_mixed"))
+dispersion = BlockMatrix([[S_left, S_mixed], [S_mixed.T, S_right]])
 jacobian = columns(*(diff(point, coordinate) for coordinate in (xp, yp, xpp, ypp)))
 numerators = Matrix([[-xpp, 0, xp, 0], [-yp, parallax, yp, 0], [c, 0, -c, 0]])
 section.kernel(
@@ -33,11 +33,12 @@ section.kernel(
         "x_left": "Left image point (x', y') of the normal case, in the unit of c.",
         "x_right": "Right image point (x'', y'') of the normal case, in the unit of c; y'' = y' is not used.",
         "c": ABOUT_C,
-        "S_left": "Dispersion of (x', y'), in the square of the unit of c; symmetric.",
+        "S_left": "Dispersion of (x', y'), in the square of the unit of c.",
         "S_right": "Dispersion of (x'', y''), in the square of the unit of c; only the variance of x'' is used.",
         "S_mixed": "Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; "
         "only those with x'' are used.",
     },
+    properties={S_left: "symmetric", S_right: "symmetric"},
     derived=jacobian * dispersion * jacobian.T,
     form=numerators * dispersion * numerators.T / parallax**4,
     where={parallax: xp - xpp},

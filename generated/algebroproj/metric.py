@@ -1202,7 +1202,7 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     S_a : array_like, shape (..., 3, 3)
-        Dispersion of the rotations (dOmega, dphi, dkappa), in radians squared; symmetric.
+        Dispersion of the rotations (dOmega, dphi, dkappa), in radians squared.  Taken as symmetric: the entries above the diagonal stand for those below it, which are not read.
     variance : array_like, shape (...)
         Variance of an image coordinate, in the square of the unit of c.
     out : ndarray, optional
@@ -1237,18 +1237,18 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
         Bx12 = c*(c*(j1*k3 - j3*k1) + x*(i1*j3 - i3*j1))/depth**2
         Bx21 = c*(c*(i2*k3 - i3*k2) - y*(i2*j3 - i3*j2))/depth**2
         Bx22 = c*(c*(j2*k3 - j3*k2) + x*(i2*j3 - i3*j2))/depth**2
-        result[0, 0] = Ba11*(Ba11*s11 + Ba12*s21 + Ba13*s31) + Ba12*(Ba11*s12 + Ba12*s22 + Ba13*s32) + Ba13*(Ba11*s13 + Ba12*s23 + Ba13*s33) + variance*Bx11**2 + variance*Bx12**2
-        result[0, 1] = Ba21*(Ba11*s11 + Ba12*s21 + Ba13*s31) + Ba22*(Ba11*s12 + Ba12*s22 + Ba13*s32) + Ba23*(Ba11*s13 + Ba12*s23 + Ba13*s33) + Bx11*Bx21*variance + Bx12*Bx22*variance
-        result[1, 0] = Ba11*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba12*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba13*(Ba21*s13 + Ba22*s23 + Ba23*s33) + Bx11*Bx21*variance + Bx12*Bx22*variance
-        result[1, 1] = Ba21*(Ba21*s11 + Ba22*s21 + Ba23*s31) + Ba22*(Ba21*s12 + Ba22*s22 + Ba23*s32) + Ba23*(Ba21*s13 + Ba22*s23 + Ba23*s33) + variance*Bx21**2 + variance*Bx22**2
+        result[0, 0] = Ba11*(Ba11*S_a_11 + Ba12*S_a_12 + Ba13*S_a_13) + Ba12*(Ba11*S_a_12 + Ba12*S_a_22 + Ba13*S_a_23) + Ba13*(Ba11*S_a_13 + Ba12*S_a_23 + Ba13*S_a_33) + variance*Bx11**2 + variance*Bx12**2
+        result[0, 1] = Ba11*(Ba21*S_a_11 + Ba22*S_a_12 + Ba23*S_a_13) + Ba12*(Ba21*S_a_12 + Ba22*S_a_22 + Ba23*S_a_23) + Ba13*(Ba21*S_a_13 + Ba22*S_a_23 + Ba23*S_a_33) + Bx11*Bx21*variance + Bx12*Bx22*variance
+        result[1, 0] = Ba11*(Ba21*S_a_11 + Ba22*S_a_12 + Ba23*S_a_13) + Ba12*(Ba21*S_a_12 + Ba22*S_a_22 + Ba23*S_a_23) + Ba13*(Ba21*S_a_13 + Ba22*S_a_23 + Ba23*S_a_33) + Bx11*Bx21*variance + Bx12*Bx22*variance
+        result[1, 1] = Ba21*(Ba21*S_a_11 + Ba22*S_a_12 + Ba23*S_a_13) + Ba22*(Ba21*S_a_12 + Ba22*S_a_22 + Ba23*S_a_23) + Ba23*(Ba21*S_a_13 + Ba22*S_a_23 + Ba23*S_a_33) + variance*Bx21**2 + variance*Bx22**2
 
     The result is not finite, and NumPy warns, where one of these is zero: ``-c*k3 + i3*x + j3*y``. The function
     `hypotheses` of this package computes them.
 
-    Operations: 135 (34 additions, 11 subtractions, 81 multiplications, 6 divisions, 3 negations).
+    Operations: 128 (31 additions, 11 subtractions, 81 multiplications, 2 divisions, 3 negations).
     The derived expression takes 1224 as written.
-    With compensation of sums that may cancel: 772 (87 of them compute errors of products).
-    This is the cheapest accurate one of 2 programs that are proved equal.
+    With compensation of sums that may cancel: 715 (83 of them compute errors of products).
+    This is the cheapest accurate one of 4 programs that are proved equal.
 
     Examples
     --------
@@ -1260,40 +1260,38 @@ def normal_covariance(R: ArrayLike, x: ArrayLike, c: ArrayLike, S_a: ArrayLike, 
 
 def _normal_covariance(
     i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
-    c: Any, s11: Any, s12: Any, s13: Any, s21: Any, s22: Any, s23: Any, s31: Any, s32: Any, s33: Any,
-    variance: Any,
+    c: Any, S_a_11: Any, S_a_12: Any, S_a_13: Any, S_a_21: Any, S_a_22: Any, S_a_23: Any, S_a_31: Any,
+    S_a_32: Any, S_a_33: Any, variance: Any,
 ) -> tuple[Any, ...]:
     depth = wide(i3) * x + wide(j3) * y - wide(c) * k3
-    slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) / depth
-    slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) / depth
-    t17 = wide(c) * slope_x
-    Ba11 = t17 * slope_y
+    t10 = 1 / depth
+    slope_x = (wide(i1) * x + wide(j1) * y - wide(c) * k1) * t10
+    slope_y = (wide(i2) * x + wide(j2) * y - wide(c) * k2) * t10
+    t18 = wide(c) * slope_x
+    Ba11 = t18 * slope_y
     Ba12 = -(wide(c) * (1 + slope_x * slope_x))
     Ba13 = wide(c) * slope_y
     Ba21 = wide(c) * (1 + slope_y * slope_y)
     Ba22 = -Ba11
-    Ba23 = -t17
-    t35 = wide(i1) * j3 - wide(i3) * j1
-    t39 = depth * depth
-    Bx11 = wide(c) * (wide(c) * (wide(i1) * k3 - wide(i3) * k1) - wide(y) * t35) / t39
-    Bx12 = wide(c) * (wide(c) * (wide(j1) * k3 - wide(j3) * k1) + wide(x) * t35) / t39
-    t55 = wide(i2) * j3 - wide(i3) * j2
-    Bx21 = wide(c) * (wide(c) * (wide(i2) * k3 - wide(i3) * k2) - wide(y) * t55) / t39
-    Bx22 = wide(c) * (wide(c) * (wide(j2) * k3 - wide(j3) * k2) + wide(x) * t55) / t39
-    t72 = Ba11 * s11 + Ba12 * s21 + Ba13 * s31
-    t78 = Ba11 * s12 + Ba12 * s22 + Ba13 * s32
-    t85 = Ba11 * s13 + Ba12 * s23 + Ba13 * s33
-    t88 = wide(variance) * Bx11
-    t91 = wide(variance) * Bx12
-    t96 = t88 * Bx21 + t91 * Bx22
-    t107 = Ba21 * s11 + Ba22 * s21 + Ba23 * s31
-    t114 = Ba21 * s12 + Ba22 * s22 + Ba23 * s32
-    t121 = Ba21 * s13 + Ba22 * s23 + Ba23 * s33
-    t146 = Ba21 * t107 + Ba22 * t114 + Ba23 * t121 + wide(variance) * Bx21 * Bx21 + wide(variance) * Bx22 * Bx22
+    Ba23 = -t18
+    t32 = wide(c) * (1 / (depth * depth))
+    t39 = wide(i1) * j3 - wide(i3) * j1
+    Bx11 = t32 * (wide(c) * (wide(i1) * k3 - wide(i3) * k1) - wide(y) * t39)
+    Bx12 = t32 * (wide(c) * (wide(j1) * k3 - wide(j3) * k1) + wide(x) * t39)
+    t56 = wide(i2) * j3 - wide(i3) * j2
+    Bx21 = t32 * (wide(c) * (wide(i2) * k3 - wide(i3) * k2) - wide(y) * t56)
+    Bx22 = t32 * (wide(c) * (wide(j2) * k3 - wide(j3) * k2) + wide(x) * t56)
+    t79 = Ba11 * (Ba11 * S_a_11 + Ba12 * S_a_12 + Ba13 * S_a_13) + Ba12 * (Ba11 * S_a_12 + Ba12 * S_a_22 + Ba13 * S_a_23)
+    t87 = wide(variance) * Bx11
+    t90 = wide(variance) * Bx12
+    t97 = Ba21 * S_a_11 + Ba22 * S_a_12 + Ba23 * S_a_13
+    t103 = Ba21 * S_a_12 + Ba22 * S_a_22 + Ba23 * S_a_23
+    t110 = Ba21 * S_a_13 + Ba22 * S_a_23 + Ba23 * S_a_33
+    t116 = rounded(Ba11 * t97 + Ba12 * t103 + Ba13 * t110 + t87 * Bx21 + t90 * Bx22)
+    t127 = rounded(Ba21 * t97 + Ba22 * t103 + Ba23 * t110 + wide(variance) * Bx21 * Bx21 + wide(variance) * Bx22 * Bx22)
     return (
-        rounded(Ba11 * t72 + Ba12 * t78 + Ba13 * t85 + t88 * Bx11 + t91 * Bx12),
-        rounded(t96 + Ba21 * t72 + Ba22 * t78 + Ba23 * t85),
-        rounded(t96 + Ba11 * t107 + Ba12 * t114 + Ba13 * t121), rounded(t146),
+        rounded(t79 + Ba13 * (Ba11 * S_a_13 + Ba12 * S_a_23 + Ba13 * S_a_33) + t87 * Bx11 + t90 * Bx12),
+        t116, t116, t127,
     )
 
 
@@ -1302,8 +1300,8 @@ _NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("
 
 def _normal_covariance_factors(
     i1: Any, j1: Any, k1: Any, i2: Any, j2: Any, k2: Any, i3: Any, j3: Any, k3: Any, x: Any, y: Any,
-    c: Any, s11: Any, s12: Any, s13: Any, s21: Any, s22: Any, s23: Any, s31: Any, s32: Any, s33: Any,
-    variance: Any,
+    c: Any, S_a_11: Any, S_a_12: Any, S_a_13: Any, S_a_21: Any, S_a_22: Any, S_a_23: Any, S_a_31: Any,
+    S_a_32: Any, S_a_33: Any, variance: Any,
 ) -> tuple[Any, ...]:
     return (rounded(wide(i3) * x + wide(j3) * y - wide(c) * k3),)
 
@@ -1327,9 +1325,9 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     c : array_like, shape (...)
         Principal distance, in the unit of the image coordinates.
     S_left : array_like, shape (..., 2, 2)
-        Dispersion of (x', y'), in the square of the unit of c; symmetric.
+        Dispersion of (x', y'), in the square of the unit of c.  Taken as symmetric: the entries above the diagonal stand for those below it, which are not read.
     S_right : array_like, shape (..., 2, 2)
-        Dispersion of (x'', y''), in the square of the unit of c; only the variance of x'' is used.
+        Dispersion of (x'', y''), in the square of the unit of c; only the variance of x'' is used.  Taken as symmetric: the entries above the diagonal stand for those below it, which are not read.
     S_mixed : array_like, shape (..., 2, 2)
         Covariances of (x', y'), rows, with (x'', y''), columns, in the square of the unit of c; only those with x'' are used.
     out : ndarray, optional
@@ -1352,23 +1350,23 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
     Formula::
 
         parallax = xp - xpp
-        result[0, 0] = (xp*(sr00*xp - sm00*xpp) - xpp*(sm00*xp - sl00*xpp))/parallax**4
-        result[0, 1] = (parallax*(sm10*xp - sl01*xpp) + yp*(sr00*xp - sm00*xpp) - yp*(sm00*xp - sl00*xpp))/parallax**4
-        result[0, 2] = (c*(sm00*xp - sl00*xpp) - c*(sr00*xp - sm00*xpp))/parallax**4
-        result[1, 0] = (xp*(parallax*sm10 + sr00*yp - sm00*yp) - xpp*(parallax*sl10 + sm00*yp - sl00*yp))/parallax**4
-        result[1, 1] = (parallax*(parallax*sl11 + sm10*yp - sl01*yp) + yp*(parallax*sm10 + sr00*yp - sm00*yp) - yp*(parallax*sl10 + sm00*yp - sl00*yp))/parallax**4
-        result[1, 2] = (c*(parallax*sl10 + sm00*yp - sl00*yp) - c*(parallax*sm10 + sr00*yp - sm00*yp))/parallax**4
-        result[2, 0] = (xp*(c*sm00 - c*sr00) - xpp*(c*sl00 - c*sm00))/parallax**4
-        result[2, 1] = (parallax*(c*sl01 - c*sm10) + yp*(c*sm00 - c*sr00) - yp*(c*sl00 - c*sm00))/parallax**4
-        result[2, 2] = (c*(c*sl00 - c*sm00) - c*(c*sm00 - c*sr00))/parallax**4
+        result[0, 0] = (xp*(S_right_11*xp - S_mixed_11*xpp) - xpp*(S_mixed_11*xp - S_left_11*xpp))/parallax**4
+        result[0, 1] = (xp*(S_mixed_21*parallax + S_right_11*yp - S_mixed_11*yp) - xpp*(S_left_12*parallax + S_mixed_11*yp - S_left_11*yp))/parallax**4
+        result[0, 2] = (xp*(S_mixed_11*c - S_right_11*c) - xpp*(S_left_11*c - S_mixed_11*c))/parallax**4
+        result[1, 0] = (xp*(S_mixed_21*parallax + S_right_11*yp - S_mixed_11*yp) - xpp*(S_left_12*parallax + S_mixed_11*yp - S_left_11*yp))/parallax**4
+        result[1, 1] = (parallax*(S_left_22*parallax + S_mixed_21*yp - S_left_12*yp) + yp*(S_mixed_21*parallax + S_right_11*yp - S_mixed_11*yp) - yp*(S_left_12*parallax + S_mixed_11*yp - S_left_11*yp))/parallax**4
+        result[1, 2] = (parallax*(S_left_12*c - S_mixed_21*c) + yp*(S_mixed_11*c - S_right_11*c) - yp*(S_left_11*c - S_mixed_11*c))/parallax**4
+        result[2, 0] = (xp*(S_mixed_11*c - S_right_11*c) - xpp*(S_left_11*c - S_mixed_11*c))/parallax**4
+        result[2, 1] = (parallax*(S_left_12*c - S_mixed_21*c) + yp*(S_mixed_11*c - S_right_11*c) - yp*(S_left_11*c - S_mixed_11*c))/parallax**4
+        result[2, 2] = (c*(S_left_11*c - S_mixed_11*c) - c*(S_mixed_11*c - S_right_11*c))/parallax**4
 
     The result is not finite, and NumPy warns, where one of these is zero: ``xp - xpp``. The function `hypotheses`
     of this package computes them. In float64 nothing overflows or underflows where every entry is zero or, in
-    absolute value, between 2**-38 and 2**38.
+    absolute value, between 2**-78 and 2**78.
 
-    Operations: 79 (9 additions, 16 subtractions, 52 multiplications, 1 division, 1 negation).
+    Operations: 61 (8 additions, 12 subtractions, 39 multiplications, 1 division, 1 negation).
     The derived expression takes 330 as written.
-    With compensation of sums that may cancel: 423 (53 of them compute errors of products).
+    With compensation of sums that may cancel: 322 (40 of them compute errors of products).
     This is the cheapest accurate one of 10 programs that are proved equal.
 
     Examples
@@ -1380,28 +1378,28 @@ def model_covariance(x_left: ArrayLike, x_right: ArrayLike, c: ArrayLike, S_left
 
 
 def _model_covariance(
-    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, sl00: Any, sl01: Any, sl10: Any, sl11: Any, sr00: Any,
-    sr01: Any, sr10: Any, sr11: Any, sm00: Any, sm01: Any, sm10: Any, sm11: Any,
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, S_left_11: Any, S_left_12: Any, S_left_21: Any,
+    S_left_22: Any, S_right_11: Any, S_right_12: Any, S_right_21: Any, S_right_22: Any, S_mixed_11: Any,
+    S_mixed_12: Any, S_mixed_21: Any, S_mixed_22: Any,
 ) -> tuple[Any, ...]:
     parallax = wide(xp) - xpp
-    t3 = wide(sr00) * xp - wide(sm00) * xpp
-    t7 = wide(sm00) * xp - wide(sl00) * xpp
-    t13 = 1 / (parallax * parallax * parallax * parallax)
-    t31 = wide(sm00) * yp
-    t32 = parallax * sm10 + wide(sr00) * yp - t31
-    t37 = t31 + parallax * sl10 - wide(sl00) * yp
-    t94 = (parallax * (parallax * sl11 + wide(sm10) * yp - wide(sl01) * yp) + wide(yp) * t32 - wide(yp) * t37) * t13
-    t56 = wide(c) * sm00
-    t58 = t56 - wide(c) * sr00
-    t61 = t56 - wide(c) * sl00
+    t1 = 1 / parallax
+    t2 = t1 * t1
+    t3 = t2 * t2
+    t12 = wide(xp) * (wide(S_right_11) * xp - wide(S_mixed_11) * xpp) - wide(xpp) * (wide(S_mixed_11) * xp - wide(S_left_11) * xpp)
+    t17 = wide(S_mixed_11) * yp
+    t18 = wide(S_mixed_21) * parallax + wide(S_right_11) * yp - t17
+    t23 = t17 + wide(S_left_12) * parallax - wide(S_left_11) * yp
+    t26 = rounded(t3 * (wide(xp) * t18 - wide(xpp) * t23))
+    t27 = wide(S_mixed_11) * c
+    t29 = t27 - wide(S_right_11) * c
+    t32 = t27 - wide(S_left_11) * c
+    t35 = rounded(t3 * (wide(xp) * t29 + wide(xpp) * t32))
+    t43 = parallax * (wide(S_left_22) * parallax + wide(S_mixed_21) * yp - wide(S_left_12) * yp) + wide(yp) * t18
+    t55 = rounded(t3 * (parallax * (wide(S_left_12) * c - wide(S_mixed_21) * c) + wide(yp) * t29 + wide(yp) * t32))
     return (
-        rounded((wide(xp) * t3 - wide(xpp) * t7) * t13),
-        rounded((parallax * (wide(sm10) * xp - wide(sl01) * xpp) + wide(yp) * t3 - wide(yp) * t7) * t13),
-        rounded((wide(c) * t7 - wide(c) * t3) * t13), rounded((wide(xp) * t32 - wide(xpp) * t37) * t13),
-        rounded(t94), rounded((wide(c) * t37 - wide(c) * t32) * t13),
-        rounded((wide(xp) * t58 + wide(xpp) * t61) * t13),
-        rounded((parallax * (wide(c) * sl01 - wide(c) * sm10) + wide(yp) * t58 + wide(yp) * t61) * t13),
-        rounded(-((wide(c) * t61 + wide(c) * t58) * t13)),
+        rounded(t3 * t12), t26, t35, t26, rounded(t3 * (t43 - wide(yp) * t23)), t55, t35, t55,
+        rounded(-(t3 * (wide(c) * t32 + wide(c) * t29))),
     )
 
 
@@ -1409,8 +1407,9 @@ _MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), (
 
 
 def _model_covariance_factors(
-    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, sl00: Any, sl01: Any, sl10: Any, sl11: Any, sr00: Any,
-    sr01: Any, sr10: Any, sr11: Any, sm00: Any, sm01: Any, sm10: Any, sm11: Any,
+    xp: Any, yp: Any, xpp: Any, ypp: Any, c: Any, S_left_11: Any, S_left_12: Any, S_left_21: Any,
+    S_left_22: Any, S_right_11: Any, S_right_12: Any, S_right_21: Any, S_right_22: Any, S_mixed_11: Any,
+    S_mixed_12: Any, S_mixed_21: Any, S_mixed_22: Any,
 ) -> tuple[Any, ...]:
     return (xp - xpp,)
 

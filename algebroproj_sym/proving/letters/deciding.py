@@ -38,6 +38,7 @@ from algebroproj_sym.proving.letters.statements import (
 from algebroproj_sym.proving.letters.turns import Turn
 from algebroproj_sym.proving.letters.words import Algebra, NotWordsError
 from algebroproj_sym.proving.points import rational_zeros
+from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.proof import Decision, UndefinedError
 from algebroproj_sym.proving.prove import prove as decided
 from algebroproj_sym.proving.rational_function import RationalFunctionField
@@ -51,6 +52,7 @@ CONSTRAINED_STARTS = 8
 CONSTRAINED_TRIES = 60
 SPARSE_TRIES = 200
 MOST_OF_SEARCH = 1_000_000
+MOST_PRODUCTS = 50_000_000
 
 _CIRCLE = [(Fraction(a, c), Fraction(b, c)) for a, b, c in ((3, 4, 5), (-4, 3, 5), (5, 12, 13), (-8, 15, 17))]
 _NUMBERS = Field(Fraction)
@@ -185,8 +187,11 @@ class _Question:
         found = self._in_words()
         reason = self._without_entries()
         if found is None and not reason:
-            found = self._by_entries()
             reason = "neither a proof nor exact matrices at which the sides differ were found"
+            try:
+                found = self._by_entries()
+            except EffortExceededError:
+                reason = "no proof was found in words, and one by entries costs too much"
         if found is None:
             refuting = self._differing(self._points(MORE_TRIES), MORE_TRIES)
             return self._open(reason) if refuting is None else self._refuted(refuting)
@@ -419,7 +424,7 @@ class _Question:
         expansion = _Expansion(self.plain)
         if expansion.equations:
             return self._constrained(expansion)
-        field = RationalFunctionField(expansion.symbols, self.engine)
+        field = RationalFunctionField(expansion.symbols, self.engine, Work(MOST_PRODUCTS).spend)
         numbers = Field(field.lift)
         named = {symbol.name: value for symbol, value in field.variables.items()}
         try:

@@ -115,6 +115,7 @@ class _Search:
         self.algebra = algebra
         self.rules = rules
         self.leads = [max(rule.poly.terms, key=order) for rule in rules]
+        self.longest_first = sorted(range(len(rules)), key=lambda place: -len(self.leads[place][1]))
         self.places = {
             (rule.name, rule.of[0].key): place
             for place, rule in enumerate(rules)
@@ -157,9 +158,9 @@ class _Search:
 
     def _step(self, monomial: Monomial, rest: Poly) -> Part | None:
         """Return the multiple of a rule that takes a monomial out, and leaves shorter ones."""
-        for place, (rule, lead) in enumerate(zip(self.rules, self.leads, strict=True)):
-            for part in self._fits(place, lead, monomial, rest.shape):
-                found = part.value(self.algebra, rule.poly)
+        for place in self.longest_first:
+            for part in self._fits(place, self.leads[place], monomial, rest.shape):
+                found = part.value(self.algebra, self.rules[place].poly)
                 value = found.terms.get(monomial)
                 if value and all(order(other) <= order(monomial) for other in found.terms):
                     return replace(part, factor=part.factor.times(rest.terms[monomial] / value))

@@ -95,7 +95,7 @@ def _batched(shape: tuple[int, ...]) -> str:
 
 def _arguments(kernel: Kernel) -> Table:
     rows = [
-        (Markup("<code>{}</code>").format(a.name), _batched(a.shape), kernel.describe[a.name], _entries(a.entries))
+        (Markup("<code>{}</code>").format(a.name), _batched(a.shape), kernel.described[a.name], _entries(a.entries))
         for a in kernel.arguments
     ]
     return Table("Arguments", ("name", "shape", "meaning", "entries"), rows)

@@ -92,8 +92,8 @@ def symbols_in(catalogue: Catalogue) -> Symbols:
     for function in catalogue.functions:
         kernel = function.lowered.kernel
         for argument in kernel.arguments:
-            for each in argument.symbols:
-                known(kernel.paper, each.name).functions.setdefault(kernel.describe[argument.name], function)
+            for each in argument.read:
+                known(kernel.paper, str(each)).functions.setdefault(kernel.describe[argument.name], function)
     return found
 
 

@@ -179,6 +179,6 @@ def _parameter(name: str, shape: tuple[int, ...]) -> str:
 
 def _documentation(low: Lowered) -> list[str]:
     kernel = low.kernel
-    described = [f"{argument.name}: {kernel.describe[argument.name]}" for argument in kernel.arguments]
+    described = [f"{name}: {about}" for name, about in kernel.described.items()]
     text = [kernel.summary, "", origin(kernel), "", *described, "", *formula(kernel), "", *singularities(low)]
     return [part for line in text for part in (wrap(line, 110, subsequent_indent="    ") or [""])]

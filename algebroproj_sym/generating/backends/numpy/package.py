@@ -128,7 +128,7 @@ def _function(low: Lowered) -> dict[str, Any]:
         "summary": kernel.summary,
         "source": origin(kernel),
         "arguments": [
-            {"name": a.name, "shape": _batched(a.shape), "description": kernel.describe[a.name]}
+            {"name": a.name, "shape": _batched(a.shape), "description": kernel.described[a.name]}
             for a in kernel.arguments
         ],
         "dtypes": _dtypes(kernel),

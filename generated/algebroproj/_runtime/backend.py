@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "3472c7a222f9df6f"
+DIGEST = "58dbfb3519b1ae99"
 """What identifies the C source that belongs to this package."""
 
 

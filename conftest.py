@@ -126,6 +126,21 @@ def is_installed(name):
         return False
 
 
+@pytest.fixture
+def decided_here(monkeypatch):
+    """Relations of documents are decided in the process of the test: no worker is started, and no time is limited."""
+    from algebroproj_sym.proving import worker
+
+    def outcomes(questions, *, seconds, jobs):
+        for question in questions:
+            try:
+                yield worker._decided(question, "flint")
+            except Exception as error:
+                yield worker.Outcome("error", "none", 0.0, f"{type(error).__name__}: {error}")
+
+    monkeypatch.setattr("algebroproj_sym.reading.judging.questions.outcomes", outcomes)
+
+
 @pytest.fixture(scope="session")
 def repository() -> Path:
     return Path(__file__).resolve().parent

@@ -28,6 +28,8 @@ from algebroproj_sym.reading.documents.statements import statements
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import parsed, text_of
 
+pytestmark = pytest.mark.usefixtures("decided_here")
+
 A, B, C, X, Y = sympy.symbols("a b c x y")
 
 

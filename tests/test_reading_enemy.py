@@ -8,6 +8,8 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
+pytestmark = pytest.mark.usefixtures("decided_here")
+
 ENERGY = r"The energy is \[ E := \frac12 m v^2 + \frac12 k x^2. \] "
 LENS = r"The power of a lens is \[ P := \frac{1}{a} + \frac{1}{b}. \] "
 WAVE = r"A wave is given by \[ y = A \sin(k x - w t). \] "

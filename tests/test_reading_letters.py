@@ -12,6 +12,8 @@ from algebroproj_sym.reading import (
     symbols_for,
 )
 
+pytestmark = pytest.mark.usefixtures("decided_here")
+
 ROTATION = r"Let $R \in SO(3)$, $\mathbf{a} \in \mathbb{R}^3$ and $\mathbf{b} \in \mathbb{R}^3$. Then "
 UNIT = r"where $\mathbf{n}$ is a unit vector and $I$ is the identity matrix \[ P = I - \mathbf{n}\mathbf{n}^T \] "
 

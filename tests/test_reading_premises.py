@@ -6,6 +6,8 @@ from algebroproj_sym.declaring import DeclarationError
 from algebroproj_sym.declaring.quotes import quotations
 from algebroproj_sym.reading import document_at, document_of, read_document
 
+pytestmark = pytest.mark.usefixtures("decided_here")
+
 
 def last(latex, *, reading=document_of):
     return read_document(reading(latex), seconds=10)[-1]

@@ -231,7 +231,7 @@ def composed(inner: Taylor, value: Any, slope: Any, bend: Any) -> Taylor:
 
 def _elementary(primitive: Primitive) -> Callable[..., Any]:
     """Return an elementary function of numbers with derivatives: how it changes is differentiated for the second."""
-    function = getattr(import_module(f"algebroproj._runtime.{primitive.name}"), primitive.name)
+    function = getattr(import_module(f"algebroproj_sym.generating.runtime.{primitive.name}"), primitive.name)
 
     def results(*given: Any) -> Any:
         numbers = _numbers(given)

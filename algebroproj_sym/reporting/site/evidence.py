@@ -18,7 +18,6 @@ from algebroproj_sym.reporting.site.comparison import place_of
 from algebroproj_sym.reporting.site.formulas import folded, in_line, symbol
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
-from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.text_latex import latex_of_text
 
 LONGEST_VALUE = 1200
@@ -113,7 +112,9 @@ def _fraction(value: Fraction, marked: bool = False) -> Markup | str:
 
 def _value(value: Any) -> Markup | str:
     """Return a number as text, or a matrix, given by its rows, as a formula."""
-    return in_line(math(latex(Matrix(value)))) if isinstance(value, list) else str(value).replace("-", "−")
+    if not isinstance(value, list):
+        return str(value).replace("-", "−")
+    return in_line(math(latex_of_text(TextForm(str(Matrix(value))))))
 
 
 def _points(certificate: Mapping[str, Any]) -> list[Table]:

@@ -448,6 +448,112 @@ Proof.
   - pose proof (increasing b a); lra.
 Qed.
 
+(** ** Enclosures of numbers *)
+
+Lemma close_to_pi : 3141592 / 1000000 <= PI <= 3141593 / 1000000.
+Proof.
+  destruct (PI_2_3_7_ineq 3) as [low high].
+  unfold tg_alt, PI_2_3_7_tg, Ratan_seq in low, high; simpl in low, high; lra.
+Qed.
+
+Lemma product_between a b c d x y l h : a <= x <= b -> c <= y <= d ->
+  l <= a * c -> l <= a * d -> l <= b * c -> l <= b * d ->
+  a * c <= h -> a * d <= h -> b * c <= h -> b * d <= h -> l <= x * y <= h.
+Proof.
+  intros [X1 X2] [Y1 Y2] ? ? ? ? ? ? ? ?.
+  assert (A : a * c <= a * y <= a * d \/ a * d <= a * y <= a * c)
+    by (destruct (Rle_lt_dec 0 a); [left | right]; split; nra).
+  assert (B : b * c <= b * y <= b * d \/ b * d <= b * y <= b * c)
+    by (destruct (Rle_lt_dec 0 b); [left | right]; split; nra).
+  assert (X : a * y <= x * y <= b * y \/ b * y <= x * y <= a * y)
+    by (destruct (Rle_lt_dec 0 y); [left | right]; split; nra).
+  lra.
+Qed.
+
+Lemma root_between r a n l h : 0 <= r -> r ^ S n - a = 0 -> 0 <= l -> 0 <= h ->
+  l ^ S n <= a -> a <= h ^ S n -> l <= r <= h.
+Proof.
+  intros R0 E L H A B.
+  split; apply Rnot_lt_le; intros lt.
+  - assert (M := pow_incr r l (S n) (conj R0 (Rlt_le _ _ lt))).
+    assert (D : l ^ S n - r ^ S n = 0) by lra. pose proof (equal_powers l r n L R0 D); lra.
+  - assert (M := pow_incr h r (S n) (conj H (Rlt_le _ _ lt))).
+    assert (D : r ^ S n - h ^ S n = 0) by lra. pose proof (equal_powers r h n R0 H D); lra.
+Qed.
+
+Definition sine_below a := a - a ^ 3 / 6 + a ^ 5 / 120 - a ^ 7 / 5040.
+Definition sine_above a := sine_below a + a ^ 9 / 362880.
+Definition cosine_below a := 1 - a ^ 2 / 2 + a ^ 4 / 24 - a ^ 6 / 720.
+Definition cosine_above a := cosine_below a + a ^ 8 / 40320.
+
+Lemma factorial n z : Z.of_nat (fact n) = z -> INR (fact n) = IZR z.
+Proof. intros <-; apply INR_IZR_INZ. Qed.
+
+Lemma sine_of u : 0 <= u <= 3 / 2 -> sine_below u <= sin u <= sine_above u.
+Proof.
+  intros U. pose proof close_to_pi. destruct (sin_bound u 1 ltac:(lra) ltac:(lra)) as [low high].
+  unfold sine_above, sine_below, sin_approx, sin_term in *.
+  cbn [sum_f_R0 Nat.mul Nat.add] in low, high.
+  rewrite (factorial 1 1), (factorial 3 6), (factorial 5 120), (factorial 7 5040) in low, high by reflexivity.
+  rewrite (factorial 9 362880) in high by (vm_compute; reflexivity).
+  split; [apply Rle_trans with (2 := low) | apply Rle_trans with (1 := high)]; apply Req_le; field.
+Qed.
+
+Lemma cosine_of u : 0 <= u <= 3 / 2 -> cosine_below u <= cos u <= cosine_above u.
+Proof.
+  intros U. pose proof close_to_pi. destruct (cos_bound u 1 ltac:(lra) ltac:(lra)) as [low high].
+  unfold cosine_above, cosine_below, cos_approx, cos_term in *.
+  cbn [sum_f_R0 Nat.mul Nat.add] in low, high.
+  rewrite (factorial 0 1), (factorial 2 2), (factorial 4 24), (factorial 6 720) in low, high by reflexivity.
+  rewrite (factorial 8 40320) in high by (vm_compute; reflexivity).
+  split; [apply Rle_trans with (2 := low) | apply Rle_trans with (1 := high)]; apply Req_le; field.
+Qed.
+
+Lemma sine_between s u l h : s = sin u -> 0 <= l -> l <= u <= h -> h <= 3 / 2 ->
+  sine_below l <= s <= sine_above h.
+Proof.
+  intros -> L U H. pose proof close_to_pi.
+  pose proof (sine_of l ltac:(lra)). pose proof (sine_of h ltac:(lra)).
+  pose proof (sin_incr_1 l u ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  pose proof (sin_incr_1 u h ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+Lemma cosine_between c u l h : c = cos u -> 0 <= l -> l <= u <= h -> h <= 3 / 2 ->
+  cosine_below h <= c <= cosine_above l.
+Proof.
+  intros -> L U H. pose proof close_to_pi.
+  pose proof (cosine_of l ltac:(lra)). pose proof (cosine_of h ltac:(lra)).
+  pose proof (cos_decr_1 l u ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
+  pose proof (cos_decr_1 u h ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+Qed.
+
+Lemma arc_sine_between a u l h : a = asin u -> 0 <= u <= 1 -> 0 <= l <= 3 / 2 -> 0 <= h <= 3 / 2 ->
+  sine_above l <= u -> u <= sine_below h -> l <= a <= h.
+Proof.
+  intros -> U L H A B. pose proof close_to_pi. pose proof (asin_bound u) as R.
+  pose proof (sin_asin u ltac:(lra)) as S.
+  pose proof (sine_of l L). pose proof (sine_of h H).
+  split; apply Rnot_lt_le; intros lt.
+  - pose proof (sin_increasing_1 (asin u) l ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) lt); lra.
+  - pose proof (sin_increasing_1 h (asin u) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) lt); lra.
+Qed.
+
+Lemma arc_tangent_between a u l h : a = atan u -> 0 <= u -> 0 <= l <= 3 / 2 -> 0 <= h <= 3 / 2 ->
+  sine_above l <= u * cosine_below l -> u * cosine_above h <= sine_below h -> l <= a <= h.
+Proof.
+  intros -> U L H A B. pose proof close_to_pi. destruct (atan_bound u) as [low high].
+  destruct (sine_of l L), (sine_of h H), (cosine_of l L), (cosine_of h H).
+  assert (C : forall t, - (PI / 2) < t < PI / 2 -> 0 < cos t) by (intros; apply cos_gt_0; lra).
+  assert (T : forall t, 0 < cos t -> tan t * cos t = sin t) by (intros; unfold tan; field; lra).
+  pose proof (C l ltac:(lra)) as Cl. pose proof (C h ltac:(lra)) as Ch.
+  pose proof (T l Cl). pose proof (T h Ch).
+  assert (tan l <= u) by (apply Rmult_le_reg_r with (cos l); nra).
+  assert (u <= tan h) by (apply Rmult_le_reg_r with (cos h); nra).
+  assert (M : forall x y, x <= y -> atan x <= atan y)
+    by (intros x y [lt | ->]; [left; now apply atan_increasing | right; reflexivity]).
+  split; [rewrite <- (atan_tan l) by lra | rewrite <- (atan_tan h) by lra]; now apply M.
+Qed.
+
 (** ** Tactics: two quotients are equal, and a product is not zero *)
 
 Ltac nonzero :=

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.exporting.gallina import digits
+from algebroproj_sym.exporting.reals.enclosures import positive
 from algebroproj_sym.exporting.reals.formulas import SIGNS, called
 from algebroproj_sym.exporting.reals.writing import LEMMAS, Written
 from algebroproj_sym.exporting.refusal import Silent
@@ -169,22 +170,7 @@ def _both(theory: Written, step: Step) -> str:
 
 
 def _value(theory: Written, step: Step) -> str:
-    polynomial = theory.polynomial(step["polynomial"])
-    if not _follows_from_bounds_of_pi(theory, polynomial):
-        raise Silent("no theorem is written yet for the sign of a number other than of pi and rational numbers")
-    bounds = (theory.pi - theory.number(3), theory.number(22) - theory.number(7) * theory.pi)
-    low, high = (theory.proof(">", bound) for bound in bounds)
-    return f"ltac:(pose proof {low}; pose proof {high}; lra) : 0 < {theory.shown(polynomial)}"
-
-
-def _follows_from_bounds_of_pi(theory: Written, element: Element) -> bool:
-    """Whether a number is a + b*pi, and positive because of 3 < pi < 22/7."""
-    if "pi" not in theory.alive:
-        return False
-    terms = theory.fact(">", element).polynomial.terms
-    (pi,) = theory.field.variable("pi").terms
-    constant, slope = terms.get(0, 0), terms.get(pi, 0)
-    return terms.keys() <= {0, pi} and all(constant + bound * slope >= 0 for bound in (3, Fraction(22, 7)))
+    return positive(theory, theory.polynomial(step["polynomial"]))
 
 
 # -- angles
@@ -202,7 +188,7 @@ def _addition(theory: Written, step: Step) -> str:
         part = theory.read(text)
         shown = theory.shown(part)
         if (part + part - theory.pi).is_zero:
-            equal = theory._asserted(f"2 * {shown} = PI", "matching.")
+            equal = theory.asserted(f"2 * {shown} = PI", "matching.")
             known = f"(quarter_cosine _ {equal}) (quarter_sine _ {equal})"
         else:
             known = f"d{theory.name('cos', part)} d{theory.name('sin', part)}"

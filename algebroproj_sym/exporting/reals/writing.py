@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 from algebroproj_sym.exporting.gallina import digits
 from algebroproj_sym.exporting.reals.formulas import APPLIED, SIGNS, called, formula, root
@@ -54,6 +54,8 @@ class Written(Theory):
     ----------
     lines : list of str
         The tactics.
+    enclosed : dict of str to Enclosed
+        The numbers whose bounds are written down.
     """
 
     def __init__(self, symbols: Iterable[str], premises: Sequence[tuple[Condition, str]]) -> None:
@@ -64,6 +66,7 @@ class Written(Theory):
         self.units: dict[int, str] = {}
         self.leaves: dict[str, str] = {}
         self.added: list[Added] = []
+        self.enclosed: dict[str, Any] = {}
         self.absurd = ""
         super().__init__(symbols)
 
@@ -72,7 +75,7 @@ class Written(Theory):
         other = super().branch()
         other.lines, other.premises, other.count, other.absurd = self.lines, self.premises, self.count, self.absurd
         other.hypotheses, other.units, other.leaves = dict(self.hypotheses), dict(self.units), dict(self.leaves)
-        other.added = []
+        other.added, other.enclosed = [], dict(self.enclosed)
         return other
 
     def fresh(self) -> str:
@@ -191,7 +194,7 @@ class Written(Theory):
         """Return the name of a proof that something is so related to zero; its text may be given."""
         text = text or self.shown(element)
         if not element.numerator:
-            zero = self._asserted(f"{text} = 0", f"{rewriting}matching.")
+            zero = self.asserted(f"{text} = 0", f"{rewriting}matching.")
             return zero if relation == "=" else f"(zero_nonnegative _ {zero})"
         try:
             known = self._of_fact(relation, self.fact(relation, element))
@@ -205,13 +208,14 @@ class Written(Theory):
         part, multiple, scale = self._ratio(relation, element)
         sides = "nonzero" if relation in ("=", "!=") else "positive"
         more = f" | {sides}" if relation in (">", ">=") else ""
-        return self._asserted(
+        return self.asserted(
             SIGNS[relation].format(text),
             f"refine ({LEMMAS[relation]}_from ({part}) {scale} {text} ({multiple}) {known} _ _{' _' * bool(more)}); "
             f"[{rewriting}matching | {sides}{more}].",
         )
 
-    def _asserted(self, text: str, tactics: str) -> str:
+    def asserted(self, text: str, tactics: str) -> str:
+        """Write down what some tactics prove; return its name."""
         name = self.fresh()
         self.lines.append(f"assert ({text}) as {name}.\n{{ {tactics} }}")
         return name
@@ -331,7 +335,7 @@ class Written(Theory):
             proof = self.proof(relation, element)
         if not proof:
             text = SIGNS[relation].format(f"({self.text_of(fact.polynomial)})")
-            self.hypotheses[fact] = self._asserted(text, "evident.")
+            self.hypotheses[fact] = self.asserted(text, "evident.")
         else:
             self.enter(relation, element, proof, rewriting)
         Theory.add(self, relation, element)
@@ -381,7 +385,7 @@ class Written(Theory):
         elif kind in _DEFINED:
             text, definition = formula(term), formula(expanded(term)[0])
             if text not in self.leaves:
-                self.leaves[text] = self._asserted(f"{text} = {definition}", f"{_DEFINED[kind]}.")
+                self.leaves[text] = self.asserted(f"{text} = {definition}", f"{_DEFINED[kind]}.")
             return
         elif kind in APPLIED and expanded(term)[0] is term:
             value, text = self.name(kind, *map(self.term, term.args)), formula(term)
@@ -392,7 +396,7 @@ class Written(Theory):
         known = next(known for name, known in self.applications.items() if called(name) == value)
         same = self.applied_text(known, [self.shown(arg) for arg in known.args])
         inside = "".join(map(self.rewriting, term.args))
-        self.leaves[text] = self._asserted(
+        self.leaves[text] = self.asserted(
             f"{text} = {value}", f"transitivity {same}; [f_equal; {inside}matching | symmetry; exact d{value}]."
         )
 

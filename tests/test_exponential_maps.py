@@ -8,7 +8,7 @@ from pathlib import Path
 import mpmath
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_sym import prove
@@ -327,7 +327,6 @@ FACTORS = st.sampled_from(
 PRODUCTS = st.lists(FACTORS, min_size=1, max_size=3).map("*".join)
 
 
-@settings(max_examples=60, deadline=None)
 @given(left=PRODUCTS, right=PRODUCTS, whole=st.booleans())
 def test_what_is_proved_or_refuted_is_so_for_ordinary_numbers(left, right, whole):
     statement = (f"{left}*{right}", f"{right}*{left}") if whole else (left, right)

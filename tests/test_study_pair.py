@@ -16,9 +16,10 @@ from algebroproj_derivations.studies.pairs.populating import KINDS, pair
 from algebroproj_derivations.studies.pairs.wording import in_words
 from algebroproj_sym.cli import main
 
+pytestmark = pytest.mark.usefixtures("sources_read_once")
 COUNTS = st.sampled_from([8, 9, 12, 25])
 SEEDS = st.integers(0, 10**6)
-few = settings(max_examples=15, deadline=None)
+few = settings(max_examples=15)
 
 
 def unsigned(matrix):
@@ -79,7 +80,6 @@ def test_pixels_may_have_another_size(seed, count, scale):
     same(judge(x1, x2, 0.5), judge(scale * x1, scale * x2, scale * 0.5), lambda m: shrink @ m @ shrink, scale)
 
 
-@settings(max_examples=40, deadline=None)
 @given(SEEDS, COUNTS, st.sampled_from(KINDS), st.floats(0.1, 2))
 def test_no_lower_bound_is_above_an_upper_one(seed, count, kind, sigma):
     pairs = pairs_of(*known_pair(seed, kind, count, sigma))
@@ -90,7 +90,6 @@ def test_no_lower_bound_is_above_an_upper_one(seed, count, kind, sigma):
     assert np.linalg.norm(found.pixels - pairs.pixels) == pytest.approx(found.upper)
 
 
-@settings(max_examples=60, deadline=None)
 @given(SEEDS, COUNTS, st.sampled_from(["plane", "quadric", "planes", "seven"]), st.floats(-6, 2), st.integers(0, 4))
 def test_a_planted_critical_configuration_is_not_nearer_than_the_lower_bound(seed, count, kind, exponent, climbs):
     """From a critical configuration, go some way in a random direction, then in those that raise the bound most."""
@@ -114,7 +113,6 @@ def exact_rank(x1, x2):
     return flint.fmpz_mat(products).rank()
 
 
-@settings(max_examples=60, deadline=None)
 @given(SEEDS, COUNTS, st.integers(0, 1))
 def test_of_exactly_critical_pairs_the_lower_bound_is_zero(seed, count, off):
     rng = np.random.default_rng(seed)

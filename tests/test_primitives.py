@@ -158,6 +158,17 @@ def test_a_singular_system_of_any_floating_kind_is_not_finite(dtype):
     assert not np.isfinite(unknowns[1]).any()
 
 
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+def test_equal_equations_are_singular_whatever_their_entries():
+    assert not np.isfinite(solve([1.0, 49.0, 1.0], [1.0, 49.0, 2.0])).any()
+    assert not np.isfinite(null_vector([1.0, 49.0, 3.0], [1.0, 49.0, 3.0])).all()
+
+
+def test_integers_are_numbers():
+    assert [float(v) for v in solve([2, 1, 4], [1, 3, 1])] == pytest.approx([2.2, -0.4])
+    assert [float(v) for v in null_vector([2, 3])] == pytest.approx([1, -2 / 3])
+
+
 @pytest.mark.parametrize("right_side", [(0.0, 0.0), (1.0, 2.0), (1.0, 3.0)])
 def test_a_singular_system_warns_and_can_be_made_to_raise(right_side):
     rows = [1.0, 2.0, right_side[0]], [2.0, 4.0, right_side[1]]

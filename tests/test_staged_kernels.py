@@ -3,6 +3,7 @@
 import ast
 import inspect
 import math
+import signal
 from collections import Counter
 from fractions import Fraction
 from itertools import count
@@ -777,6 +778,42 @@ def test_a_mistake_within_one_of_several_stages_is_not_proved(tmp_path):
         assert not source_is_proved(declared, package), (old, new)
 
 
+def test_a_constant_system_is_solved(tmp_path):
+    declared = of_xy(u * x, [solution([u, v], Matrix([[3, 1], [1, 2]]), vector(1, 1))])
+    assert shipped(tmp_path, declared).demo.f(1.0, 2.0) == pytest.approx(0.2)
+
+
+SYSTEM = solution([u, v], Matrix([[x, y], [y + 1, x]]), vector(1, 2 * x))
+SOLVING = of_xy(vector(u, v), [SYSTEM])
+TURNING = of_xy(c, [cos_sin(c, s, x)])
+OTHERWISE_CALLED = {
+    "another primitive function": (
+        of_xy(vector(u, v, n0, n1, n2), [SYSTEM, null_vector([n0, n1, n2], Matrix([[x, y, 1], [y, x, 2]]))]),
+        [("v = solve(", "v = third("), ("n2 = null_vector(", "n2 = solve("), ("v = third(", "v = null_vector(")],
+    ),
+    "rows grouped in another way": (
+        SOLVING,
+        [
+            (
+                "        [x, y, 1],\n        [wide(y) + 1, x, 2 * wide(x)],",
+                "        [x, y], [1, wide(y) + 1], [x, 2 * wide(x)],",
+            )
+        ],
+    ),
+    "a call too many": (TURNING, [("    return (c,)", "    c, s = cos_sin(c)\n    return (c,)")]),
+    "no primitive function": (
+        TURNING,
+        [("from ._runtime.cos_sin import cos_sin\n", ""), ("c, s = cos_sin(x)", "c, s = x, y")],
+    ),
+}
+
+
+@pytest.mark.parametrize(("declared", "changes"), OTHERWISE_CALLED.values(), ids=OTHERWISE_CALLED)
+def test_what_is_called_otherwise_is_not_proved(declared, changes, tmp_path):
+    changed = [("demo.py", old, new) for old, new in changes]
+    assert not source_is_proved(declared, shipped(tmp_path, declared, changes=changed))
+
+
 # Samples and all together
 
 
@@ -790,6 +827,36 @@ def test_samples_come_near_singular_systems():
     assert min(determinants) < 1e-11
     assert max(determinants) > 1e-2
     assert {sample.stratum for sample in samples} == {"ordinary", "badly scaled", "near a singular system"}
+
+
+@pytest.fixture
+def _ending():
+    """Stop a test that does not end."""
+
+    def stop(*_):
+        raise TimeoutError("does not end")
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(15)
+    yield
+    signal.alarm(0)
+    signal.signal(signal.SIGALRM, before)
+
+
+@pytest.mark.usefixtures("_ending")
+@pytest.mark.parametrize(
+    "matrix",
+    [[[x, -y], [y, x]], [[1, x], [0, 1]], [[x, y], [x, y]], [[over(1, x), y], [y, x]]],
+    ids=["not affine in any variable", "constant determinant", "always singular", "with a division"],
+)
+def test_samples_near_a_singular_system_end(matrix):
+    lowered = lower(of_xy(vector(u, v), [solution([u, v], Matrix(matrix), vector(1, y))]))
+    assert len(stratified(lowered, 3)) >= 6
+
+
+@pytest.mark.usefixtures("_ending")
+def test_samples_near_a_hypothesis_that_is_not_affine_end():
+    assert len(stratified(lower(of_xy(over(1, x**2 + y**2), [])), 3)) >= 6
 
 
 def test_samples_come_near_hypotheses_on_the_inputs_only():

@@ -137,6 +137,7 @@ def test_both_engines_come_to_the_same_verdicts(engine):
     assert {claim["engine"] for claim in claims} == {engine}
 
 
+@pytest.mark.whole
 def test_workers_change_nothing_but_the_time():
     outputs = [run("check", "fundamentals1996:1.2", "--jobs", jobs, "--format", "json").stdout for jobs in ("1", "2")]
     records = [json.loads(output)["claims"] for output in outputs]

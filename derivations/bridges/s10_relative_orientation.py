@@ -82,16 +82,16 @@ section.identity(
 # %% [markdown]
 # ## Which orientation is the real one?
 #
-# **Definition.**  A point is in front of an image where its depth is positive.  An essential matrix, up to its sign, has
-# two bases $\pm \mathbf b$ and two rotations.  The second rotation is the first one and half a turn about the base.
+# **Definition.**  A point is in front of an image where its depth is positive.  An essential matrix, up to its sign,
+# has two bases $\pm \mathbf b$ and two rotations.  The second rotation is the first one and half a turn about the base.
 #
 # **Question.**  What are the depths in the other orientations, if the rays meet?
 #
 # **Derivation.**  With $-\mathbf b$ both depths change their signs.  After half a turn the rays meet again, and both
 # depths have a factor $k$, but one of them also a minus.
 #
-# **Result.**  The four orientations have the four pairs of signs: each point is in front of both images in exactly one of
-# them.  A point as far from one center as from the other has parallel rays after half a turn, and no depths.
+# **Result.**  The four orientations have the four pairs of signs: each point is in front of both images in exactly one
+# of them.  A point as far from one center as from the other has parallel rays after half a turn, and no depths.
 
 # %%
 half_turn = over(2, dot(base, base)) * base * base.T - Matrix.eye(3)
@@ -219,7 +219,7 @@ section.kernel(
 )
 section.kernel(
     "stereo.sampson",
-    "Square of Sampson's distance, and the least change (x', y', x'', y'') that satisfies the condition to first order.",
+    "Square of Sampson's distance, and the least change (x', y', x'', y'') that meets the condition to first order.",
     arguments={"C": C, "x_left": vector(*left[:2]), "x_right": vector(*right[:2])},
     describe={
         "C": "Matrix of correlation, u'^T C u'' = 0 for homologous points (x, y, 1), up to a factor.",

@@ -325,7 +325,7 @@ _RESIDUALS_FACTORS = (
 
 
 def sampson(C: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Square of Sampson's distance, and the least change (x', y', x'', y'') that satisfies the condition to first order.
+    """Square of Sampson's distance, and the least change (x', y', x'', y'') that meets the condition to first order.
 
     bridges, section 10; proved by (10/gradient), (10/sampson), (10/sampson#distance).
 

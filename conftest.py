@@ -162,3 +162,13 @@ def lowered():
     """Return a function from the name of a kernel of the papers to its program; each is lowered once."""
     declared = {kernel.qualified_name: kernel for kernel in kernels()}
     return cache(lambda name: lower(declared[name]))
+
+
+@pytest.fixture(scope="module")
+def sources_read_once():
+    """Find out once on which sources a study depends: no test of the module changes them."""
+    from algebroproj_sym.study import datasets
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(datasets, "digest", cache(datasets.digest))
+        yield

@@ -10,7 +10,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import algebroproj
@@ -59,7 +59,6 @@ def broadcastable(batches):
 batches = st.tuples(*[st.sampled_from(SHAPES)] * 3).filter(broadcastable)
 
 
-@settings(max_examples=25, deadline=None)
 @given(batches, st.integers(1, 40), st.sampled_from([np.float32, np.float64, np.longdouble, np.complex128]))
 def test_blocks_of_any_size_give_the_bits_of_single_points(shapes, block, dtype):
     given_arguments = arguments(shapes, dtype)
@@ -80,7 +79,6 @@ LAYOUTS = {
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-@settings(max_examples=25, deadline=None)
 @given(batches)
 def test_out_of_any_layout_is_filled_and_returned(layout, shapes):
     given_arguments = arguments(shapes)

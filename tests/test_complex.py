@@ -69,7 +69,7 @@ def expressions():
     return st.recursive(leaves, extend, max_leaves=5)
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=4 * settings.default.max_examples)
 @given(expressions(), st.tuples(*[st.integers(-30, 30)] * 5))
 def test_the_parts_of_an_expression_are_those_of_its_value(text, numbers):
     with mpmath.workdps(40):

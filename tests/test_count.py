@@ -219,3 +219,13 @@ def test_equal_declarations_give_equal_evidence(engine):
 def test_a_fraction_is_no_count(engine):
     with pytest.raises(DeclarationError, match=r"^1\.1: expected a number as printed form"):
         judged(Fraction(3, 2), vector(x, y), (x, y), engine=engine)
+
+
+@pytest.mark.parametrize(
+    ("printed", "derived", "variables", "kernel"),
+    [(1, x * y, (x, y), [vector(x)]), (x, x * y, (x, y), ()), (0, x, (x + 1,), [vector(1)])],
+    ids=["direction too short", "symbol as count", "expression as variable"],
+)
+def test_nonsense_is_refused(printed, derived, variables, kernel):
+    with pytest.raises(DeclarationError):
+        judged(printed, derived, variables, kernel)

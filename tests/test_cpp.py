@@ -22,6 +22,8 @@ from algebroproj_sym.verifying.identity import SPECIAL, same_bits
 from algebroproj_sym.verifying.proof_of_cpp_source import cpp_source_is_proved, function_is_proved, header_of
 from algebroproj_sym.verifying.shipped import call, function_of, without_twin
 
+# One worker makes all files.
+pytestmark = pytest.mark.xdist_group("package")
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 COMPILER = shutil.which("g++")
 OPTIONS = ["-std=c++17", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-O1"]
@@ -114,6 +116,13 @@ def test_what_is_not_understood_is_refused(old, new, lowered, files):
     assert not cpp_source_is_proved(lowered("optics.image_point"), files | {"optics.hpp": text.replace(old, new)})
 
 
+SHARING = "correlation.general_correlation_matrix"
+
+
+def test_what_functions_share_is_proved_with_them(lowered, files):
+    assert cpp_source_is_proved(lowered(SHARING), files)
+
+
 @pytest.mark.parametrize(
     ("file", "old", "new"),
     [
@@ -124,11 +133,9 @@ def test_what_is_not_understood_is_refused(old, new, lowered, files):
         ("systems.hpp", "solution[8] =", "solution[7] ="),
     ],
 )
-def test_an_error_in_what_the_functions_share_is_found(file, old, new, lowered, files):
-    low = lowered("correlation.general_correlation_matrix")
-    assert cpp_source_is_proved(low, files)
+def test_an_error_in_what_functions_share_is_found(file, old, new, lowered, files):
     assert files[file].count(old) >= 1
-    assert not cpp_source_is_proved(low, files | {file: files[file].replace(old, new)})
+    assert not cpp_source_is_proved(lowered(SHARING), files | {file: files[file].replace(old, new)})
 
 
 HEAD = """#include <cstdio>
@@ -181,7 +188,9 @@ def values_of(low, dtype):
 
 
 @compiling
-@pytest.mark.parametrize("kind", TYPES)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=pytest.mark.whole if kind != "double" else ()) for kind in TYPES]
+)
 def test_every_function_gives_the_bits_of_the_numpy_source(kind, every, files, tmp_path):
     chosen = [low for low in every if is_written(low)]
     if kind != "double":  # what differs is the type alone: some functions are enough

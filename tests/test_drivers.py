@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj import critical, metric
@@ -60,7 +60,6 @@ def exact(matrix):
 
 
 @pytest.mark.parametrize("kind", NORMAL_FORMS)
-@settings(max_examples=20)
 @given(regular, st.lists(integers, min_size=3, max_size=3), st.sampled_from([-2, -1, 1, 3]))
 def test_the_kind_of_a_quadric_is_affinely_invariant(kind, linear, shift, factor):
     change = np.eye(4, dtype=int)
@@ -129,7 +128,6 @@ def test_a_factor_does_not_change_the_kind(kind, factor):
     assert str(critical.classify(np.asarray(NORMAL_FORMS[kind]) * factor).kind) == kind
 
 
-@settings(max_examples=100)
 @given(
     st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=10, max_size=10),
     st.lists(integers, min_size=10, max_size=10),
@@ -143,7 +141,6 @@ def test_floating_point_numbers_are_taken_as_what_they_are(entries, flat):
         assert [str(value) for value in found] == [str(value) for value in expected]
 
 
-@settings(max_examples=50)
 @given(st.lists(st.integers(-9, 9), min_size=10, max_size=10), st.sampled_from([1e-14, 1e-6, 0.1, 1.0]), st.randoms())
 def test_errors_leave_a_kind_undecided_or_do_not_change_it(ten, error, random):
     form = np.zeros((4, 4))

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_sym.proving.engines import ENGINES, ring
@@ -58,7 +58,6 @@ def test_an_unknown_engine_is_refused_by_name(name):
 
 @each_engine
 @given(polynomials)
-@settings(max_examples=40)
 def test_terms_are_what_a_polynomial_is_made_of(engine, terms):
     names = ring(engine, NAMES)
     assert names.terms(names.polynomial(terms)) == terms
@@ -66,7 +65,6 @@ def test_terms_are_what_a_polynomial_is_made_of(engine, terms):
 
 @each_engine
 @given(polynomials, polynomials)
-@settings(max_examples=40)
 def test_arithmetic_is_that_of_plain_dictionaries(engine, left, right):
     names = ring(engine, NAMES)
     a, b = names.polynomial(left), names.polynomial(right)
@@ -100,7 +98,6 @@ def test_large_numbers_are_exact(engine):
 
 @each_engine
 @given(st.lists(st.tuples(factors, st.integers(1, 2)), min_size=1, max_size=3))
-@settings(max_examples=40)
 def test_factors_multiply_back_and_are_irreducible(engine, parts):
     names = ring(engine, NAMES)
     polynomial = names.constant(Fraction(1))
@@ -116,7 +113,6 @@ def test_factors_multiply_back_and_are_irreducible(engine, parts):
 
 
 @given(st.lists(factors, min_size=1, max_size=3))
-@settings(max_examples=40)
 def test_both_engines_find_the_same_factors(parts):
     found = []
     for engine in ENGINES:
@@ -129,7 +125,6 @@ def test_both_engines_find_the_same_factors(parts):
 
 
 @given(st.lists(factors, min_size=1, max_size=3))
-@settings(max_examples=40)
 def test_normalised_factors_are_primitive_positive_and_the_same_in_both_engines(parts):
     found = []
     for engine in ENGINES:
@@ -148,7 +143,6 @@ def test_normalised_factors_are_primitive_positive_and_the_same_in_both_engines(
 
 @each_engine
 @given(st.lists(st.tuples(factors, st.integers(1, 3)), min_size=1, max_size=2))
-@settings(max_examples=40)
 def test_normalised_factors_and_content_multiply_back(engine, parts):
     field = RationalFunctionField(SYMBOLS, engine)
     polynomial = field.ring.constant(Fraction(1))

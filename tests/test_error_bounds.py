@@ -67,7 +67,7 @@ def uncertain(draw):
 
 
 @given(uncertain(), uncertain())
-@settings(max_examples=15 * settings.default.max_examples, deadline=None)
+@settings(max_examples=15 * settings.default.max_examples)
 def test_bounds_hold_whatever_the_exact_operands_are(left, right):
     (x, exact_x), (y, exact_y) = left, right
     straddles = exact_y[0] * exact_y[1] <= 0

@@ -8,7 +8,7 @@ from pathlib import Path
 import mpmath
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_sym import prove
@@ -327,16 +327,15 @@ FACTORS = st.sampled_from(
 PRODUCTS = st.lists(FACTORS, min_size=1, max_size=3).map("*".join)
 
 
-@settings(max_examples=60, deadline=None)
 @given(left=PRODUCTS, right=PRODUCTS, whole=st.booleans())
 def test_what_is_proved_or_refuted_is_so_for_ordinary_numbers(left, right, whole):
     statement = (f"{left}*{right}", f"{right}*{left}") if whole else (left, right)
     record = record_of(*statement, V | {"R": "3x3 rotation"})
-    assert replay_identity(record).status == "replayed"
+    assert replay_identity(record).status == ("not replayable" if record["verdict"] == "open" else "replayed")
     with mpmath.workdps(40):
         if record["verdict"] == "proved":
             assert difference(record, {name: matrix(rows) for name, rows in ORDINARY.items()}) < 1e-25
-        else:
+        elif record["verdict"] == "refuted":
             assert difference(record, point_of(record)) > 1e-12
 
 

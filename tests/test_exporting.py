@@ -801,6 +801,7 @@ def test_other_claims_in_letters_have_a_reason():
     assert exported({**projector, "derived": "2*eye(2)"}).refused
 
 
+@pytest.mark.whole
 @needs_coq
 def test_the_kernel_accepts_claims_in_letters_and_rejects_changed_ones(library):
     turn, matrix = letters("R", "A", size=3)

@@ -762,7 +762,7 @@ def false_statements(draw):
     return (lhs, rhs, constraint, point) if value(lhs, point) != value(rhs, point) else None
 
 
-@settings(max_examples=600, deadline=None)
+@settings(max_examples=6 * settings.default.max_examples)
 @given(data=st.data())
 def test_no_certificate_of_a_false_statement_is_found(data):
     statement = data.draw(false_statements())
@@ -809,7 +809,7 @@ def test_no_certificate_of_a_false_statement_is_found(data):
     assert replay_identity(record).status != "replayed"
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=4 * settings.default.max_examples)
 @given(data=st.data())
 def test_no_certificate_of_a_false_claim_is_found(data):
     statement = data.draw(false_statements())

@@ -21,6 +21,7 @@ from algebroproj import (
     orientation,
     projection,
     space,
+    stereo,
 )
 
 CONTRACT = {
@@ -108,10 +109,21 @@ CONTRACT = {
     normal_case.tau_jacobian: ([(2,), (2,)], [(2, 4)]),
     projection.mu_from_center_jacobian: ([(3,), (2,)], [(3, 5)]),
     projection.projection_matrix_jacobian: ([(3,), (2,)], [(9, 5)]),
+    stereo.depths: ([(3, 3), (3,), (2,), (2,)], [(), ()]),
+    stereo.triangulate: ([(3, 3), (3,), (2,), (2,)], [(3,)]),
+    stereo.residuals: ([(3,), (3, 3), (3,), (2,), (2,)], [(2,), (2,)]),
+    stereo.sampson: ([(3, 3), (2,), (2,)], [(), (4,)]),
 }
 FUNCTIONS = {function: arguments for function, (arguments, _) in CONTRACT.items()}
 RESULTS = {function: results for function, (_, results) in CONTRACT.items()}
-DRIVERS = {critical.classify, metric.adjust, minimal.five_pairs, minimal.orientations, minimal.seven_pairs}
+DRIVERS = {
+    critical.classify,
+    metric.adjust,
+    minimal.five_pairs,
+    minimal.orientations,
+    minimal.seven_pairs,
+    stereo.poses,
+}
 TRIGONOMETRIC = {
     collinearity.coefficients,
     collinearity.similarity,

@@ -45,18 +45,13 @@ def checked(item):
     return found
 
 
-@pytest.mark.parametrize("item", QUICK, ids=names(QUICK))
-def test_what_is_true_is_proved_and_replayed(item):
-    checked(item)
+CASES = [
+    pytest.param(item, id=item["name"], marks=() if item in (*QUICK, *FALSE[::3]) else pytest.mark.whole)
+    for item in ITEMS
+]
 
 
-@pytest.mark.parametrize("item", FALSE[::3], ids=names(FALSE[::3]))
-def test_what_is_false_is_refuted_at_a_point_that_is_replayed(item):
-    checked(item)
-
-
-@pytest.mark.whole
-@pytest.mark.parametrize("item", ITEMS, ids=names(ITEMS))
+@pytest.mark.parametrize("item", CASES)
 def test_every_verdict_is_the_declared_one_or_open_where_that_is_listed(item):
     checked(item)
 

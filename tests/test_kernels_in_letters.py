@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from sympy import BlockMatrix, Identity, MatrixSymbol, Trace
 
@@ -125,7 +125,6 @@ def package(tmp_path_factory):
 
 
 @pytest.mark.parametrize("name", ORACLES)
-@settings(max_examples=25, deadline=None)
 @given(data=st.data())
 def test_on_fractions_a_function_gives_what_matrices_give(name, package, data):
     arguments = drawn(data, KERNELS[name])

@@ -422,7 +422,7 @@ def changes_of(text):
                 yield text[: match.start()] + new + text[match.end() :]
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(data=st.data())
 def test_a_changed_statement_is_rejected_or_as_true(true_records, data):
     record = true_records[data.draw(st.sampled_from(sorted(true_records)))]
@@ -457,7 +457,6 @@ POINTS = [
 ]  # fmt: skip
 
 
-@settings(max_examples=40, deadline=None)
 @given(left=WORDS, right=WORDS)
 def test_what_is_proved_holds_for_explicit_matrices(left, right):
     statement = f"({left})*({right})", f"({right})*({left})"

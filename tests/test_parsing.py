@@ -134,7 +134,7 @@ def test_deep_expressions_can_be_proved():
 
 
 @given(st.text(max_size=60) | st.text(alphabet="xyEI01239.+-*/^()[], ='", max_size=60))
-@settings(max_examples=400)
+@settings(max_examples=4 * settings.default.max_examples)
 def test_any_text_is_an_expression_or_a_parse_error(written):
     try:
         result = parse(written)

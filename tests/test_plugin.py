@@ -176,6 +176,7 @@ def test_an_unexpected_error_of_a_claim_keeps_its_traceback(pytester, derivation
     result.stdout.fnmatch_lines(["*DeclarationError: 1.5: expected a derived expression that is not identically zero*"])
 
 
+@pytest.mark.whole
 def test_the_examples_pass(repository):
     command = [sys.executable, "-m", "pytest", "examples", "--claims", "-q", "-p", "no:cacheprovider"]
     result = subprocess.run(command, cwd=repository, capture_output=True, text=True)

@@ -47,6 +47,11 @@ def test_without_enough_kernel_vectors_the_rank_stays_open():
     assert verdict(section().rank("1.3", "dependent vectors", printed=1, derived=three, kernel=repeated)) == "open"
 
 
+def test_a_scalar_has_no_rank():
+    with pytest.raises(DeclarationError):
+        judge(section().rank("1.1", "t", printed=1, derived=a))
+
+
 @both_engines
 def test_limits_by_leading_coefficients(engine):
     expression = over(a * eps + b * eps**2, c * eps - eps**3)

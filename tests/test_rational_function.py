@@ -5,14 +5,13 @@ from fractions import Fraction
 
 import pytest
 import sympy
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from algebroproj_sym.proving import RationalFunctionField
 
 x, y, z = SYMBOLS = sympy.symbols("x y z")
 each_engine = pytest.mark.parametrize("engine", ["flint", "sympy"])
-light = settings(max_examples=30)
 
 fractions = st.fractions(-9, 9, max_denominator=7)
 points = st.tuples(fractions, fractions, fractions)
@@ -57,7 +56,6 @@ def value(function, point):
 
 @each_engine
 @given(trees, points)
-@settings(max_examples=60)
 def test_the_value_of_an_element_is_that_of_plain_fractions(engine, tree, point):
     expected = at(tree, point)
     assert value(element(RationalFunctionField(SYMBOLS, engine), tree), point) == expected
@@ -65,7 +63,6 @@ def test_the_value_of_an_element_is_that_of_plain_fractions(engine, tree, point)
 
 @each_engine
 @given(trees, trees, points)
-@light
 def test_operations_are_those_of_the_values(engine, left, right, point):
     p, q = at(left, point), at(right, point)
     field = RationalFunctionField(SYMBOLS, engine)
@@ -81,7 +78,6 @@ def test_operations_are_those_of_the_values(engine, left, right, point):
 
 @each_engine
 @given(trees, trees, trees, points)
-@light
 def test_the_axioms_of_a_field(engine, first, second, third, point):
     for tree in (first, second, third):
         at(tree, point)
@@ -106,7 +102,6 @@ def test_the_axioms_of_a_field(engine, first, second, third, point):
 
 @each_engine
 @given(trees, points, fractions)
-@light
 def test_numbers_mix_with_elements_on_both_sides(engine, tree, point, number):
     p = at(tree, point)
     a = element(RationalFunctionField(SYMBOLS, engine), tree)
@@ -123,7 +118,6 @@ def test_numbers_mix_with_elements_on_both_sides(engine, tree, point, number):
 
 @each_engine
 @given(trees, points)
-@light
 def test_zero_is_told_from_what_is_not_zero(engine, tree, point):
     p = at(tree, point)
     a = element(RationalFunctionField(SYMBOLS, engine), tree)
@@ -134,7 +128,6 @@ def test_zero_is_told_from_what_is_not_zero(engine, tree, point):
 
 
 @given(trees, points)
-@settings(max_examples=60)
 def test_both_engines_remember_the_same_divisors(tree, point):
     at(tree, point)
     found = []
@@ -147,7 +140,6 @@ def test_both_engines_remember_the_same_divisors(tree, point):
 
 @each_engine
 @given(trees, points)
-@light
 def test_divisors_are_irreducible_primitive_and_named_once(engine, tree, point):
     at(tree, point)
     field = RationalFunctionField(SYMBOLS, engine)
@@ -163,7 +155,6 @@ def test_divisors_are_irreducible_primitive_and_named_once(engine, tree, point):
 
 @each_engine
 @given(trees, trees, points)
-@light
 def test_where_no_divisor_vanishes_a_quotient_is_defined(engine, left, right, point):
     at(left, point)
     p = at(right, point)

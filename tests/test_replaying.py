@@ -427,7 +427,7 @@ def require_rejection(record, chooser):
         assert is_equivalent(record, changed, path), (path, at_path(record, path), at_path(changed, path))
 
 
-@settings(max_examples=400)
+@settings(max_examples=4 * settings.default.max_examples)
 @given(data=st.data())
 def test_a_change_anywhere_in_any_kind_of_claim_is_noticed(small, data):
     record = data.draw(st.sampled_from(small["claims"]))
@@ -441,7 +441,7 @@ def test_a_change_anywhere_in_a_real_claim_is_noticed(real, data):
     require_rejection(record, lambda options: data.draw(st.sampled_from(options)))
 
 
-@settings(max_examples=150)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(data=st.data())
 def test_another_verdict_or_kind_is_noticed(small, data):
     record = data.draw(st.sampled_from(small["claims"]))
@@ -534,7 +534,7 @@ def test_exponents_are_exact_or_refused():
     assert isinstance(variables(1)[0] ** 3, Polynomial)
 
 
-@settings(max_examples=200)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(
     st.lists(st.integers(0, 2**63 - 1), min_size=2, max_size=2),
     st.lists(st.integers(0, 2**63 - 1), min_size=2, max_size=2),

@@ -231,7 +231,7 @@ def tampered(record, data, keys):
     return changed, path
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(data=st.data())
 def test_a_changed_statement_is_rejected_or_as_true(records, data):
     record = records[data.draw(st.sampled_from(sorted(records)))]
@@ -250,7 +250,7 @@ def same(old, new):
 IDLE = ("units", "witness", "root between", "translations", "values", "power", "multiplier")
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=2 * settings.default.max_examples)
 @given(data=st.data())
 def test_changed_evidence_is_rejected_where_it_is_used(records, data):
     record = records[data.draw(st.sampled_from(sorted(records)))]
@@ -261,7 +261,7 @@ def test_changed_evidence_is_rejected_where_it_is_used(records, data):
         assert idle or same(at_path(record, path), at_path(changed, path)), (path, at_path(changed, path))
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=6)
 @given(data=st.data())
 def test_a_change_anywhere_in_cases_is_rejected(powers, data):
     changed, path = tampered(powers, data, ["certificate"])

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import flint
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from algebroproj_sym import prove
@@ -52,7 +52,6 @@ def test_what_changes_its_sign_is_no_sum_of_squares(polynomial):
     assert sum_of_squares(polynomial) is None
 
 
-@settings(max_examples=40, deadline=None)
 @given(forms)
 def test_squares_of_quadratic_forms_are_found_again(chosen):
     polynomial = sum((a * x**2 + b * x * y + c * y**2) ** 2 for a, b, c in chosen)
@@ -62,7 +61,6 @@ def test_squares_of_quadratic_forms_are_found_again(chosen):
     assert total(squares) == factor * polynomial
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.lists(st.tuples(*[coefficients] * 6), min_size=1, max_size=3))
 def test_what_is_found_in_an_ideal_lies_in_it_and_its_roots_do_not(chosen):
     monomials = (x**2, x * y, y**2, x, y, CONTEXT.constant(1))

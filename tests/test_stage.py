@@ -227,7 +227,42 @@ def test_operands_are_expressions(foreign):
             declare()
 
 
+@pytest.mark.parametrize(
+    "declare",
+    [
+        lambda: let({a: x}, form={b: x}),
+        lambda: let({a: x}, form={a: x, b: y}),
+        lambda: solution([a, b], square, vector(1, 1), form=x),
+    ],
+    ids=["form for another name", "form for too many names", "scalar form"],
+)
+def test_forms_that_do_not_fit_are_refused(declare):
+    with pytest.raises(DeclarationError):
+        declare()
+
+
+def test_a_single_equation_can_be_solved():
+    assert solution([a], Matrix([[x]]), vector(y)).results == (a,)
+
+
 # Kernels with stages
+
+
+@pytest.mark.parametrize(
+    "through",
+    [[cos_sin(x, s, x)], [let({s: x}), let({s: y})], [let({s: x}), cos_sin(c, s, s)]],
+    ids=["an argument", "twice", "an earlier result"],
+)
+def test_a_stage_gives_new_symbols(through):
+    with pytest.raises(DeclarationError):
+        staged(s * x, through)
+
+
+@pytest.mark.parametrize("name", ["lambda", "out", "arguments", "cos_sin"])
+def test_names_of_stages_are_free_in_the_generated_code(name):
+    symbol = sympy.Symbol(name)
+    with pytest.raises(DeclarationError):
+        staged(symbol * c, [let({symbol: x}), cos_sin(c, s, y)])
 
 
 def test_the_symbols_of_the_stages_are_kept_apart_from_the_arguments():
@@ -359,6 +394,12 @@ def test_a_result_has_a_name_that_nothing_else_has(name):
     with pytest.raises(DeclarationError, match=rf"^kernel demo\.f: .*'{name}'"):
         staged({name: a, "other": x}, [let({a: x + 1})], **parts)
     assert staged({"mine": a, "other": x}, [let({a: x + 1})], **parts).results[0].name == "mine"
+
+
+@pytest.mark.parametrize("name", ["lambda", "a b", "t0", "arguments"])
+def test_names_of_results_are_free_in_the_generated_code(name):
+    with pytest.raises(DeclarationError):
+        staged({name: x * y, "other": x * y + x}, [])
 
 
 @pytest.mark.parametrize("part", ["derived", "form"])

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_derivations.studies.stereo.distributions import joint
@@ -18,7 +18,6 @@ def through_a_file(dataset, folder):
         return found.load()
 
 
-@settings(max_examples=20)
 @given(st.lists(st.floats(), min_size=1, max_size=6))
 def test_files_lose_nothing(tmp_path_factory, values):
     dataset = xarray.Dataset({"x": variable(["member"], values, "m", "length")})

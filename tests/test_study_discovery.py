@@ -60,7 +60,7 @@ def test_the_installed_studies_are_found_and_are_no_paper():
     assert "studies" not in installed_papers()
 
 
-@pytest.mark.parametrize("jobs", [1, 2])
+@pytest.mark.parametrize("jobs", [1, pytest.param(2, marks=pytest.mark.whole)])
 def test_a_study_of_ones_own_runs_as_an_installed_one_does(own, tmp_path, jobs):
     arguments = ("--scale", 3.0, "--members", 40, "--chunk", 15, "--jobs", jobs)
     in_file = invoke(own, *arguments, "--out", tmp_path / "a")
@@ -126,6 +126,7 @@ def test_what_a_study_does_not_import_may_change(own, tmp_path):
     assert digest(own) not in (before, changed)
 
 
+@pytest.mark.whole
 def test_each_installed_study_depends_on_its_own_sources(monkeypatch):
     installed = {study.name: study.source for study in studies()}
     before = {name: digest(source) for name, source in installed.items()}

@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import algebroproj
@@ -105,7 +105,6 @@ def test_a_degenerate_scene_is_refused_with_what_is_wrong(change, message):
 # Quadrics
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.lists(st.tuples(rationals, rationals, rationals), min_size=1, max_size=9))
 def test_quadrics_through_points_contain_them_and_are_as_many_as_sympy_says(points):
     forms = through(points)
@@ -205,7 +204,6 @@ def test_what_the_theory_says_of_each_layout():
     assert [name for name, verdict in verdicts.items() if verdict == "normalisation"] == ["row along the base"]
 
 
-@settings(max_examples=20, deadline=None)
 @given(st.permutations(range(8)), st.sampled_from(["two columns", "parallelepiped", "raster, relief"]))
 def test_criticality_does_not_depend_on_the_order_of_the_points(order, name):
     scene = BY_NAME[name].scene()

@@ -16,9 +16,10 @@ from algebroproj_derivations.studies.pairs.populating import KINDS, pair
 from algebroproj_derivations.studies.pairs.wording import in_words
 from algebroproj_sym.cli import main
 
+pytestmark = pytest.mark.usefixtures("sources_read_once")
 COUNTS = st.sampled_from([8, 9, 12, 25])
 SEEDS = st.integers(0, 10**6)
-few = settings(max_examples=15, deadline=None)
+few = settings(max_examples=15)
 
 
 def unsigned(matrix):
@@ -79,7 +80,6 @@ def test_pixels_may_have_another_size(seed, count, scale):
     same(judge(x1, x2, 0.5), judge(scale * x1, scale * x2, scale * 0.5), lambda m: shrink @ m @ shrink, scale)
 
 
-@settings(max_examples=40, deadline=None)
 @given(SEEDS, COUNTS, st.sampled_from(KINDS), st.floats(0.1, 2))
 def test_no_lower_bound_is_above_an_upper_one(seed, count, kind, sigma):
     pairs = pairs_of(*known_pair(seed, kind, count, sigma))
@@ -90,10 +90,12 @@ def test_no_lower_bound_is_above_an_upper_one(seed, count, kind, sigma):
     assert np.linalg.norm(found.pixels - pairs.pixels) == pytest.approx(found.upper)
 
 
-@settings(max_examples=60, deadline=None)
 @given(SEEDS, COUNTS, st.sampled_from(["plane", "quadric", "planes", "seven"]), st.floats(-6, 2), st.integers(0, 4))
 def test_a_planted_critical_configuration_is_not_nearer_than_the_lower_bound(seed, count, kind, exponent, climbs):
-    """From a critical configuration, go some way in a random direction, then in those that raise the bound most."""
+    """From a critical configuration, go some way in a random direction, then in those that raise the bound most.
+
+    The search ends a few millionths of a pixel before the configuration.
+    """
     critical = nearest_critical(pairs_of(*known_pair(seed, kind, count))).pixels
     rng, length = np.random.default_rng(seed), 10**exponent
 
@@ -104,7 +106,7 @@ def test_a_planted_critical_configuration_is_not_nearer_than_the_lower_bound(see
     for _ in range(climbs):
         tried = best / np.linalg.norm(best) + 0.3 * rng.normal(size=best.shape) / np.sqrt(best.size)
         best = max(best, tried, key=lambda direction: lower_bound(pairs_of(*moved(direction))))
-    assert lower_bound(pairs_of(*moved(best))) <= length + 1e-6
+    assert lower_bound(pairs_of(*moved(best))) <= length + 2 * lower_bound(pairs_of(*critical)) + 1e-6
 
 
 def exact_rank(x1, x2):
@@ -114,7 +116,6 @@ def exact_rank(x1, x2):
     return flint.fmpz_mat(products).rank()
 
 
-@settings(max_examples=60, deadline=None)
 @given(SEEDS, COUNTS, st.integers(0, 1))
 def test_of_exactly_critical_pairs_the_lower_bound_is_zero(seed, count, off):
     rng = np.random.default_rng(seed)
@@ -395,7 +396,8 @@ def test_bad_files_are_refused_by_name(tmp_path, text, sigma, message):
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("sigma", ["1e-15", "0.5", "1e15"])
+@pytest.mark.sampled(2)
+@pytest.mark.parametrize("sigma", ["1e15", "0.5", "1e-15"])
 def test_points_on_a_line_are_judged_and_drawn(tmp_path, sigma):
     rows = [ROWS[0], *(f"{x},{2 * x + 3},{x * x % 97},{x * x % 97 - 5}" for x in range(1, 30))]
     result = study(written(tmp_path, "\n".join(rows)), tmp_path / "out", "--members", "2", "--sigma", sigma)
@@ -403,7 +405,8 @@ def test_points_on_a_line_are_judged_and_drawn(tmp_path, sigma):
     assert result.stdout.startswith("Do not trust this pair.")
 
 
-@pytest.mark.parametrize(("kind", "count"), [("ordinary", 2500), ("quadric", 3000)])
+@pytest.mark.sampled(2)
+@pytest.mark.parametrize(("kind", "count"), [("quadric", 3000), ("ordinary", 2500)])
 def test_of_very_many_pairs_a_part_gives_the_start(kind, count):
     known = pair(3, kind, count, 0.5, 0.01)
     pairs = pairs_of(known.x1, known.x2)

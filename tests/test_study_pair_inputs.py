@@ -19,6 +19,7 @@ from algebroproj_derivations.studies.pairs.populating import pair
 from algebroproj_derivations.studies.pairs.robust import chance, kept
 from algebroproj_sym.cli import main
 
+pytestmark = pytest.mark.usefixtures("sources_read_once")
 COUNT = 30
 KNOWN = pair(1, "ordinary", COUNT, 0.5)
 LEFT, RIGHT = (np.float32(side + 500).astype(np.float64) for side in (KNOWN.x1, KNOWN.x2))

@@ -6,7 +6,7 @@ import flint
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import algebroproj
@@ -53,7 +53,6 @@ def test_rational_numbers_are_exact():
     assert [Fraction(int(x.p), int(x.q)) for x in left[0]] == left_epipole(Z)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.floats(-4, 4), min_size=9, max_size=9), st.sampled_from(BALLS))
 def test_balls_enclose_the_exact_value(entries, arithmetic):
     matrix = np.reshape(entries, (3, 3))

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj import metric
@@ -40,7 +40,6 @@ def test_the_normal_covariance_of_1992_is_that_of_both_exact_jacobians():
     np.testing.assert_allclose(derivatives[:, 9:11], to_image, rtol=1e-10)
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.integers(1, 4), st.integers(1, 3), st.integers(0, 10**6))
 def test_second_order_moments_of_a_quadratic_function_are_exact(inputs, outputs, seed):
     """Against the moments of products of normal variables, by Isserlis."""

@@ -10,6 +10,8 @@ from algebroproj_derivations.studies.stereo.aerial import aerial
 from algebroproj_derivations.studies.stereo.scene_files import read_scene
 from algebroproj_sym.cli import main
 
+pytestmark = pytest.mark.usefixtures("sources_read_once")
+
 
 def table(name, rows, unit):
     lines = [f"{key} = [{', '.join(repr(float(x)) for x in row)}]" for key, row in rows.items()]

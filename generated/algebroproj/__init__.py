@@ -15,7 +15,7 @@ Five functions take a function of this package and change how it computes.  `dd`
 
 from pathlib import Path
 
-from . import affine, collinearity, correlation, critical, metric, minimal, normal_case, optics, orientation, projection, space
+from . import affine, collinearity, correlation, critical, metric, minimal, normal_case, optics, orientation, projection, space, stereo
 from ._runtime.a_priori import a_priori
 from ._runtime.accuracy import tell_errors
 from ._runtime.backend import backend
@@ -26,7 +26,7 @@ from ._runtime.precision import bounds, dd
 from ._runtime.rounding import rounded
 
 __version__ = "0.1.0"
-__all__ = ["DoubleDouble", "a_priori", "backend", "bounds", "dd", "hypotheses", "plain", "rounded", "affine", "collinearity", "correlation", "critical", "metric", "minimal", "normal_case", "optics", "orientation", "projection", "space"]
+__all__ = ["DoubleDouble", "a_priori", "backend", "bounds", "dd", "hypotheses", "plain", "rounded", "affine", "collinearity", "correlation", "critical", "metric", "minimal", "normal_case", "optics", "orientation", "projection", "space", "stereo"]
 
-tell_errors(Path(__file__).with_name("accuracy.json"), [affine, collinearity, correlation, critical, metric, minimal, normal_case, optics, orientation, projection, space])
+tell_errors(Path(__file__).with_name("accuracy.json"), [affine, collinearity, correlation, critical, metric, minimal, normal_case, optics, orientation, projection, space, stereo])
 del Path, tell_errors

@@ -11,14 +11,14 @@ from collections.abc import Callable
 from functools import reduce
 from typing import Any
 
-from lark import Token, Transformer, v_args
+from lark import Token, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, wrapped
+from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
 
 MOST_PARTS = 1_000
 """How many parts a side may have, with all definitions put in."""
@@ -298,7 +298,7 @@ def _refused(what: str) -> UnreadableError:
 
 
 @v_args(inline=True)
-class _Parts(Transformer[Token, Any]):
+class _Parts(_Gathering):
     """Builds parts from the leaves up."""
 
     def __init__(self, reader: _Reader) -> None:
@@ -443,22 +443,8 @@ class _Parts(Transformer[Token, Any]):
             raise UnreadableError("an inner product is of two vectors")
         return _joined("DOT", *items)
 
-    def group(self, value: _Part) -> _Part:
-        return value
-
     def bracket(self, items: list[_Part]) -> _Part:
         return items[0] if len(items) == 1 else self.matrix(Token("BEGIN", "("), items)
-
-    def items(self, *parts: _Part) -> list[_Part]:
-        return list(parts)
-
-    def cell(self, value: _Part | None = None) -> _Part:
-        if value is None:
-            raise UnreadableError("an entry of a matrix is empty")
-        return value
-
-    def row(self, *cells: _Part) -> list[_Part]:
-        return list(cells)
 
     def matrix(self, begin: Token, *rows: list[_Part]) -> _Part:
         if "vmatrix" in begin or len({len(row) for row in rows}) > 1 or not rows[0]:
@@ -487,12 +473,6 @@ class _Parts(Transformer[Token, Any]):
             return f"block({', '.join(f'[{line}]' for line in lines)})"
 
         return _Part((total[0], total[1]), text, *(cell for row in rows for cell in row))
-
-    def case(self, value: _Part, condition: Token) -> _Part:
-        return value
-
-    def cases(self, *values: _Part) -> _Part:
-        raise UnreadableError("a distinction of cases is read, and not computed")
 
 
 def _total(sizes: list[_Size]) -> int:

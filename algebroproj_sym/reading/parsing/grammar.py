@@ -234,7 +234,32 @@ def text_of(tree: Formula, names: Callable[[str], str]) -> str:
 
 
 @v_args(inline=True)
-class _Expressions(Transformer[Token, Any]):
+class _Gathering(Transformer[Token, Any]):
+    """Gathers what brackets, lists and rows hold, whatever formulas become."""
+
+    def group(self, value: Any) -> Any:
+        return value
+
+    def items(self, *parts: Any) -> list[Any]:
+        return list(parts)
+
+    def cell(self, value: Any = None) -> Any:
+        if value is None:
+            raise UnreadableError("an entry of a matrix is empty")
+        return value
+
+    def row(self, *cells: Any) -> Any:
+        return list(cells)
+
+    def case(self, value: Any, condition: Token) -> Any:
+        return value
+
+    def cases(self, *values: Any) -> Any:
+        raise UnreadableError("a distinction of cases is read, and not computed")
+
+
+@v_args(inline=True)
+class _Expressions(_Gathering):
     """Builds expressions from the leaves up."""
 
     def __init__(self, names: Names) -> None:
@@ -321,32 +346,12 @@ class _Expressions(Transformer[Token, Any]):
             raise UnreadableError("an inner product is of two vectors")
         return _dotted(*items)
 
-    def group(self, value: Any) -> Any:
-        return value
-
     def bracket(self, items: list[Any]) -> Any:
         return items[0] if len(items) == 1 else Matrix([items])
-
-    def items(self, *parts: Any) -> list[Any]:
-        return list(parts)
-
-    def cell(self, value: Any = None) -> Any:
-        if value is None:
-            raise UnreadableError("an entry of a matrix is empty")
-        return value
-
-    def row(self, *cells: Any) -> list[Any]:
-        return list(cells)
 
     def matrix(self, begin: Token, *rows: Any) -> Any:
         assembled = _assembled(list(rows))
         return _determinant(assembled) if "vmatrix" in begin else assembled
-
-    def case(self, value: Any, condition: Token) -> Any:
-        return value
-
-    def cases(self, *values: Any) -> Any:
-        raise UnreadableError("a distinction of cases is read, and not computed")
 
 
 def _pairs(parts: Sequence[Any]) -> list[tuple[Any, Any]]:
@@ -546,7 +551,7 @@ _SUM, _PRODUCT, _POWER, _ATOM = range(4)
 
 
 @v_args(inline=True)
-class _Texts(Transformer[Token, Any]):
+class _Texts(_Gathering):
     """Writes a tree as text; each part with how tightly it binds."""
 
     def __init__(self, names: Callable[[str], str]) -> None:
@@ -623,14 +628,8 @@ class _Texts(Transformer[Token, Any]):
     def inner(self, items: list[Text]) -> Text:
         return f"inner({_listed(items)})", _ATOM
 
-    def group(self, value: Text) -> Text:
-        return value
-
     def bracket(self, items: list[Text]) -> Text:
         return items[0] if len(items) == 1 else (f"[[{_listed(items)}]]", _ATOM)
-
-    def items(self, *parts: Text) -> list[Text]:
-        return list(parts)
 
     def cell(self, value: Text = ("", _ATOM)) -> Text:
         return value

@@ -163,7 +163,8 @@ def conditions(judgement: Judgement) -> Markup:
         given.append(Markup("and the sizes may be any others that fit"))
     if not given:
         return Markup()
-    more = [Markup("and {} more conditions").format(len(given) - MOST)] if len(given) > MOST else []
+    rest = len(given) - MOST
+    more = [Markup("and {} more condition{}").format(rest, "" if rest == 1 else "s")] if rest > 0 else []
     return Markup('<span class="conditions">{}</span>').format(Markup(", ").join([*given[:MOST], *more]))
 
 

@@ -858,6 +858,26 @@ static struct kernel kernels[] = {
      FOURS_VERSION(space_mu_from_fifth_point_fours),
      space_mu_from_fifth_point_float_split, FUSED_VERSION(space_mu_from_fifth_point_float_fused),
      space_mu_from_fifth_point_double_split, FUSED_VERSION(space_mu_from_fifth_point_double_fused)},
+    {"stereo_depths", "(3,3),(3),(2),(2)->(),()", 4, 2, 0,
+     {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {0, 1, 1}},
+     FOURS_VERSION(stereo_depths_fours),
+     stereo_depths_float_split, FUSED_VERSION(stereo_depths_float_fused),
+     stereo_depths_double_split, FUSED_VERSION(stereo_depths_double_fused)},
+    {"stereo_residuals", "(3),(3,3),(3),(2),(2)->(2),(2)", 5, 2, 0,
+     {{1, 1, 3}, {2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
+     FOURS_VERSION(stereo_residuals_fours),
+     stereo_residuals_float_split, FUSED_VERSION(stereo_residuals_float_fused),
+     stereo_residuals_double_split, FUSED_VERSION(stereo_residuals_double_fused)},
+    {"stereo_sampson", "(3,3),(2),(2)->(),(4)", 3, 2, 0,
+     {{2, 3, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {1, 1, 4}},
+     FOURS_VERSION(stereo_sampson_fours),
+     stereo_sampson_float_split, FUSED_VERSION(stereo_sampson_float_fused),
+     stereo_sampson_double_split, FUSED_VERSION(stereo_sampson_double_fused)},
+    {"stereo_triangulate", "(3,3),(3),(2),(2)->(3)", 4, 1, 0,
+     {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     FOURS_VERSION(stereo_triangulate_fours),
+     stereo_triangulate_float_split, FUSED_VERSION(stereo_triangulate_float_fused),
+     stereo_triangulate_double_split, FUSED_VERSION(stereo_triangulate_double_fused)},
 };
 
 static struct plain_kernel plain_kernels[] = {
@@ -1177,6 +1197,22 @@ static struct plain_kernel plain_kernels[] = {
      {{1, 1, 3}, {1, 1, 3}, {1, 1, 4}},
      call_space_mu_from_fifth_point_float_plain, FUSED_VERSION(call_space_mu_from_fifth_point_float_plain_fused),
      call_space_mu_from_fifth_point_double_plain, FUSED_VERSION(call_space_mu_from_fifth_point_double_plain_fused)},
+    {"plain_stereo_depths", "(3,3),(3),(2),(2)->(),()", 4, 2,
+     {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {0, 1, 1}},
+     call_stereo_depths_float_plain, FUSED_VERSION(call_stereo_depths_float_plain_fused),
+     call_stereo_depths_double_plain, FUSED_VERSION(call_stereo_depths_double_plain_fused)},
+    {"plain_stereo_residuals", "(3),(3,3),(3),(2),(2)->(2),(2)", 5, 2,
+     {{1, 1, 3}, {2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
+     call_stereo_residuals_float_plain, FUSED_VERSION(call_stereo_residuals_float_plain_fused),
+     call_stereo_residuals_double_plain, FUSED_VERSION(call_stereo_residuals_double_plain_fused)},
+    {"plain_stereo_sampson", "(3,3),(2),(2)->(),(4)", 3, 2,
+     {{2, 3, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {1, 1, 4}},
+     call_stereo_sampson_float_plain, FUSED_VERSION(call_stereo_sampson_float_plain_fused),
+     call_stereo_sampson_double_plain, FUSED_VERSION(call_stereo_sampson_double_plain_fused)},
+    {"plain_stereo_triangulate", "(3,3),(3),(2),(2)->(3)", 4, 1,
+     {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 3}},
+     call_stereo_triangulate_float_plain, FUSED_VERSION(call_stereo_triangulate_float_plain_fused),
+     call_stereo_triangulate_double_plain, FUSED_VERSION(call_stereo_triangulate_double_plain_fused)},
 };
 
 enum { KERNELS = sizeof kernels / sizeof kernels[0], PLAIN_KERNELS = sizeof plain_kernels / sizeof plain_kernels[0] };
@@ -1242,7 +1278,7 @@ static int execute(PyObject *module)
     }
     failed = failed < 0 ? -1 : PyModule_AddObjectRef(module, "calls", dictionary);
     Py_XDECREF(dictionary);
-    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "58dbfb3519b1ae99");
+    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "1c5e55385635c825");
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -1127,6 +1127,73 @@ static FUSED_TUNED int space_mu_from_fifth_point_fours(double *const *data, cons
     return in_range(range[0]);
 }
 
+static FUSED_TUNED int stereo_depths_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[16], out[2], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_3(in + 9, data[1] + i * steps[1]);
+        read_2(in + 12, data[2] + i * steps[2]);
+        read_2(in + 14, data[3] + i * steps[3]);
+        stereo_depths_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_1(out + 0, data[4] + i * steps[4]);
+        write_1(out + 1, data[5] + i * steps[5]);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int stereo_residuals_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[19], out[4], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_3(in + 0, data[0] + i * steps[0]);
+        read_four(in + 3, data[1] + i * steps[1], 9);
+        read_four(in + 7, data[1] + i * steps[1] + 4, 9);
+        read_one(in + 11, data[1] + i * steps[1] + 8, 9);
+        read_3(in + 12, data[2] + i * steps[2]);
+        read_2(in + 15, data[3] + i * steps[3]);
+        read_2(in + 17, data[4] + i * steps[4]);
+        stereo_residuals_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_2(out + 0, data[5] + i * steps[5]);
+        write_2(out + 2, data[6] + i * steps[6]);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int stereo_sampson_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[13], out[5], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_2(in + 9, data[1] + i * steps[1]);
+        read_2(in + 11, data[2] + i * steps[2]);
+        stereo_sampson_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_1(out + 0, data[3] + i * steps[3]);
+        write_four(out + 1, data[4] + i * steps[4], 4);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int stereo_triangulate_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[16], out[3], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_3(in + 9, data[1] + i * steps[1]);
+        read_2(in + 12, data[2] + i * steps[2]);
+        read_2(in + 14, data[3] + i * steps[3]);
+        stereo_triangulate_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_3(out + 0, data[4] + i * steps[4]);
+    }
+    return in_range(range[0]);
+}
+
 /* How operands lie in memory: where one point is meant for all, it is copied to four.  Whether all lie in the usual
    layout, and no result where another operand does. */
 static int lie_by_fours(double **placed, npy_intp *steps_of_four, double *copies, const struct kernel *kernel, char **data,

@@ -8386,3 +8386,370 @@ NARROW(space_mu_from_fifth_point)(const real (*restrict in0)[3], const real (*re
 }
 
 CALL(space_mu_from_fifth_point, all, (const real (*)[3])data[0] + first, (const real (*)[3])data[1] + first, (real (*)[4])data[2] + first)
+
+PLAIN(stereo_depths)(const real (*restrict in0)[9], const real (*restrict in1)[3], const real (*restrict in2)[2], const real (*restrict in3)[2], real (*restrict out0)[1], real (*restrict out1)[1], const npy_intp points)
+{
+    real rows[9][32];
+    for (npy_intp i = 0; i < points; i++) {
+        rows[0][i] = in0[i][0];
+        rows[1][i] = in0[i][1];
+        rows[2][i] = in0[i][2];
+        rows[3][i] = in0[i][3];
+        rows[4][i] = in0[i][4];
+        rows[5][i] = in0[i][5];
+        rows[6][i] = in0[i][6];
+        rows[7][i] = in0[i][7];
+        rows[8][i] = in0[i][8];
+    }
+    for (npy_intp i = 0; i < points; i++) {
+        const real r00 = rows[0][i];
+        const real r01 = rows[1][i];
+        const real r02 = rows[2][i];
+        const real r10 = rows[3][i];
+        const real r11 = rows[4][i];
+        const real r12 = rows[5][i];
+        const real r20 = rows[6][i];
+        const real r21 = rows[7][i];
+        const real r22 = rows[8][i];
+        const real b0 = in1[i][0];
+        const real b1 = in1[i][1];
+        const real b2 = in1[i][2];
+        const real xp = in2[i][0];
+        const real yp = in2[i][1];
+        const real xpp = in3[i][0];
+        const real ypp = in3[i][1];
+        const real t0 = r00 * xpp;
+        const real t1 = r02 + t0;
+        const real t2 = r01 * ypp;
+        const real t3 = t1 + t2;
+        const real t4 = r10 * xpp;
+        const real t5 = r12 + t4;
+        const real t6 = r11 * ypp;
+        const real t7 = t5 + t6;
+        const real t8 = r20 * xpp;
+        const real t9 = r22 + t8;
+        const real t10 = r21 * ypp;
+        const real t11 = t9 + t10;
+        const real v0 = t3;
+        const real v1 = t7;
+        const real v2 = t11;
+        const real t12 = v2 * yp;
+        const real t13 = t12 - v1;
+        const real t14 = v2 * xp;
+        const real t15 = v0 - t14;
+        const real t16 = v1 * xp;
+        const real t17 = v0 * yp;
+        const real t18 = t16 - t17;
+        const real n0 = t13;
+        const real n1 = t15;
+        const real n2 = t18;
+        const real t19 = b1 * v2;
+        const real t20 = b2 * v1;
+        const real t21 = t19 - t20;
+        const real t22 = n0 * t21;
+        const real t23 = b2 * v0;
+        const real t24 = b0 * v2;
+        const real t25 = t23 - t24;
+        const real t26 = n1 * t25;
+        const real t27 = t22 + t26;
+        const real t28 = b0 * v1;
+        const real t29 = b1 * v0;
+        const real t30 = t28 - t29;
+        const real t31 = n2 * t30;
+        const real t32 = t27 + t31;
+        const real t33 = n0 * n0;
+        const real t34 = n1 * n1;
+        const real t35 = t33 + t34;
+        const real t36 = n2 * n2;
+        const real t37 = t35 + t36;
+        const real t38 = 1 / t37;
+        const real t39 = t32 * t38;
+        const real t40 = b2 * yp;
+        const real t41 = b1 - t40;
+        const real t42 = n0 * t41;
+        const real t43 = b0 * yp;
+        const real t44 = b1 * xp;
+        const real t45 = t43 - t44;
+        const real t46 = n2 * t45;
+        const real t47 = t42 + t46;
+        const real t48 = b2 * xp;
+        const real t49 = b0 - t48;
+        const real t50 = n1 * t49;
+        const real t51 = t47 - t50;
+        const real t52 = t51 * t38;
+        const real t53 = 0 * t37;
+        const real t54 = t39 + t53;
+        const real t55 = t52 + t53;
+        out0[i][0] = t54;
+        out1[i][0] = t55;
+    }
+}
+
+CALL(stereo_depths, 32, (const real (*)[9])data[0] + first, (const real (*)[3])data[1] + first, (const real (*)[2])data[2] + first, (const real (*)[2])data[3] + first, (real (*)[1])data[4] + first, (real (*)[1])data[5] + first)
+
+NARROW(stereo_residuals)(const real (*restrict in0)[3], const real (*restrict in1)[9], const real (*restrict in2)[3], const real (*restrict in3)[2], const real (*restrict in4)[2], real (*restrict out0)[2], real (*restrict out1)[2], const npy_intp points)
+{
+    for (npy_intp i = 0; i < points; i++) {
+        const real X = in0[i][0];
+        const real Y = in0[i][1];
+        const real Z = in0[i][2];
+        const real r00 = in1[i][0];
+        const real r01 = in1[i][1];
+        const real r02 = in1[i][2];
+        const real r10 = in1[i][3];
+        const real r11 = in1[i][4];
+        const real r12 = in1[i][5];
+        const real r20 = in1[i][6];
+        const real r21 = in1[i][7];
+        const real r22 = in1[i][8];
+        const real b0 = in2[i][0];
+        const real b1 = in2[i][1];
+        const real b2 = in2[i][2];
+        const real xp = in3[i][0];
+        const real yp = in3[i][1];
+        const real xpp = in4[i][0];
+        const real ypp = in4[i][1];
+        const real t0 = 1 / Z;
+        const real t1 = X * t0;
+        const real t2 = xp - t1;
+        const real t3 = Y * t0;
+        const real t4 = yp - t3;
+        const real t5 = X - b0;
+        const real t6 = r00 * t5;
+        const real t7 = Y - b1;
+        const real t8 = r10 * t7;
+        const real t9 = t6 + t8;
+        const real t10 = Z - b2;
+        const real t11 = r20 * t10;
+        const real t12 = t9 + t11;
+        const real t13 = r02 * t5;
+        const real t14 = r12 * t7;
+        const real t15 = t13 + t14;
+        const real t16 = r22 * t10;
+        const real t17 = t15 + t16;
+        const real t18 = 1 / t17;
+        const real t19 = t12 * t18;
+        const real t20 = xpp - t19;
+        const real t21 = r01 * t5;
+        const real t22 = r11 * t7;
+        const real t23 = t21 + t22;
+        const real t24 = r21 * t10;
+        const real t25 = t23 + t24;
+        const real t26 = t25 * t18;
+        const real t27 = ypp - t26;
+        out0[i][0] = t2;
+        out0[i][1] = t4;
+        out1[i][0] = t20;
+        out1[i][1] = t27;
+    }
+}
+
+CALL(stereo_residuals, all, (const real (*)[3])data[0] + first, (const real (*)[9])data[1] + first, (const real (*)[3])data[2] + first, (const real (*)[2])data[3] + first, (const real (*)[2])data[4] + first, (real (*)[2])data[5] + first, (real (*)[2])data[6] + first)
+
+PLAIN(stereo_sampson)(const real (*restrict in0)[9], const real (*restrict in1)[2], const real (*restrict in2)[2], real (*restrict out0)[1], real (*restrict out1)[4], const npy_intp points)
+{
+    real rows[9][32];
+    for (npy_intp i = 0; i < points; i++) {
+        rows[0][i] = in0[i][0];
+        rows[1][i] = in0[i][1];
+        rows[2][i] = in0[i][2];
+        rows[3][i] = in0[i][3];
+        rows[4][i] = in0[i][4];
+        rows[5][i] = in0[i][5];
+        rows[6][i] = in0[i][6];
+        rows[7][i] = in0[i][7];
+        rows[8][i] = in0[i][8];
+    }
+    for (npy_intp i = 0; i < points; i++) {
+        const real c00 = rows[0][i];
+        const real c01 = rows[1][i];
+        const real c02 = rows[2][i];
+        const real c10 = rows[3][i];
+        const real c11 = rows[4][i];
+        const real c12 = rows[5][i];
+        const real c20 = rows[6][i];
+        const real c21 = rows[7][i];
+        const real c22 = rows[8][i];
+        const real xp = in1[i][0];
+        const real yp = in1[i][1];
+        const real xpp = in2[i][0];
+        const real ypp = in2[i][1];
+        const real t0 = c20 * xpp;
+        const real t1 = c22 + t0;
+        const real t2 = c21 * ypp;
+        const real t3 = t1 + t2;
+        const real t4 = c00 * xpp;
+        const real t5 = c02 + t4;
+        const real t6 = c01 * ypp;
+        const real t7 = t5 + t6;
+        const real t8 = xp * t7;
+        const real t9 = t3 + t8;
+        const real t10 = c10 * xpp;
+        const real t11 = c12 + t10;
+        const real t12 = c11 * ypp;
+        const real t13 = t11 + t12;
+        const real t14 = yp * t13;
+        const real t15 = t9 + t14;
+        const real t16 = t7 * t7;
+        const real t17 = t13 * t13;
+        const real t18 = t16 + t17;
+        const real t19 = c00 * xp;
+        const real t20 = c20 + t19;
+        const real t21 = c10 * yp;
+        const real t22 = t20 + t21;
+        const real t23 = t22 * t22;
+        const real t24 = t18 + t23;
+        const real t25 = c01 * xp;
+        const real t26 = c21 + t25;
+        const real t27 = c11 * yp;
+        const real t28 = t26 + t27;
+        const real t29 = t28 * t28;
+        const real t30 = t24 + t29;
+        const real t31 = 1 / t30;
+        const real t32 = t15 * t31;
+        const real t33 = t32 * t15;
+        const real t34 = t7 * t32;
+        const real t35 = -t34;
+        const real t36 = t13 * t32;
+        const real t37 = -t36;
+        const real t38 = t22 * t32;
+        const real t39 = -t38;
+        const real t40 = t28 * t32;
+        const real t41 = -t40;
+        const real t42 = 0 * t30;
+        const real t43 = t33 + t42;
+        const real t44 = t35 + t42;
+        const real t45 = t37 + t42;
+        const real t46 = t39 + t42;
+        const real t47 = t41 + t42;
+        out0[i][0] = t43;
+        out1[i][0] = t44;
+        out1[i][1] = t45;
+        out1[i][2] = t46;
+        out1[i][3] = t47;
+    }
+}
+
+CALL(stereo_sampson, 32, (const real (*)[9])data[0] + first, (const real (*)[2])data[1] + first, (const real (*)[2])data[2] + first, (real (*)[1])data[3] + first, (real (*)[4])data[4] + first)
+
+PLAIN(stereo_triangulate)(const real (*restrict in0)[9], const real (*restrict in1)[3], const real (*restrict in2)[2], const real (*restrict in3)[2], real (*restrict out0)[3], const npy_intp points)
+{
+    real rows[9][32];
+    for (npy_intp i = 0; i < points; i++) {
+        rows[0][i] = in0[i][0];
+        rows[1][i] = in0[i][1];
+        rows[2][i] = in0[i][2];
+        rows[3][i] = in0[i][3];
+        rows[4][i] = in0[i][4];
+        rows[5][i] = in0[i][5];
+        rows[6][i] = in0[i][6];
+        rows[7][i] = in0[i][7];
+        rows[8][i] = in0[i][8];
+    }
+    for (npy_intp i = 0; i < points; i++) {
+        const real r00 = rows[0][i];
+        const real r01 = rows[1][i];
+        const real r02 = rows[2][i];
+        const real r10 = rows[3][i];
+        const real r11 = rows[4][i];
+        const real r12 = rows[5][i];
+        const real r20 = rows[6][i];
+        const real r21 = rows[7][i];
+        const real r22 = rows[8][i];
+        const real b0 = in1[i][0];
+        const real b1 = in1[i][1];
+        const real b2 = in1[i][2];
+        const real xp = in2[i][0];
+        const real yp = in2[i][1];
+        const real xpp = in3[i][0];
+        const real ypp = in3[i][1];
+        const real t0 = r00 * xpp;
+        const real t1 = r02 + t0;
+        const real t2 = r01 * ypp;
+        const real t3 = t1 + t2;
+        const real t4 = r10 * xpp;
+        const real t5 = r12 + t4;
+        const real t6 = r11 * ypp;
+        const real t7 = t5 + t6;
+        const real t8 = r20 * xpp;
+        const real t9 = r22 + t8;
+        const real t10 = r21 * ypp;
+        const real t11 = t9 + t10;
+        const real v0 = t3;
+        const real v1 = t7;
+        const real v2 = t11;
+        const real t12 = v2 * yp;
+        const real t13 = t12 - v1;
+        const real t14 = v2 * xp;
+        const real t15 = v0 - t14;
+        const real t16 = v1 * xp;
+        const real t17 = v0 * yp;
+        const real t18 = t16 - t17;
+        const real n0 = t13;
+        const real n1 = t15;
+        const real n2 = t18;
+        const real t19 = b2 * yp;
+        const real t20 = b1 - t19;
+        const real t21 = n0 * t20;
+        const real t22 = b0 * yp;
+        const real t23 = b1 * xp;
+        const real t24 = t22 - t23;
+        const real t25 = n2 * t24;
+        const real t26 = t21 + t25;
+        const real t27 = b2 * xp;
+        const real t28 = b0 - t27;
+        const real t29 = n1 * t28;
+        const real t30 = t26 - t29;
+        const real t31 = n0 * n0;
+        const real t32 = n1 * n1;
+        const real t33 = t31 + t32;
+        const real t34 = n2 * n2;
+        const real t35 = t33 + t34;
+        const real t36 = 1 / t35;
+        const real t37 = t30 * t36;
+        const real t38 = v0 * t37;
+        const real t39 = t38 / 2;
+        const real t40 = b1 * v2;
+        const real t41 = b2 * v1;
+        const real t42 = t40 - t41;
+        const real t43 = n0 * t42;
+        const real t44 = b2 * v0;
+        const real t45 = b0 * v2;
+        const real t46 = t44 - t45;
+        const real t47 = n1 * t46;
+        const real t48 = t43 + t47;
+        const real t49 = b0 * v1;
+        const real t50 = b1 * v0;
+        const real t51 = t49 - t50;
+        const real t52 = n2 * t51;
+        const real t53 = t48 + t52;
+        const real t54 = t53 * t36;
+        const real t55 = xp * t54;
+        const real t56 = t55 / 2;
+        const real t57 = t39 + t56;
+        const real t58 = b0 / 2;
+        const real t59 = t57 + t58;
+        const real t60 = b1 / 2;
+        const real t61 = v1 * t37;
+        const real t62 = t61 / 2;
+        const real t63 = t60 + t62;
+        const real t64 = yp * t54;
+        const real t65 = t64 / 2;
+        const real t66 = t63 + t65;
+        const real t67 = b2 / 2;
+        const real t68 = t54 / 2;
+        const real t69 = t67 + t68;
+        const real t70 = v2 * t37;
+        const real t71 = t70 / 2;
+        const real t72 = t69 + t71;
+        const real t73 = 0 * t35;
+        const real t74 = t59 + t73;
+        const real t75 = t66 + t73;
+        const real t76 = t72 + t73;
+        out0[i][0] = t74;
+        out0[i][1] = t75;
+        out0[i][2] = t76;
+    }
+}
+
+CALL(stereo_triangulate, 32, (const real (*)[9])data[0] + first, (const real (*)[3])data[1] + first, (const real (*)[2])data[2] + first, (const real (*)[2])data[3] + first, (real (*)[3])data[4] + first)

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "58dbfb3519b1ae99"
+DIGEST = "1c5e55385635c825"
 """What identifies the C source that belongs to this package."""
 
 

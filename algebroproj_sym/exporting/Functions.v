@@ -338,13 +338,17 @@ Definition turned (a c s : R) : Prop := cos a = c /\ sin a = s.
 Lemma unturned : turned 0 1 0.
 Proof. split; [apply cos_0 | apply sin_0]. Qed.
 
-Lemma on a c s t c' s' : turned a c s -> c' = cos t -> s' = sin t ->
-  turned (a + t) (c * c' - s * s') (c * s' + s * c').
-Proof. intros [<- <-] -> ->; split; rewrite ?cos_plus, ?sin_plus; ring. Qed.
+Lemma once c s t : c = cos t -> s = sin t -> turned t c s.
+Proof. split; congruence. Qed.
 
-Lemma back a c s t c' s' : turned a c s -> c' = cos t -> s' = sin t ->
-  turned (a - t) (c * c' + s * s') (s * c' - c * s').
-Proof. intros [<- <-] -> ->; split; rewrite ?cos_minus, ?sin_minus; ring. Qed.
+Lemma reversed a c s : turned a c s -> turned (- a) c (- s).
+Proof. intros [<- <-]; split; [apply cos_neg | apply sin_neg]. Qed.
+
+Lemma twice a c s : turned a c s -> turned (2 * a) (c * c - s * s) (2 * (s * c)).
+Proof. intros [<- <-]; split; [apply cos_2a | rewrite sin_2a; ring]. Qed.
+
+Lemma together a c s b c' s' : turned a c s -> turned b c' s' -> turned (a + b) (c * c' - s * s') (c * s' + s * c').
+Proof. intros [<- <-] [<- <-]; split; rewrite ?cos_plus, ?sin_plus; ring. Qed.
 
 Lemma quarter_cosine t : 2 * t = PI -> 0 = cos t.
 Proof. intros; replace t with (PI / 2) by lra; now rewrite cos_PI2. Qed.

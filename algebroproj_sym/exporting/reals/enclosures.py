@@ -11,11 +11,11 @@ from fractions import Fraction
 from functools import reduce
 from itertools import product
 from math import ceil, floor
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
 from algebroproj_sym.exporting.gallina import digits
 from algebroproj_sym.exporting.reals.formulas import called
-from algebroproj_sym.exporting.reals.writing import Written
+from algebroproj_sym.exporting.reals.writing import Enclosed, Written
 from algebroproj_sym.exporting.refusal import Silent
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.polynomial import BITS
@@ -24,15 +24,6 @@ DECIMALS = 10**5
 PI = Fraction(3141592, 10**6), Fraction(3141593, 10**6)
 FARTHEST = Fraction(3, 2)
 """The largest angle whose sine and cosine are enclosed."""
-
-
-class Enclosed(NamedTuple):
-    """Bounds of a number, its formula, and the name of what proves them."""
-
-    low: Fraction
-    high: Fraction
-    text: str
-    proof: str
 
 
 _Apart: TypeAlias = "Callable[[Fraction, Enclosed], tuple[Fraction, Fraction]]"
@@ -69,7 +60,9 @@ def _element(theory: Written, element: Element) -> Enclosed:
         else:
             ends = [Fraction(coefficient)] * 2
         low, high = low + ends[0] / element.denominator, high + ends[1] / element.denominator
-    return _enclosed(theory, low, high, theory.shown(element), f"clear - {' '.join(proofs)}; lra" if proofs else "lra")
+    return _enclosed(
+        theory, low, high, theory.shown(element), f"clear - {' '.join(proofs)}; lra" if proofs else "clear; lra"
+    )
 
 
 def _enclosed(theory: Written, low: Fraction, high: Fraction, text: str, tactics: str) -> Enclosed:
@@ -80,7 +73,7 @@ def _enclosed(theory: Written, low: Fraction, high: Fraction, text: str, tactics
 
 def _product(theory: Written, left: Enclosed, right: Enclosed) -> Enclosed:
     ends = [a * b for a, b in product((left.low, left.high), (right.low, right.high))]
-    proof = f"apply (product_between _ _ _ _ _ _ _ _ {left.proof} {right.proof}); lra"
+    proof = f"apply (product_between _ _ _ _ _ _ _ _ {left.proof} {right.proof}); clear; lra"
     return _enclosed(theory, min(ends), max(ends), f"({left.text} * {right.text})", proof)
 
 
@@ -96,7 +89,7 @@ def _name(theory: Written, name: str) -> Enclosed:
 
 def _pi(theory: Written, name: str) -> Enclosed:
     stated = f"{_text(PI[0])} <= PI <= {_text(PI[1])}"
-    return Enclosed(*PI, "PI", theory.asserted(stated, "pose proof close_to_pi; lra."))
+    return Enclosed(*PI, "PI", theory.asserted(stated, "clear; pose proof close_to_pi; lra."))
 
 
 def _root(theory: Written, name: str) -> Enclosed:
@@ -111,7 +104,7 @@ def _root(theory: Written, name: str) -> Enclosed:
 
 def _root_of(number: Fraction, degree: int) -> Fraction:
     """Return a root rounded downwards."""
-    wanted, low, high = floor(number * DECIMALS**degree), 0, floor(max(number, 1) * DECIMALS) + 1
+    wanted, low, high = floor(number * DECIMALS**degree), 0, (floor(number) + 1) * DECIMALS
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (middle, high) if middle**degree <= wanted else (low, middle)
@@ -138,7 +131,7 @@ def _angle(theory: Written, name: str) -> Enclosed:
 def _of_series(theory: Written, name: str, angle: Enclosed, kind: str, low: Fraction, high: Fraction) -> Enclosed:
     value = called(name)
     ends = f"{_text(angle.low)} {_text(angle.high)}"
-    stated = f"{kind}_between {value} {angle.text} {ends} d{value} ltac:(lra) {angle.proof} ltac:(lra)"
+    stated = f"{kind}_between {value} {angle.text} {ends} d{value} ltac:(clear; lra) {angle.proof} ltac:(clear; lra)"
     proof = f"pose proof ({stated}) as e; {_UNFOLDED} in e; clear - e; lra"
     return _enclosed(theory, low, high, value, proof)
 

@@ -193,11 +193,23 @@ def _addition(theory: Written, step: Step) -> str:
         else:
             known = f"d{theory.name('cos', part)} d{theory.name('sin', part)}"
         rest = rest - theory.number(count) * part
-        for _ in range(abs(count)):
-            proof = f"({'on' if count > 0 else 'back'} _ _ _ {shown} _ _ {proof} {known})"
-            whole = f"({whole} {'+' if count > 0 else '-'} {shown})"
+        turned, added = _turned(abs(count), f"(once _ _ {shown} {known})", shown)
+        if count < 0:
+            turned, added = f"(reversed _ _ _ {turned})", f"(- {added})"
+        proof, whole = f"(together _ _ _ _ _ _ {proof} {turned})", f"({whole} + {added})"
     zero = theory.proof("=", rest, f"({theory.shown(angle)} - {whole})")
     return f"addition _ _ _ _ _ _ d{sin} d{theory.name('cos', angle)} {proof} {zero}"
+
+
+def _turned(count: int, once: str, angle: str) -> tuple[str, str]:
+    """Return a proof of what the cosine and sine of a multiple of an angle are, by doubling, and the multiple."""
+    if count == 1:
+        return once, angle
+    proof, multiple = _turned(count // 2, once, angle)
+    proof, multiple = f"(twice _ _ _ {proof})", f"(2 * {multiple})"
+    if count % 2:
+        proof, multiple = f"(together _ _ _ _ _ _ {proof} {once})", f"({multiple} + {angle})"
+    return proof, multiple
 
 
 def _zero_of_sine(theory: Written, step: Step) -> str:

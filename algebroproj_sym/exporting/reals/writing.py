@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, NamedTuple, Self
+from fractions import Fraction
+from typing import NamedTuple, Self
 
 from algebroproj_sym.exporting.gallina import digits
 from algebroproj_sym.exporting.reals.formulas import APPLIED, SIGNS, called, formula, root
@@ -41,6 +42,15 @@ class Added(NamedTuple):
     new: bool
 
 
+class Enclosed(NamedTuple):
+    """Bounds of a number, its formula, and the name of what proves them."""
+
+    low: Fraction
+    high: Fraction
+    text: str
+    proof: str
+
+
 class Written(Theory):
     """A theory with the tactics that prove its facts.
 
@@ -66,7 +76,7 @@ class Written(Theory):
         self.units: dict[int, str] = {}
         self.leaves: dict[str, str] = {}
         self.added: list[Added] = []
-        self.enclosed: dict[str, Any] = {}
+        self.enclosed: dict[str, Enclosed] = {}
         self.absurd = ""
         super().__init__(symbols)
 

@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from algebroproj import minimal, stereo
+from algebroproj import minimal, plain, stereo
 from algebroproj_sym.study.conditioning import jacobian
 
 
@@ -91,6 +91,15 @@ def test_sampsons_distance_is_that_of_the_textbook_and_moves_the_pair_to_the_con
     np.testing.assert_allclose((correction**2).sum(axis=-1), distance2)
     after, _ = stereo.sampson(matrix, left + correction[:, :2], right + correction[:, 2:])
     assert (after < 1e-6 * distance2).all()
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.parametrize("function", [stereo.sampson, plain(stereo.sampson)])
+def test_a_pair_of_epipoles_has_no_distance(function):
+    matrix = [[0, 0, 0], [0, 0, 0], [0, 0, 1]]
+    assert not np.isfinite(np.hstack([np.atleast_1d(part) for part in function(matrix, [0.5, 1], [2, -1])])).any()
+    matrix = np.outer([1, 0, -0.5], [0, 1, -2]) + np.outer([0, 1, -0.25], [1, 0, -1.5])
+    assert not np.isfinite(np.hstack([np.atleast_1d(part) for part in function(matrix, [0.5, 0.25], [1.5, 2])])).any()
 
 
 def test_rational_input_gives_rational_points():

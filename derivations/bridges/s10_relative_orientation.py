@@ -149,7 +149,8 @@ section.identity(
 C = Matrix(3, 3, sympy.symbols("c:3:3"))
 coordinates = (*left[:2], *right[:2])
 error = dot(left, C * right)
-gradient = vector(*(diff(error, coordinate) for coordinate in coordinates))
+gradient = vector(*sympy.symbols("g:4"))
+of_gradient = given(gradient, vector(*(diff(error, coordinate) for coordinate in coordinates)))
 epipolar_left, epipolar_right = C * right, C.T * left
 correction = over(-error, dot(gradient, gradient)) * gradient
 
@@ -157,7 +158,7 @@ section.identity(
     "10/gradient",
     "the gradient has elements of both epipolar lines",
     printed=vector(*epipolar_left[:2], *epipolar_right[:2]),
-    derived=gradient,
+    derived=gradient.xreplace(of_gradient),
 )
 section.identity(
     "10/sampson",
@@ -226,6 +227,7 @@ section.kernel(
         "x_left": "Left image point (x', y'); any unit.",
         "x_right": "Right image point (x'', y''); the same unit.",
     },
+    through=[let(of_gradient)],
     derived={"distance2": over(error**2, dot(gradient, gradient)), "correction": correction},
     claims=["10/gradient", "10/sampson", "10/sampson#distance"],
     example={

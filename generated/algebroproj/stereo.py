@@ -358,18 +358,22 @@ def sampson(C: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: tuple[N
     -----
     Formula::
 
-        distance2 = (c22 + c20*xpp + c21*ypp + xp*(c02 + c00*xpp + c01*ypp) + yp*(c12 + c10*xpp + c11*ypp))**2/((c02 + c00*xpp + c01*ypp)**2 + (c12 + c10*xpp + c11*ypp)**2 + (c20 + c00*xp + c10*yp)**2 + (c21 + c01*xp + c11*yp)**2)
-        correction[0] = (c02 + c00*xpp + c01*ypp)*(-c22 - c20*xpp - c21*ypp - xp*(c02 + c00*xpp + c01*ypp) - yp*(c12 + c10*xpp + c11*ypp))/((c02 + c00*xpp + c01*ypp)**2 + (c12 + c10*xpp + c11*ypp)**2 + (c20 + c00*xp + c10*yp)**2 + (c21 + c01*xp + c11*yp)**2)
-        correction[1] = (c12 + c10*xpp + c11*ypp)*(-c22 - c20*xpp - c21*ypp - xp*(c02 + c00*xpp + c01*ypp) - yp*(c12 + c10*xpp + c11*ypp))/((c02 + c00*xpp + c01*ypp)**2 + (c12 + c10*xpp + c11*ypp)**2 + (c20 + c00*xp + c10*yp)**2 + (c21 + c01*xp + c11*yp)**2)
-        correction[2] = (c20 + c00*xp + c10*yp)*(-c22 - c20*xpp - c21*ypp - xp*(c02 + c00*xpp + c01*ypp) - yp*(c12 + c10*xpp + c11*ypp))/((c02 + c00*xpp + c01*ypp)**2 + (c12 + c10*xpp + c11*ypp)**2 + (c20 + c00*xp + c10*yp)**2 + (c21 + c01*xp + c11*yp)**2)
-        correction[3] = (c21 + c01*xp + c11*yp)*(-c22 - c20*xpp - c21*ypp - xp*(c02 + c00*xpp + c01*ypp) - yp*(c12 + c10*xpp + c11*ypp))/((c02 + c00*xpp + c01*ypp)**2 + (c12 + c10*xpp + c11*ypp)**2 + (c20 + c00*xp + c10*yp)**2 + (c21 + c01*xp + c11*yp)**2)
+        g0 = c02 + c00*xpp + c01*ypp
+        g1 = c12 + c10*xpp + c11*ypp
+        g2 = c20 + c00*xp + c10*yp
+        g3 = c21 + c01*xp + c11*yp
+        distance2 = (c22 + c20*xpp + c21*ypp + xp*(c02 + c00*xpp + c01*ypp) + yp*(c12 + c10*xpp + c11*ypp))**2/(g0**2 + g1**2 + g2**2 + g3**2)
+        correction[0] = g0*(-c22 - c20*xpp - c21*ypp - xp*(c02 + c00*xpp + c01*ypp) - yp*(c12 + c10*xpp + c11*ypp))/(g0**2 + g1**2 + g2**2 + g3**2)
+        correction[1] = g1*(-c22 - c20*xpp - c21*ypp - xp*(c02 + c00*xpp + c01*ypp) - yp*(c12 + c10*xpp + c11*ypp))/(g0**2 + g1**2 + g2**2 + g3**2)
+        correction[2] = g2*(-c22 - c20*xpp - c21*ypp - xp*(c02 + c00*xpp + c01*ypp) - yp*(c12 + c10*xpp + c11*ypp))/(g0**2 + g1**2 + g2**2 + g3**2)
+        correction[3] = g3*(-c22 - c20*xpp - c21*ypp - xp*(c02 + c00*xpp + c01*ypp) - yp*(c12 + c10*xpp + c11*ypp))/(g0**2 + g1**2 + g2**2 + g3**2)
 
-    The result is not finite, and NumPy warns, where one of these is zero: a factor of a denominator above, of 24
-    terms. The function `hypotheses` of this package computes them. In float64 nothing overflows or underflows
-    where every entry is zero or, in absolute value, between 2**-25 and 2**25.
+    The result is not finite, and NumPy warns, where one of these is zero: ``g0**2 + g1**2 + g2**2 + g3**2``. The
+    function `hypotheses` of this package computes them. In float64 nothing overflows or underflows where every
+    entry is zero or, in absolute value, between 2**-25 and 2**25.
 
     Operations: 48 (20 additions, 23 multiplications, 1 division, 4 negations).
-    The derived expression takes 221 as written.
+    The derived expression takes 141 as written.
     With compensation of sums that may cancel: 272 (23 of them compute errors of products).
     This is the cheapest accurate one of 4 programs that are proved equal.
 
@@ -385,17 +389,17 @@ def _sampson(
     c00: Any, c01: Any, c02: Any, c10: Any, c11: Any, c12: Any, c20: Any, c21: Any, c22: Any, xp: Any,
     yp: Any, xpp: Any, ypp: Any,
 ) -> tuple[Any, ...]:
-    t7 = wide(c02) + wide(c00) * xpp + wide(c01) * ypp
-    t13 = wide(c12) + wide(c10) * xpp + wide(c11) * ypp
-    t15 = wide(c22) + wide(c20) * xpp + wide(c21) * ypp + wide(xp) * t7 + wide(yp) * t13
-    t22 = wide(c20) + wide(c00) * xp + wide(c10) * yp
-    t28 = wide(c21) + wide(c01) * xp + wide(c11) * yp
-    t58 = t7 * t7 + t13 * t13 + t22 * t22 + t28 * t28
-    t32 = t15 * (1 / t58)
-    t42 = 0 * rounded(t58)
+    g0 = wide(c02) + wide(c00) * xpp + wide(c01) * ypp
+    g1 = wide(c12) + wide(c10) * xpp + wide(c11) * ypp
+    g2 = wide(c20) + wide(c00) * xp + wide(c10) * yp
+    g3 = wide(c21) + wide(c01) * xp + wide(c11) * yp
+    t23 = wide(c22) + wide(c20) * xpp + wide(c21) * ypp + wide(xp) * g0 + wide(yp) * g1
+    t54 = g0 * g0 + g1 * g1 + g2 * g2 + g3 * g3
+    t32 = t23 * (1 / t54)
+    t42 = 0 * rounded(t54)
     return (
-        rounded(t32 * t15 + t42), rounded(-(t7 * t32) + t42), rounded(-(t13 * t32) + t42),
-        rounded(-(t22 * t32) + t42), rounded(-(t28 * t32) + t42),
+        rounded(t32 * t23 + t42), rounded(-(g0 * t32) + t42), rounded(-(g1 * t32) + t42),
+        rounded(-(g2 * t32) + t42), rounded(-(g3 * t32) + t42),
     )
 
 
@@ -406,32 +410,15 @@ def _sampson_factors(
     c00: Any, c01: Any, c02: Any, c10: Any, c11: Any, c12: Any, c20: Any, c21: Any, c22: Any, xp: Any,
     yp: Any, xpp: Any, ypp: Any,
 ) -> tuple[Any, ...]:
-    t67 = wide(c02)
-    t68 = wide(c12)
-    t69 = wide(c20)
-    t70 = wide(c21)
-    t71 = wide(c00)
-    t7 = t71 * t71
-    t14 = wide(c01) * xp
-    t17 = wide(c01) * ypp
-    t19 = t67 * t67 + t68 * t68 + t69 * t69 + t70 * t70 + t7 * xp * xp + t7 * xpp * xpp + t14 * t14 + t17 * t17
-    t20 = wide(c10) * xpp
-    t23 = wide(c10) * yp
-    t76 = wide(c11)
-    t26 = t76 * t76
-    t33 = wide(c00) * 2
-    t34 = wide(xpp) * t33
-    t37 = wide(xp) * t33
-    t42 = t19 + t20 * t20 + t23 * t23 + t26 * yp * yp + t26 * ypp * ypp + t34 * c02 + t37 * c20 + t17 * 2 * c02
-    t52 = wide(c11) * 2
-    t53 = wide(ypp) * t52
-    t56 = wide(yp) * t52
-    t64 = t42 + t14 * 2 * c21 + t20 * 2 * c12 + t23 * 2 * c20 + t53 * c12 + t56 * c21 + t34 * t17 + t37 * t23 + t56 * t14
-    return (rounded(t64 + t53 * t20),)
+    g0 = rounded(wide(c02) + wide(c00) * xpp + wide(c01) * ypp)
+    g1 = rounded(wide(c12) + wide(c10) * xpp + wide(c11) * ypp)
+    g2 = rounded(wide(c20) + wide(c00) * xp + wide(c10) * yp)
+    g3 = rounded(wide(c21) + wide(c01) * xp + wide(c11) * yp)
+    return (g0 * g0 + g1 * g1 + g2 * g2 + g3 * g3,)
 
 
 _SAMPSON_FACTORS = (
-    "a factor of a denominator above, of 24 terms",
+    "g0**2 + g1**2 + g2**2 + g3**2",
 )
 
 

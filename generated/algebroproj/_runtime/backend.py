@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "1c5e55385635c825"
+DIGEST = "7d9502840f162f3d"
 """What identifies the C source that belongs to this package."""
 
 

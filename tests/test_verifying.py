@@ -11,6 +11,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+import algebroproj
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.generating.samples import Sample, stratified
@@ -136,6 +137,13 @@ def test_a_function_that_stays_finite_on_a_singularity_is_caught(lowered):
     package = planted("projection.reconstruction_matrix", "0 / y02", "0 * y02")
     silent = silent_factors(guarded, package)
     assert [str(factor) for factor in silent] == ["y02"]
+
+
+def test_a_function_that_stays_finite_where_a_sum_of_squares_of_names_vanishes_is_caught(lowered):
+    distance = lowered("stereo.sampson")
+    assert silent_factors(distance, algebroproj) == ()
+    package = planted("stereo.sampson", "1 / t54", "1 / (t54 + 1)")
+    assert [str(factor) for factor in silent_factors(distance, package)] == ["g0**2 + g1**2 + g2**2 + g3**2"]
 
 
 @pytest.mark.sampled(4)

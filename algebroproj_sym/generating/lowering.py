@@ -71,6 +71,22 @@ class Lowered:
         return tuple(factor for factor in self.hypotheses if not factor.free_symbols & {*self.kernel.intermediate})
 
     @property
+    def lets(self) -> tuple[Stage, ...]:
+        """The names for rational expressions of the inputs, also through other names."""
+        known, found = {*self.kernel.symbols}, []
+        for stage in self.kernel.stages:
+            if stage.primitive == "let" and stage.derived.free_symbols <= known:
+                found.append(stage)
+                known |= {*stage.results}
+        return tuple(found)
+
+    @property
+    def rational_hypotheses(self) -> tuple[Scalar, ...]:
+        """Those hypotheses that are about rational functions of the inputs."""
+        known = {*self.kernel.symbols, *(symbol for stage in self.lets for symbol in stage.results)}
+        return tuple(factor for factor in self.hypotheses if factor.free_symbols <= known)
+
+    @property
     def determinants(self) -> tuple[Scalar, ...]:
         """The determinants of linear systems that the inputs alone decide."""
         systems = [stage.derived[:, : len(stage.results)] for stage in self.kernel.stages if stage.primitive == "solve"]

@@ -14,6 +14,7 @@ from itertools import islice
 
 import sympy
 
+from algebroproj_sym.declaring import Stage
 from algebroproj_sym.expressions import Scalar, evaluate
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.generating.lowering import Lowered
@@ -54,39 +55,77 @@ def stratified(lowered: Lowered, size: int, seed: int = 0) -> tuple[Sample, ...]
     return tuple(samples)
 
 
-def on_factor(factor: Scalar, symbols: Sequence[sympy.Symbol], size: int) -> tuple[dict[str, float], ...]:
+def on_factor(factor: Scalar, lowered: Lowered, size: int) -> tuple[dict[str, float], ...]:
     """Return inputs on which a factor is zero, exactly, also in floating-point arithmetic.
 
-    All coordinates are small multiples of a power of two, so that no operation of a short program rounds.
+    All coordinates are small multiples of a power of two, so that no operation of a short program rounds.  If no other
+    point is found, most of them are zero: there a sum of squares vanishes.
     """
+    value = _value_through_lets(factor, lowered)
+    for share_of_zeros in (0.0, 0.5, 0.9):
 
-    def drawn(symbol: sympy.Symbol, generator: random.Random) -> Fraction:
-        return Fraction(generator.choice((-3, -2, -1, 1, 2, 3)), 2)
+        def drawn(generator: random.Random, share: float = share_of_zeros) -> Point:
+            return {
+                symbol: Fraction(0 if generator.random() < share else generator.choice((-3, -2, -1, 1, 2, 3)), 2)
+                for symbol in lowered.kernel.symbols
+            }
 
-    found = _on(factor, symbols, 100 * size, drawn, _is_short)
-    return tuple({symbol.name: float(value) for symbol, value in point.items()} for point in islice(found, size))
+        found = [*islice(_on(factor, value, lowered.kernel.symbols, 100 * size, drawn, _is_short), size)]
+        if found:
+            return tuple({symbol.name: float(value) for symbol, value in point.items()} for point in found)
+    return ()
 
 
 def on_sum(factor: Scalar, symbols: Sequence[sympy.Symbol], size: int) -> tuple[Sample, ...]:
     """Return inputs on which a sum of inputs is zero, exactly; the others have all digits of a machine number."""
-    found = _on(factor, symbols, 10 * size, _coordinate, lambda value: Fraction(float(value)) == value)
+
+    def drawn(generator: random.Random) -> Point:
+        return {symbol: _coordinate(symbol, generator) for symbol in symbols}
+
+    found = _on(factor, value_of(factor), factor.free_symbols, 10 * size, drawn, _is_a_float)
     return tuple(_sample(f"on {factor}", point) for point in islice(found, size))
 
 
 def _on(
     factor: Scalar,
-    symbols: Sequence[sympy.Symbol],
+    value: Callable[[Point], Fraction],
+    variables: Collection[sympy.Symbol],
     trials: int,
-    drawn: Callable[[sympy.Symbol, random.Random], Fraction],
+    drawn: Callable[[random.Random], Point],
     is_kept: Callable[[Fraction], bool],
 ) -> Iterator[Point]:
     """Yield points on which a factor is zero, and all of whose coordinates are of some kind."""
     generator = random.Random(seed_of(factor))
     for _ in range(trials):
-        point = {symbol: drawn(symbol, generator) for symbol in symbols}
-        moved = moved_to(value_of(factor), factor.free_symbols, point, Fraction(0), generator)
+        point = drawn(generator)
+        moved = point if _vanishes(value, point) else moved_to(value, variables, point, Fraction(0), generator)
         if moved is not None and all(map(is_kept, moved.values())):
             yield moved
+
+
+def _vanishes(value: Callable[[Point], Fraction], point: Point) -> bool:
+    try:
+        return value(point) == 0
+    except ZeroDivisionError:
+        return False
+
+
+def _value_through_lets(factor: Scalar, lowered: Lowered) -> Callable[[Point], Fraction]:
+    """Return the function that evaluates a factor in which names stand for rational expressions of the inputs."""
+    symbols, stages = {*factor.free_symbols}, list[Stage]()
+    for stage in reversed(lowered.lets):
+        if symbols & {*stage.results}:
+            symbols |= stage.derived.free_symbols
+            stages.insert(0, stage)
+    last = value_of(factor)
+
+    def value(point: Point) -> Fraction:
+        known = dict(point)
+        for stage in stages:
+            known |= zip(stage.results, map(Fraction, evaluate(stage.derived, known)), strict=True)
+        return last(known)
+
+    return value
 
 
 def _coordinate(symbol: sympy.Symbol, generator: random.Random) -> Fraction:
@@ -213,6 +252,10 @@ def _argument(values: Sequence[Fraction], value: Fraction) -> Fraction | None:
     if at_3 * (1 + 3 * c) != at_0 + 3 * b or b == c * value:
         return None
     return (value - at_0) / (b - c * value)
+
+
+def _is_a_float(value: Fraction) -> bool:
+    return Fraction(float(value)) == value
 
 
 def _is_short(value: Fraction) -> bool:

@@ -149,6 +149,16 @@ def site(written):
     return {path.relative_to(written).as_posix(): path.read_text(encoding="utf-8") for path in written.rglob("*.*")}
 
 
+@pytest.mark.whole
+def test_a_function_of_a_symmetric_matrix_is_found_by_the_entries_that_it_reads(tmp_path):
+    result = CliRunner().invoke(main, ["report", "normalcase1992:3.2", "--out", str(tmp_path), "--samples", "1"])
+    assert result.exit_code == 0, result.output
+    index = (tmp_path / "search-index.js").read_text(encoding="utf-8")
+    (entry,) = (line for line in index.splitlines() if '"metric.normal_covariance"' in line)
+    assert "S_a_12" in entry
+    assert "S_a_21" not in entry
+
+
 @pytest.fixture(params=["demo", "site"])
 def files(request):
     return request.getfixturevalue(request.param)

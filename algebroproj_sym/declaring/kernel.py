@@ -168,6 +168,11 @@ class Kernel:
         return tuple(symbol for argument in self.arguments for symbol in argument.symbols)
 
     @property
+    def read(self) -> tuple[sympy.Expr, ...]:
+        """Those of them that are read: one triangle of a symmetric matrix."""
+        return tuple(entry for argument in self.arguments for entry in argument.read)
+
+    @property
     def intermediate(self) -> tuple[sympy.Symbol, ...]:
         """The symbols that the stages give, in order."""
         return tuple(symbol for stage in self.stages for symbol in stage.results)
@@ -288,11 +293,11 @@ def _results(derived: Any, form: Any, label: str) -> tuple[Result, ...]:
 def _require_complete(kernel: Kernel, label: str) -> None:
     if not (kernel.module and kernel.name):
         raise DeclarationError(f"{label}: expected a name of the form module.function")
-    inputs, read = kernel.symbols, [entry for argument in kernel.arguments for entry in argument.read]
-    if len(set(inputs)) != len(inputs) or not {*read} <= {*inputs}:
+    inputs = kernel.symbols
+    if len(set(inputs)) != len(inputs) or not {*kernel.read} <= {*inputs}:
         raise DeclarationError(
             f"{label}: expected different plain symbols as entries of the arguments, or symmetric, skew or diagonal "
-            f"matrices with such above or on the diagonal, got {[*read]}"
+            f"matrices with such above or on the diagonal, got {[*kernel.read]}"
         )
     for argument in kernel.arguments:
         if not argument.shape and argument.symbols[0].name != argument.name:

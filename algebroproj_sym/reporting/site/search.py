@@ -34,7 +34,7 @@ def search_index(catalogue: Catalogue, symbols: Symbols) -> list[list[str]]:
             kernel.qualified_name,
             kernel.summary,
             "",
-            _spelled(kernel.paper, [symbol.name for symbol in kernel.symbols], symbols),
+            _spelled(kernel.paper, map(str, kernel.read), symbols),
         ]
         for page, kernel in kernels
     ]

@@ -61,16 +61,10 @@ def on_factor(factor: Scalar, lowered: Lowered, size: int) -> tuple[dict[str, fl
     All coordinates are small multiples of a power of two, so that no operation of a short program rounds.  If no other
     point is found, most of them are zero: there a sum of squares vanishes.
     """
-    value = _value_through_lets(factor, lowered)
+    value, symbols = _value_through_lets(factor, lowered), lowered.kernel.symbols
     for share_of_zeros in (0.0, 0.5, 0.9):
-
-        def drawn(generator: random.Random, share: float = share_of_zeros) -> Point:
-            return {
-                symbol: Fraction(0 if generator.random() < share else generator.choice((-3, -2, -1, 1, 2, 3)), 2)
-                for symbol in lowered.kernel.symbols
-            }
-
-        found = [*islice(_on(factor, value, lowered.kernel.symbols, 100 * size, drawn, _is_short), size)]
+        drawn = partial(_small, symbols, share_of_zeros)
+        found = [*islice(_on(factor, value, symbols, 100 * size, drawn, _is_short), size)]
         if found:
             return tuple({symbol.name: float(value) for symbol, value in point.items()} for point in found)
     return ()
@@ -78,10 +72,7 @@ def on_factor(factor: Scalar, lowered: Lowered, size: int) -> tuple[dict[str, fl
 
 def on_sum(factor: Scalar, symbols: Sequence[sympy.Symbol], size: int) -> tuple[Sample, ...]:
     """Return inputs on which a sum of inputs is zero, exactly; the others have all digits of a machine number."""
-
-    def drawn(generator: random.Random) -> Point:
-        return {symbol: _coordinate(symbol, generator) for symbol in symbols}
-
+    drawn = partial(_ordinary_point, symbols)
     found = _on(factor, value_of(factor), factor.free_symbols, 10 * size, drawn, _is_a_float)
     return tuple(_sample(f"on {factor}", point) for point in islice(found, size))
 
@@ -128,8 +119,16 @@ def _value_through_lets(factor: Scalar, lowered: Lowered) -> Callable[[Point], F
     return value
 
 
-def _coordinate(symbol: sympy.Symbol, generator: random.Random) -> Fraction:
-    return Fraction(_ordinary([symbol], generator)[symbol.name])
+def _small(symbols: Sequence[sympy.Symbol], share_of_zeros: float, generator: random.Random) -> Point:
+    return {
+        symbol: Fraction(0 if generator.random() < share_of_zeros else generator.choice((-3, -2, -1, 1, 2, 3)), 2)
+        for symbol in symbols
+    }
+
+
+def _ordinary_point(symbols: Sequence[sympy.Symbol], generator: random.Random) -> Point:
+    values = _ordinary(symbols, generator)
+    return {symbol: Fraction(values[symbol.name]) for symbol in symbols}
 
 
 def _ordinary(symbols: Sequence[sympy.Symbol], generator: random.Random) -> dict[str, float]:
@@ -193,7 +192,7 @@ def _points_near(
     while found:
         found = False
         for digits in generator.sample(DISTANCES, len(DISTANCES)):
-            point = {symbol: _coordinate(symbol, generator) for symbol in symbols}
+            point = _ordinary_point(symbols, generator)
             distance = Fraction(generator.choice((-1, 1)), 10**digits)
             moved = moved_to(value_at, variables, point, distance, generator)
             if moved is not None:
@@ -207,7 +206,7 @@ def _near_several(
     """Yield samples near the zeros of as many factors as single coordinates reach; none if that is less than two."""
     stuck = 0
     while len(factors) > 1 and stuck < 20:
-        point = {symbol: _coordinate(symbol, generator) for symbol in symbols}
+        point = _ordinary_point(symbols, generator)
         fixed: set[sympy.Symbol] = set()
         reached = 0
         for factor in generator.sample(factors, len(factors)):

@@ -1,7 +1,9 @@
 """How bodies are called: in blocks, into any memory, and with arrays of other libraries."""
 
 import sys
+import threading
 import tracemalloc
+import warnings
 from fractions import Fraction
 from itertools import product
 
@@ -16,6 +18,7 @@ from hypothesis import strategies as st
 import algebroproj
 from algebroproj import correlation, metric, normal_case, optics, projection, space
 from algebroproj_sym.declaring import kernels
+from algebroproj_sym.generating.runtime import threads
 from algebroproj_sym.generating.runtime.evaluation import Signature, evaluate
 from algebroproj_sym.verifying.shipped import function_of, load_package, without_twin
 
@@ -332,3 +335,69 @@ def test_a_single_point_is_written_to_out_by_the_numpy_source_as_well(function, 
     assert source(*given, out=out) is out
     for result, expected in zip(results, wanted if len(results) > 1 else (wanted,), strict=True):
         np.testing.assert_array_equal(result, expected)
+
+
+MANY = threads.POINTS
+
+
+@pytest.fixture
+def three_cores(monkeypatch):
+    """Pretend that there are three cores; make sure that compiled functions ask for them."""
+    asked = []
+    monkeypatch.setattr(algebroproj._runtime.threads, "_cores", lambda: asked.append(True) or 3)
+    yield
+    assert asked or algebroproj.backend() == "numpy"
+
+
+def test_the_points_of_a_large_batch_are_computed_in_a_thread_for_each_core(monkeypatch):
+    monkeypatch.setattr(threads, "_cores", lambda: 3)
+    seen, meeting = [], threading.Barrier(3, timeout=60)
+
+    def twin(x, y, out):
+        meeting.wait()
+        seen.append((threading.get_ident(), x.shape, y.shape))
+        np.add(x, y, out=out[0])
+
+    total = Signature("total", (("x", ()), ("y", ())), ((),), twin=twin)
+    x, y = drawn((2, MANY), 1), drawn((2, 1), 2)
+    out = np.empty((2, MANY))
+    assert evaluate(total, lambda x, y: (x + y,), (x, y), out) is out
+    np.testing.assert_array_equal(out, x + y)
+    assert len({thread for thread, _, _ in seen}) == 3
+    assert sum(shape[1] for _, shape, _ in seen) == MANY
+    assert {shape for _, _, shape in seen} == {(2, 1)}
+
+
+@pytest.mark.parametrize("batches", [((MANY + 1,), (MANY + 1,)), ((MANY,), ()), ((2, 1), (MANY,)), ((MANY, 1), (2,))])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_large_batch_has_the_bits_of_small_ones(batches, dtype, three_cores):
+    centers, images = (
+        drawn((*batch, core), k, dtype) for k, (batch, core) in enumerate(zip(batches, (3, 2), strict=True))
+    )
+    batch = np.broadcast_shapes(*batches)
+    found = projection.projection_matrix(centers, images)
+    assert found.dtype == dtype
+    every = (
+        np.broadcast_to(array, (*batch, array.shape[-1])).reshape(-1, array.shape[-1]) for array in (centers, images)
+    )
+    pieces = zip(*(np.array_split(array, 40) for array in every), strict=True)
+    expected = np.concatenate([projection.projection_matrix(*piece) for piece in pieces])
+    np.testing.assert_array_equal(found.reshape(expected.shape), expected)
+
+
+def test_a_large_batch_may_be_written_over_the_arguments(three_cores):
+    points = drawn((MANY + 5, 3), 3)
+    expected = optics.image_point(0.15, points[::-1].copy())
+    assert optics.image_point(0.15, points[::-1], out=points) is points
+    np.testing.assert_array_equal(points, expected)
+
+
+def test_threads_heed_how_the_caller_treats_errors(three_cores):
+    f = np.ones(MANY)
+    x3 = np.zeros(MANY)
+    x3[-1] = -1
+    with np.errstate(all="raise"), pytest.raises(FloatingPointError):
+        optics.scale(f, x3)
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert np.isinf(optics.scale(f, x3)[-1])

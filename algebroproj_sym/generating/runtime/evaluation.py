@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from .backend import calls
 from .namespace import is_foreign, is_traced, namespace
+from .threads import is_large, shared
 
 __all__ = ["Signature", "evaluate"]
 
@@ -120,8 +121,11 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     batch = batch_of(signature, [array.shape for array in arrays])
     dtype = _dtype(signature, given, arrays)
     if signature.twin is not None and dtype in COMPILED:
+        arrays = [array.astype(dtype, copy=False) for array in arrays]
+        if is_large(batch):
+            return _of_many_points(signature, arrays, batch, dtype, out)
         wanted = (None,) * len(signature.results) if out is None else _checked(signature, out, batch, dtype)
-        return signature.twin(*(array.astype(dtype, copy=False) for array in arrays), out=wanted)
+        return signature.twin(*arrays, out=wanted)
     if dtype.kind == "O":
         arrays, body = _exact(arrays, body)
     results = _allocated(signature, batch, dtype) if out is None else _checked(signature, out, batch, dtype)
@@ -216,10 +220,10 @@ def _is_integer(entry: Any) -> bool:
 
 
 def _are_alike(given: Sequence[Any]) -> bool:
-    """Whether all arguments are arrays of one dtype of which there are compiled functions."""
+    """Whether all arguments are arrays of one dtype of which there are compiled functions, and have few points."""
     dtype = getattr(given[0], "dtype", None)
     for array in given:
-        if type(array) is not np.ndarray or array.dtype is not dtype:
+        if type(array) is not np.ndarray or array.dtype is not dtype or is_large(array.shape):
             return False
     return dtype in COMPILED
 
@@ -277,6 +281,25 @@ def _dtype(signature: Signature, given: Sequence[Any], arrays: Sequence[NDArray[
         pairs = zip(given, arrays, strict=True)
         dtype = np.result_type(*(value if _is_weak(value) else array.dtype for value, array in pairs))
     return dtype if dtype.kind in "fcO" else np.dtype(np.float64)
+
+
+def _of_many_points(
+    signature: Signature, arrays: Sequence[NDArray[Any]], batch: Shape, dtype: np.dtype[Any], out: Any
+) -> Any:
+    """Return the results of the compiled function, computed in threads."""
+    if out is None:
+        results = tuple(np.empty(batch + core, dtype) for core in signature.results)
+    else:
+        results = _checked(signature, out, batch, dtype)
+        arrays = [_apart(array, results) for array in arrays]
+    cores = [core for _, core in signature.arguments]
+    shared(
+        signature.twin,
+        batch,
+        [*zip(arrays, cores, strict=True)],
+        [*zip(results, signature.results, strict=True)],
+    )
+    return results[0] if len(results) == 1 else results
 
 
 def _of_a_point(

@@ -63,7 +63,10 @@ static int loop_of(const int type)
     return -1;
 }
 
-/* How many leading dimensions arguments have that are alike, or -1; the first of them begin `shape`. */
+/* From how many points on the arguments are shared among threads, which is not done here. */
+#define MANY_POINTS 131072
+
+/* How many leading dimensions arguments have that are alike and few, or -1; the first of them begin `shape`. */
 static int leading_of_alike(const struct call *call, PyObject *const *arguments, npy_intp *shape)
 {
     PyArrayObject *first = (PyArrayObject *)arguments[0];
@@ -75,6 +78,9 @@ static int leading_of_alike(const struct call *call, PyObject *const *arguments,
         return -1;
     }
     memcpy(shape, PyArray_DIMS(first), leading * sizeof(npy_intp));
+    if (PyArray_MultiplyList(shape, leading) >= MANY_POINTS) {
+        return -1;
+    }
     for (int k = 0; k < call->arguments; k++) {
         PyArrayObject *array = (PyArrayObject *)arguments[k];
         const int dimensions = put_core(shape, leading, &call->shapes[k]);

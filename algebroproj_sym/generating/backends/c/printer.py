@@ -27,6 +27,7 @@ from algebroproj_sym.generating.backends.c.fours import reads, writes
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.program import Call, Operand, Program, Step
+from algebroproj_sym.generating.runtime.threads import POINTS
 from algebroproj_sym.generating.systems import system_program
 
 Solved: TypeAlias = "Callable[[Call, int, Mapping[Operand, str]], list[str]]"
@@ -129,7 +130,7 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             **next(kind for kind in TYPES if kind["loop"] == "fours"),
             kernels=[_by_fours(low.kernel) for low in compiled if _is_short(low)],
         ),
-        "calls.h": rendered("calls.h.j2", notice=notice),
+        "calls.h": rendered("calls.h.j2", notice=notice, many=POINTS),
         "compiled.c": rendered(
             "compiled.c.j2",
             notice=notice,

@@ -31,7 +31,7 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return a generated function whose results are correctly rounded, always.
 
     Each entry is the machine number nearest to the exact value of the formula at the given machine numbers, also where
-    it overflows, underflows or is zero.  That takes a hundred times longer than the function itself.  On singular
+    it overflows, underflows or is zero.  That takes ten to a hundred times as long as the function.  On singular
     input, and where an argument is not finite, the results are those of the function, or not a number.
 
     Parameters

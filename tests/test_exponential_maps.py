@@ -108,6 +108,7 @@ PAIRS = {
         "eye(3) + sin(norm(vee(K)))*K + (1 - cos(norm(vee(K))))*K**2", {"K": "3x3 skew"},
     ),
     "length": ("norm(-2*v)", "2*norm(v)", "-2*norm(v)", V),
+    "ratio of lengths": ("norm(R*v)**3/norm(v)", "dot(v, v)", "norm(v)", V | {"R": "3x3 rotation"}),
     "length of an image": ("norm(R*v)*w", "norm(v)*w", "norm(w)*w", V | {"R": "3x3 orthogonal", "w": "3x1"}),
 }  # fmt: skip
 ITEMS = {

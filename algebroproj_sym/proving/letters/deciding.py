@@ -298,6 +298,8 @@ class _Question:
                 continue
             if self.letters[name].properties <= {"skew"}:
                 axis = frame[place % 3] if generator.random() < 0.7 else generator.choice(_frame(generator))
+                if len(letters[name]) not in (3, 6):
+                    axis = _direction(len(letters[name]), generator)
                 letters[name] = _of_length(letters[name], [length * entry for entry in axis], self.letters[name])
                 names |= {name} if turns else set()
         return Point(letters, scalars, point.sizes, Turn(cosine, sine, value, frozenset(names)))
@@ -484,12 +486,18 @@ def _frame(generator: random.Random) -> Rows:
     return example(rotation, {}, generator, 0) or [[Fraction(i == j) for j in range(3)] for i in range(3)]
 
 
+def _direction(size: int, generator: random.Random) -> list[Fraction]:
+    """Return a vector of length 1."""
+    found = example(Letter("n", (size, 1), frozenset({"unit"})), {}, generator, 0)
+    return [row[0] for row in found] if found else [Fraction(k == 0) for k in range(size)]
+
+
 def _of_length(rows: Rows, vector: list[Fraction], letter: Letter) -> Rows:
-    """Return a cross-product matrix, or a vector, of which the last three components are given; others as they are."""
+    """Return a cross-product matrix, or a vector, of which the last components are given; others as they are."""
     if "skew" in letter.properties and len(rows) == 3:
         x, y, z = vector
         return [[Fraction(0), -z, y], [z, Fraction(0), -x], [-y, x, Fraction(0)]]
-    return [*rows[:-3], *([entry] for entry in vector)] if len(rows) >= 3 and len(rows[0]) == 1 else rows
+    return [*rows[: -len(vector)], *([entry] for entry in vector)] if len(rows[0]) == 1 else rows
 
 
 class _Expansion:

@@ -88,12 +88,35 @@ def hypotheses_of(terms: Sequence[Term], letters: Mapping[str, Letter]) -> tuple
 
 
 def without_lengths(statement: Statement) -> Statement:
-    """Put scalar products for squares of lengths; sides that are lengths, or numbers above zero, are squared."""
+    """Put scalar products for squares of lengths; sides that are products of lengths are squared."""
     statement = statement.every(lambda term: _squared(term, statement.letters))
-    left, right = statement.left, statement.right
-    if all(side.kind == "norm" or (side.kind == "number" and side.value >= 0) for side in (left, right)):
-        left, right = (_squared(made("power", side, value=2), statement.letters) for side in (left, right))
-    return replace(statement, left=left, right=right)
+    sides = statement.left, statement.right
+    if all(map(_is_length, sides)) and any(part.kind == "norm" for side in sides for part in factors_of(side)):
+        left, right = map(_square, sides)
+        return replace(statement, left=left, right=right)
+    return statement
+
+
+def _is_length(side: Term) -> bool:
+    """Whether a number is a product of lengths, of numbers that are not negative, and of their powers."""
+    if side.kind in ("product", "power"):
+        return all(map(_is_length, side.parts))
+    return side.kind == "norm" or (side.kind == "number" and side.value >= 0) or _is_square(side)
+
+
+def _is_square(side: Term) -> bool:
+    return side.kind == "dot" and side.parts[0] == side.parts[1]
+
+
+def _square(side: Term) -> Term:
+    """Return the square of a product of lengths, without lengths."""
+    if side.kind == "number":
+        return number(side.value**2)
+    if side.kind == "norm":
+        return made("dot", *side.parts * 2)
+    if _is_square(side):
+        return made("power", side, value=2)
+    return made(side.kind, *map(_square, side.parts), value=side.value)
 
 
 def _squared(term: Term, letters: Mapping[str, Letter]) -> Term:

@@ -99,16 +99,23 @@ def without_lengths(statement: Statement) -> Statement:
         return node if node.kind == "norm" and changed(node, square).kind == "norm" else None
 
     rest = statement.every(lambda node: changed(node, square))
-    sides = rest.left, rest.right
-    if all(side.kind == "norm" or (side.kind == "number" and side.value >= 0) for side in sides):
-        squares = (changed(made("power", side, value=2), square) for side in sides)
-        left, right = (constant(s.parts[0].value ** 2) if _is_number(s) else s for s in squares)
-        rest = replace(rest, left=left, right=right)
-    return rest
+    left, right = _square_of_length(rest.left), _square_of_length(rest.right)
+    has_length = any(part.kind == "norm" for side in (rest.left, rest.right) for part in parts_of(side))
+    return rest if left is None or right is None or not has_length else replace(rest, left=left, right=right)
 
 
-def _is_number(node: Node) -> bool:
-    return node.kind == "power" and node.parts[0].kind == "number"
+def _square_of_length(node: Node) -> Node | None:
+    """Return the square of a number that cannot be negative: a length, a constant, or a product of such."""
+    if node.kind == "norm":
+        return made("dot", node.parts[0], node.parts[0])
+    if node.kind == "number":
+        return constant(node.value**2) if node.value >= 0 else None
+    if node.kind == "dot":
+        return made("power", node, value=2) if node.parts[0] == node.parts[1] else None
+    if node.kind not in ("product", "power"):
+        return None
+    squares = [square for part in node.parts if (square := _square_of_length(part)) is not None]
+    return made(node.kind, *squares, value=node.value) if len(squares) == len(node.parts) else None
 
 
 def without_definitions(statement: Statement) -> Statement:

@@ -258,7 +258,9 @@ TRUE = {
     "rotation": ("det(R - eye(3))", "0", {"R": "3x3 rotation"}, ()),
     "signs": ("Q**2 - trace(Q)*Q", "-det(Q)*eye(2)", {"Q": "2x2 orthogonal"}, ()),
     "equations": ("det(P)**2", "det(P)", {"P": "2x2 idempotent"}, ()),
+    "rank": ("adj(A)", "zeros(3, 3)", {"A": "3x3 rank 1"}, ()),
     "counterexample": ("R.T", "R", {"R": "3x3 rotation"}, ()),
+    "lost rank": ("det(A)", "trace(A)", {"A": "3x3 rank 2"}, ()),
 }
 
 
@@ -282,6 +284,10 @@ def at(record, *path):
 
 FORGERIES = {
     "a property that is not declared": ("words", lambda r: r["letters"].update(Q="nxn")),
+    "a higher rank": ("rank", lambda r: r["letters"].update(A="3x3 rank 2")),
+    "no rank": ("rank", lambda r: r["letters"].update(A="3x3")),
+    "a witness of lower rank": ("rank", lambda r: r["certificate"]["witness"].update(A=[["0"] * 3] * 3)),
+    "a counterexample of another rank": ("lost rank", lambda r: r["letters"].update(A="3x3 rank 1")),
     "a weaker property": ("words", lambda r: r["letters"].update(Q="nxn symmetric")),
     "a rule that is not there": ("words", lambda r: at(r, "certificate", "rules", 0).update(rule="orthogonal sums")),
     "a rule of another letter": ("words", lambda r: at(r, "certificate", "rules", 0).update(of=["A"])),
@@ -610,7 +616,7 @@ def test_bad_input_gets_a_named_error(ask, message):
 
 def test_every_property_has_examples_and_is_needed():
     for name in PROPERTIES:
-        shape = "3x1" if name == "unit" else "3x3"
+        shape = "3x1" if name == "unit" else "6x6" if name.startswith("rank") else "3x3"
         found = prove_texts("A", "2*A", {"A": f"{shape} {name}"})
         assert found.verdict == "refuted", name
 
@@ -633,6 +639,8 @@ def test_a_statement_about_nothing_is_not_proved():
     found = prove_texts("A", "B", {"A": "2x2", "B": "2x2"}, constraints=["A*A.T + eye(2)"])
     assert found.verdict == "open"
     found = prove_texts("A", "2*A", {"A": "2x2"}, nonzero=["trace(A) - trace(A.T)"])
+    assert found.verdict == "open"
+    found = prove_texts("A*B", "B*A", {"A": "3x3 rank 2", "B": "3x3"}, constraints=["A"])
     assert found.verdict == "open"
 
 

@@ -63,7 +63,8 @@ def prove(
     engine : {"flint", "sympy"}
         Which polynomial arithmetic to use.
     properties : mapping of MatrixSymbol, or name, to str or tuple of str, optional
-        What letters are: rotation, orthogonal, symmetric, skew, unit, positive definite, diagonal or idempotent.
+        What letters are: rotation, orthogonal, symmetric, skew, unit, positive definite, diagonal, idempotent, or of a
+        rank, such as rank 2.
     letters : mapping of name to str, optional
         The vectors and matrices in text, with their properties, such as ``{"R": "3x3 rotation", "t": "3x1"}``.
     complex : sequence of str, optional

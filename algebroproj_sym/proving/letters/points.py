@@ -6,9 +6,11 @@ import random
 from collections.abc import Mapping
 from fractions import Fraction
 
+import flint
+
 from algebroproj_sym.expressions.letters import parse_letters
 from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
-from algebroproj_sym.proving.letters.properties import Letter
+from algebroproj_sym.proving.letters.properties import RANKS, Letter
 
 _NUMBERS = Field(Fraction)
 
@@ -24,7 +26,7 @@ def example(letter: Letter, sizes: Mapping[str, int], generator: random.Random, 
     """
     rows, columns = (size if isinstance(size, int) else sizes[size] for size in letter.shape)
     try:
-        found = _example(letter.properties, rows, columns, generator, 2 + attempt // 4)
+        found = _example(letter, rows, columns, generator, 2 + attempt // 4)
     except ZeroDivisionError:
         return None
     return found if has_properties(letter, found) else None
@@ -37,9 +39,11 @@ def sparse(letter: Letter, sizes: Mapping[str, int], generator: random.Random) -
     return [[generator.choice(values) for _ in range(columns)] for _ in range(rows)]
 
 
-def _example(properties: frozenset[str], rows: int, columns: int, generator: random.Random, height: int) -> Rows:
-    def random_rows(width: int = columns) -> Rows:
-        return [[Fraction(generator.randint(-height, height)) for _ in range(width)] for _ in range(rows)]
+def _example(letter: Letter, rows: int, columns: int, generator: random.Random, height: int) -> Rows:
+    properties = letter.properties
+
+    def random_rows(width: int = columns, number: int = rows) -> Rows:
+        return [[Fraction(generator.randint(-height, height)) for _ in range(width)] for _ in range(number)]
 
     def made(text: str, **letters: Rows) -> Rows:
         shapes = {name: (len(value), len(value[0])) for name, value in letters.items()}
@@ -54,6 +58,8 @@ def _example(properties: frozenset[str], rows: int, columns: int, generator: ran
         diagonal = [[Fraction(generator.choice((-1, 1)))] for _ in range(rows)]
         return made("diag(v)", v=diagonal)
 
+    if letter.rank is not None:
+        return made("B*C", B=random_rows(letter.rank), C=random_rows(number=letter.rank))
     free = random_rows()
     if "unit" in properties:
         return made(f"({_first(rows)}) - 2*h[0, 0]*h*dot(h, h)**-1", h=free) if rows > 1 else signs()
@@ -102,7 +108,11 @@ def has_properties(letter: Letter, rows: Rows) -> bool:
         "diagonal": lambda: all(i == j or entry == 0 for i, row in enumerate(rows) for j, entry in enumerate(row)),
         "positive definite": lambda: all(_leading_minor(rows, k) > 0 for k in range(1, size + 1)),
     }
-    return all(checks[one]() for one in properties)
+    return all(checks[one]() for one in properties - RANKS.keys()) and letter.rank in (None, _rank(rows))
+
+
+def _rank(rows: Rows) -> int:
+    return int(flint.fmpq_mat([[flint.fmpq(each.numerator, each.denominator) for each in row] for row in rows]).rank())
 
 
 def _leading_minor(rows: Rows, size: int) -> Fraction:

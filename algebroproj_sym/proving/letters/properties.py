@@ -2,6 +2,7 @@
 
 Entries are taken as functions of coordinates that reach every matrix of the kind, and nothing else: every rotation of
 space is that of a quaternion which is not zero, every unit vector is the image of the first axis under a reflection.
+Only those of a matrix of given rank also reach lower ranks, near which there are always matrices of that rank.
 What coordinates do not say is left as equations.
 """
 
@@ -13,6 +14,8 @@ from typing import Any
 
 from algebroproj_sym.expressions.letters import LetterError, Shape, Term, made, minus, number, parse_letters
 
+LARGEST_SIZE = 6
+RANKS = {f"rank {rank}": rank for rank in range(1, LARGEST_SIZE + 1)}
 PROPERTIES = (
     "rotation",
     "orthogonal",
@@ -22,8 +25,8 @@ PROPERTIES = (
     "positive definite",
     "diagonal",
     "idempotent",
+    *RANKS,
 )
-LARGEST_SIZE = 6
 _TOGETHER = (
     {"symmetric", "idempotent"},
     {"symmetric", "orthogonal"},
@@ -54,6 +57,11 @@ class Letter:
     def term(self) -> Term:
         """The letter as a term."""
         return Term("letter", self.shape, (), self.name)
+
+    @property
+    def rank(self) -> int | None:
+        """Its rank, if that is declared."""
+        return next((rank for name, rank in RANKS.items() if name in self.properties), None)
 
     @property
     def declared(self) -> list[str]:
@@ -94,9 +102,8 @@ def _properties(name: str, shape: Shape, given: Any) -> frozenset[str]:
     for one in listed:
         if one not in PROPERTIES:
             raise LetterError(f"properties, {name}: expected one of {', '.join(PROPERTIES)}, got {one!r}")
-        good = shape[1] == 1 if one == "unit" else shape[0] == shape[1]
+        good, kind = _kind(one, shape)
         if not good:
-            kind = "column vector" if one == "unit" else "square matrix"
             raise LetterError(f"properties, {name}: expected a {kind} as {one}, got {shape[0]}x{shape[1]}")
     found = {*listed}
     core = found - {_IMPLIED[one] for one in found if one in _IMPLIED}
@@ -105,6 +112,16 @@ def _properties(name: str, shape: Shape, given: Any) -> frozenset[str]:
             f"properties, {name}: expected one property or two of {_listed(_TOGETHER)}, got {', '.join(sorted(core))}"
         )
     return frozenset(found | {_IMPLIED[one] for one in found if one in _IMPLIED})
+
+
+def _kind(one: str, shape: Shape) -> tuple[bool, str]:
+    """Return whether a shape is one of those that a property asks for, and which these are."""
+    if one == "unit":
+        return shape[1] == 1, "column vector"
+    if one in RANKS:
+        fits = all(size >= RANKS[one] for size in shape if isinstance(size, int))
+        return fits, f"matrix with {RANKS[one]} rows and columns or more"
+    return shape[0] == shape[1], "square matrix"
 
 
 def _listed(sets: Iterable[set[str]]) -> str:
@@ -151,6 +168,8 @@ def coordinates(letter: Letter) -> Coordinates:
         )
     properties, name = letter.properties, letter.name
     if {"symmetric", "orthogonal"} <= properties or rows > 3 or "orthogonal" not in properties:
+        if letter.rank is not None:
+            return _product(name, rows, columns, letter.rank)
         found = _unit(name, rows) if "unit" in properties else _entries(letter, rows, columns)
         return Coordinates(found.entries, found.names, found.signs, _equations(letter))
     return _orthogonal(letter, rows)
@@ -172,6 +191,14 @@ def _entries(letter: Letter, rows: int, columns: int) -> Coordinates:
     texts = [[entry(i, j) for j in range(1, columns + 1)] for i in range(1, rows + 1)]
     names = sorted({text.lstrip("-") for row in texts for text in row} - {"0"})
     return Coordinates(_block(texts), tuple(names))
+
+
+def _product(name: str, rows: int, columns: int, rank: int) -> Coordinates:
+    """Return the product of two matrices: it reaches all matrices of a rank, and those of lower rank."""
+    left = [[f"{name}_a{i}{k}" for k in range(1, rank + 1)] for i in range(1, rows + 1)]
+    right = [[f"{name}_b{k}{j}" for j in range(1, columns + 1)] for k in range(1, rank + 1)]
+    names = [each for row in (*left, *right) for each in row]
+    return Coordinates(made("product", _block(left), _block(right)), tuple(names))
 
 
 def _unit(name: str, size: int) -> Coordinates:

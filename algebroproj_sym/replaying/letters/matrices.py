@@ -8,7 +8,7 @@ from itertools import combinations
 from typing import Any, TypeAlias
 
 from algebroproj_sym.replaying.evaluation import Algebra
-from algebroproj_sym.replaying.letters.reading import Letter, Node, Size, read
+from algebroproj_sym.replaying.letters.reading import Letter, Node, Size, rank_in, read
 from algebroproj_sym.replaying.letters.series import EXPONENTIAL, JACOBIAN, KINDS, matrix_of
 from algebroproj_sym.replaying.letters.turns import Turn
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
@@ -262,6 +262,9 @@ class Coordinates:
             raise NotReplayable("a letter is too large for entries")
         self.name, self.rows, self.columns = name, rows, columns
         self.properties = letter.properties
+        self.rank = rank_in(letter.properties)
+        if self.rank is not None and len(letter.properties) > 1:
+            raise NotReplayable("a letter with a rank has another property")
         self.turns = "orthogonal" in letter.properties and "symmetric" not in letter.properties and rows <= 3
         self.signs = [f"{name}_s"] if self._has_sign() else []
         self.names = [*self._free(), *self.signs]
@@ -276,8 +279,16 @@ class Coordinates:
             return [f"{self.name}_q{k}" for k in range({1: 0, 2: 2, 3: 4}[self.rows])]
         if "unit" in self.properties:
             return [f"{self.name}_h{k}" for k in range(1, self.rows + 1)] if self.rows > 1 else []
+        if self.rank is not None:
+            left, right = self._factors(self.rank)
+            return [name for row in (*left, *right) for name in row]
         places = [(i, j) for i in range(1, self.rows + 1) for j in range(1, self.columns + 1)]
         return [self._entry(i, j) for i, j in places if self._is_free(i, j)]
+
+    def _factors(self, rank: int) -> tuple[list[list[str]], list[list[str]]]:
+        """Return the names in two matrices of which the product reaches every matrix of a rank."""
+        left = [[f"{self.name}_a{i}{k}" for k in range(1, rank + 1)] for i in range(1, self.rows + 1)]
+        return left, [[f"{self.name}_b{k}{j}" for j in range(1, self.columns + 1)] for k in range(1, rank + 1)]
 
     def _is_free(self, i: int, j: int) -> bool:
         if "diagonal" in self.properties:
@@ -294,6 +305,9 @@ class Coordinates:
             return self._turned(algebra, one, zero)
         if "unit" in self.properties:
             return self._reflected(algebra, one)
+        if self.rank is not None:
+            left, right = ([[*map(algebra.symbol, row)] for row in factor] for factor in self._factors(self.rank))
+            return Entries(algebra, {}, {})._times(left, right)
 
         def entry(i: int, j: int) -> Any:
             if self._is_free(i, j):
@@ -352,4 +366,16 @@ def has_properties(letter: Letter, rows: Matrix) -> bool:
             entries._determinant([row[:k] for row in rows[:k]]) > 0 for k in range(1, size + 1)
         ),
     }
-    return all(holds[name]() for name in letter.properties)
+    rank = rank_in(letter.properties)
+    return all(holds[name]() for name in letter.properties & holds.keys()) and rank in (None, _rank(entries, rows))
+
+
+def _rank(entries: Entries, rows: Matrix) -> int:
+    """Return the size of the largest determinant of some rows and columns that is not zero."""
+    columns = range(len(rows[0]))
+    for size in range(min(len(rows), len(rows[0])), 0, -1):
+        for some in combinations(rows, size):
+            minors = ([[row[k] for k in chosen] for row in some] for chosen in combinations(columns, size))
+            if any(map(entries._determinant, minors)):
+                return size
+    return 0

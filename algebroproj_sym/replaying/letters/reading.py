@@ -15,7 +15,7 @@ An atom is a number, a name, a sum in parentheses, or a function of some; ``eye`
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
 
@@ -40,6 +40,7 @@ PROPERTIES: Mapping[str, set[str]] = {
     "positive definite": {"positive definite", "symmetric"},
     "diagonal": {"diagonal", "symmetric"},
     "idempotent": {"idempotent"},
+    **{f"rank {rank}": {f"rank {rank}"} for rank in range(1, 7)},
 }
 """What a letter may be, with what follows from it."""
 
@@ -74,9 +75,18 @@ def declared(text: Any) -> Letter:
     shape, listed = (_size(match[1]), _size(match[2])), match[3].split(", ") if match[3] else []
     require({*listed} <= PROPERTIES.keys(), "there is no such property")
     for name in listed:
-        fits = shape[1] == 1 if name == "unit" else shape[0] == shape[1]
+        rank = rank_in((name,))
+        if rank is not None:
+            fits = all(size >= rank for size in shape if isinstance(size, int))
+        else:
+            fits = shape[1] == 1 if name == "unit" else shape[0] == shape[1]
         require(fits, f"a letter of this shape is not {name}")
     return Letter(shape, frozenset(part for name in listed for part in PROPERTIES[name]))
+
+
+def rank_in(properties: Iterable[str]) -> int | None:
+    """Return the rank that is among properties; None if there is none."""
+    return next((int(name[5:]) for name in properties if name.startswith("rank ")), None)
 
 
 def _size(text: str) -> Size:

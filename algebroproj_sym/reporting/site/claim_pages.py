@@ -83,7 +83,7 @@ def _copies(entry: Entry, paper: Paper, record: Mapping[str, Any]) -> list[tuple
 def paper_files(catalogue: Catalogue, paper: Paper, with_graph: frozenset[str]) -> dict[str, str]:
     """Return the pages that list the claims of a paper, of which some sections have a graph: all, and the errata."""
     address = paper_page(paper.about.key)
-    shown = {"line": _line, "with_graph": with_graph, "most_listed": MOST_LISTED}
+    shown = {"line": _line, "stated": _stated, "with_graph": with_graph, "most_listed": MOST_LISTED}
     files = {address: page("paper", address, catalogue=catalogue, paper=paper, **shown)}
     address = errata_page(paper.about.key)
 

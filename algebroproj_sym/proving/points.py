@@ -6,6 +6,7 @@ import hashlib
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import product
 from typing import Any, TypeAlias
 
 import sympy
@@ -67,8 +68,11 @@ def rational_zeros(
     field = RationalFunctionField(symbols, "flint")
     polynomials = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
     context = polynomials[0].context()
-    parts = [(places, real_points(group, context, seed, tries, work=work)) for places, group in _apart(polynomials)]
-    for found in zip(*(points for _, points in parts), strict=False):
+    parts = [
+        (places, real_points(group, context, seed + part, tries, work=work))
+        for part, (places, group) in enumerate(_apart(polynomials))
+    ]
+    for found in product(*(points for _, points in parts)):
         values = list(found[0])
         for (places, _), other in zip(parts, found, strict=True):
             for place in places:

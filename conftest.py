@@ -128,16 +128,17 @@ def is_installed(name):
 
 @pytest.fixture
 def decided_here(monkeypatch):
-    """Relations of documents are decided in the process of the test: no worker is started, and no time is limited."""
+    """Questions are decided in the process of the test: no worker is started, and no time is limited."""
     from algebroproj_sym.proving import worker
 
-    def outcomes(questions, *, seconds, jobs):
+    def outcomes(questions, *, seconds, jobs, engine="flint"):
         for question in questions:
             try:
-                yield worker._decided(question, "flint")
+                yield worker._decided(question, engine)
             except Exception as error:
                 yield worker.Outcome("error", "none", 0.0, f"{type(error).__name__}: {error}")
 
+    monkeypatch.setattr("algebroproj_sym.proving.outcomes", outcomes)
     monkeypatch.setattr("algebroproj_sym.reading.judging.questions.outcomes", outcomes)
 
 

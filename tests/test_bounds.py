@@ -138,6 +138,7 @@ SLOW = {
 }
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("text", SLOW.values(), ids=SLOW)
 def test_reading_counts_towards_the_time_limit(tmp_path, text):
     path = tmp_path / "slow.json"
@@ -148,6 +149,7 @@ def test_reading_counts_towards_the_time_limit(tmp_path, text):
     assert not multiprocessing.active_children()
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_witnesses_count_towards_the_time_limit(tmp_path):
     item = {"lhs": "x", "rhs": "x", "constraints": ["x^2 = x"], "witness": {"x": "1e999999999"}}
     path = tmp_path / "slow.json"

@@ -159,6 +159,18 @@ def built(request, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def lemmas(tmp_path_factory):
+    """Return a folder with the lemmas of all theorems, compiled by Coq."""
+    from algebroproj_sym.exporting import compiled_lemmas, render
+    from algebroproj_sym.files import write_texts
+
+    folder = tmp_path_factory.mktemp("coq")
+    write_texts(render([]), folder)
+    assert not any(lemma.error for lemma in compiled_lemmas(folder))
+    return folder
+
+
+@pytest.fixture(scope="session")
 def lowered():
     """Return a function from the name of a kernel of the papers to its program; each is lowered once."""
     declared = {kernel.qualified_name: kernel for kernel in kernels()}

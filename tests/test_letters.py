@@ -650,6 +650,12 @@ ERRORS = {
         lambda: prove(sympy.Symbol("A_11") * A[0, 1], A.T[1, 0] * sympy.Symbol("A_11")),
         "expected other names: A_11 is also that of a coordinate of a letter",
     ),
+    "a power of what is no square": (
+        lambda: prove_texts("A**2", "A", {"A": "2x3"}), "power: expected a square matrix, got shape 2x3",
+    ),
+    "factors that do not fit": (
+        lambda: prove_texts("A*A", "A", {"A": "2x3"}), "product: expected factors that fit, got shapes 2x3 and 2x3",
+    ),
     "a size beyond entries": (
         lambda: prove_texts("vec(A)", "vec(A.T.T)", {"A": "7x7"}),
         "A: expected a size of at most 6 for a proof by entries, got 7x7",

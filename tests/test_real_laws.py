@@ -1,5 +1,6 @@
 """The laws of real functions: each holds with its side conditions, and is refused without each of them."""
 
+import math
 import random
 from fractions import Fraction
 
@@ -294,6 +295,50 @@ def test_intervals_enclose_what_mpmath_computes():
                 assert mpmath.mpf(int(low)) <= true <= mpmath.mpf(int(high))
                 checked += 1
     assert checked > 1000
+
+
+SMALL = [(low, high) for low in range(-5, 6) for high in range(low, 6)]
+
+
+def test_the_arithmetic_of_intervals_is_the_narrowest_that_encloses():
+    numbers = Intervals(2)
+    for left in SMALL:
+        for right in SMALL:
+            assert numbers.plus(left, right) == (left[0] + right[0], left[1] + right[1])
+            products = [Fraction(a * b, 4) for a in left for b in right]
+            assert numbers.times(left, right) == (math.floor(min(products)), math.ceil(max(products)))
+            if right[0] <= 0 <= right[1]:
+                with pytest.raises(UndecidedError):
+                    numbers.over(left, right)
+            else:
+                quotients = [Fraction(4 * a, b) for a in left for b in right]
+                assert numbers.over(left, right) == (math.floor(min(quotients)), math.ceil(max(quotients)))
+
+
+@pytest.mark.parametrize("interval", SMALL)
+def test_an_interval_has_the_sign_of_all_its_numbers_or_none(interval):
+    numbers, signs = Intervals(2), {(number > 0) - (number < 0) for number in range(interval[0], interval[1] + 1)}
+    if len(signs) == 1:
+        assert {numbers.sign(interval)} == signs
+    else:
+        with pytest.raises(UndecidedError):
+            numbers.sign(interval)
+    if -1 not in signs or signs == {-1}:
+        assert numbers.is_negative(interval) is (signs == {-1})
+    else:
+        with pytest.raises(UndecidedError):
+            numbers.is_negative(interval)
+    assert numbers.even(interval) == tuple(max(end, 0) for end in interval) or interval[1] < 0
+
+
+def test_the_enclosure_of_a_number_is_the_narrowest_and_its_sign_is_known():
+    numbers = Intervals(2)
+    for value in (Fraction(n, d) for n in range(-9, 10) for d in (1, 3, 4, 5, 8)):
+        assert numbers.enclosed(value) == (math.floor(4 * value), math.ceil(4 * value))
+        assert numbers.sign(value) == (value / abs(value) if value else 0)
+        assert numbers.is_negative(value) is (value != abs(value))
+        assert numbers.even(value) == value
+    assert numbers.unit_interval() == (numbers.enclosed(Fraction(0))[0], numbers.enclosed(Fraction(1))[1])
 
 
 WIDE = [

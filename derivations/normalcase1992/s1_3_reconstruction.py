@@ -6,12 +6,14 @@
 
 # %%
 import sympy
+from sympy import Eq, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import columns, cross, dot, linear_system, over, solve, vector
+from algebroproj_sym.expressions.letters import Dot
 
 section = Section("normalcase1992", "1.3", "Reconstruction of the model")
 
@@ -44,8 +46,9 @@ difference = (X0_left + lam_p * x_left) - (X0_right + lam_pp * x_right)
 # %% [markdown]
 # ## What are the factors?
 #
-# **Definition.**  A vector $\mathbf y_N = (c, 0, x_N)^T$ is perpendicular to $\mathbf x_N$.  The factors are derived
-# without it, from the first and third component.
+# **Definition.**  A vector $\mathbf y_N = (c, 0, x_N)^T$ is perpendicular to $\mathbf x_N$.  With $\lambda'
+# \mathbf x' - \lambda'' \mathbf x'' = \mathbf b$ any such vector gives the factors.  They follow without it as well,
+# from the first and third component.
 
 # %%
 y_left, y_right = vector(c, 0, xp), vector(c, 0, xpp)
@@ -63,17 +66,23 @@ factor_left
 # **Print.**
 
 # %%
+xp_bold, xpp_bold, yp_bold, ypp_bold, b_bold = (
+    MatrixSymbol(name, 3, 1) for name in ("xN_p", "xN_pp", "yN_p", "yN_pp", "b")
+)
+ON_BOTH = Eq(lam_p * xp_bold - lam_pp * xpp_bold, b_bold)
 section.identity(
     "1.3.1#left",
     "factor of the left image",
-    printed=over(dot(b, y_right), dot(x_left, y_right)),
-    derived=factor_left,
+    printed=Dot(b_bold, ypp_bold) / Dot(xp_bold, ypp_bold),
+    constraints=[ON_BOTH, Eq(Dot(xpp_bold, ypp_bold), 0)],
+    derived=lam_p,
 )
 section.identity(
     "1.3.1#right",
     "factor of the right image",
-    printed=-over(dot(b, y_left), dot(x_right, y_left)),
-    derived=factor_right,
+    printed=-Dot(b_bold, yp_bold) / Dot(xpp_bold, yp_bold),
+    constraints=[ON_BOTH, Eq(Dot(xp_bold, yp_bold), 0)],
+    derived=lam_pp,
 )
 
 # %% [markdown]

@@ -105,11 +105,7 @@ IN_NORMAL_CASE |= {lam_n: over((X0 - point)[2], c)}
 IN_NORMAL_CASE |= {tau: over(IN_NORMAL_CASE[lam_n], lam)}
 
 normal_bold = MatrixSymbol("xN", 3, 1)
-INSERTED = [
-    Eq(X_bold, X0_bold + lam * R * x_bold),
-    Eq(lam_n * normal_bold, Identity(3) * (X_bold - X0_bold)),
-    Eq(lam_n, tau * lam),
-]
+INSERTED = [Eq(X_bold, X0_bold + lam * R * x_bold), Eq(normal_bold, Identity(3) * (X_bold - X0_bold) / lam_n)]
 section.identity(
     "1.1/insertion",
     "a point of the original bundle in the normal case",
@@ -119,8 +115,7 @@ section.identity(
 section.identity(
     "1.1.4",
     "projective transformation to the normal case",
-    constraints=INSERTED,
-    nonzero=[lam],
+    constraints=[*INSERTED, Eq(lam_n, tau * lam)],
     derived=R * x_bold,
 )
 
@@ -202,7 +197,7 @@ length_n, length = dot(x_normal, x_normal), dot(x_vector, x_vector)
 section.identity(
     "1.1/tau",
     "square of the factor",
-    constraints=[Eq(tau * normal_bold, R * x_bold)],
+    constraints=[Eq(normal_bold, R * x_bold / tau)],
     properties={R: "rotation"},
     derived=ImmutableMatrix([[Dot(x_bold, x_bold)] * 3]),
 )

@@ -34,13 +34,12 @@ base_left, base_right = R_p.T * (X0_right - X0_left), R_pp.T * (X0_left - X0_rig
 Rp, Rpp, Z_bold = (MatrixSymbol(name, 3, 3) for name in ("Rp", "Rpp", "Z"))
 xp_o, xpp_o, b_bold, X0p, X0pp = (MatrixSymbol(name, 3, 1) for name in ("xp_o", "xpp_o", "b", "X0p", "X0pp"))
 lam_p, lam_pp, z = sympy.symbols("lam_p lam_pp z")
-EPIPOLES = [Eq(b_bold, X0pp - X0p), Eq(lam_p * xp_o, Rp.T * (X0pp - X0p)), Eq(lam_pp * xpp_o, Rpp.T * (X0p - X0pp))]
+EPIPOLES = [Eq(b_bold, X0pp - X0p), Eq(xp_o, Rp.T * (X0pp - X0p) / lam_p), Eq(xpp_o, Rpp.T * (X0p - X0pp) / lam_pp)]
 section.identity(
     "2.2/zero",
     "the matrix of correlation takes the epipoles to zero",
     printed=BlockMatrix([[Z_bold.T * xp_o, Z_bold * xpp_o]]),
     constraints=[*EPIPOLES, Eq(Z_bold, Rp.T * Skew(b_bold) * Rpp / z)],
-    nonzero=[lam_p, lam_pp],
     properties={Rp: "rotation", Rpp: "rotation"},
     derived=sympy.ZeroMatrix(3, 2),
 )

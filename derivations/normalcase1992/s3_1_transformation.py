@@ -83,7 +83,7 @@ R, x_bold, normal_bold, tau = (
 section.identity(
     "3.1/inverse",
     "inverse transformation with its factor",
-    constraints=[Eq(tau * normal_bold, R * x_bold)],
+    constraints=[Eq(normal_bold, R * x_bold / tau)],
     properties={R: "rotation"},
     derived=x_bold,
 )

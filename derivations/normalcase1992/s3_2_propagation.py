@@ -38,7 +38,6 @@ def rate(expression):
 
 
 xn, yn, tau, dtau, dxn, dyn = sympy.symbols("xN yN tau dtau dxN dyN")
-normal, d_normal = image_vector(xn, yn), vector(dxn, dyn, 0)
 coordinates, factor = image_of(projector), over(-projector[2], c)
 d_coordinates, d_factor = rate(image_of(moved)), rate(over(-moved[2], c))
 OF_IMAGE = given((xn, yn, tau), (*coordinates, factor))

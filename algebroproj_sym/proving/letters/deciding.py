@@ -44,7 +44,7 @@ from algebroproj_sym.proving.prove import prove as decided
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 
 LARGEST_TURN = 3
-MOST_DEGREE = 15
+MOST_DEGREE = 20
 FIRST_TRIES = 40
 ENOUGH_POINTS = 4
 MORE_TRIES = 200

@@ -27,6 +27,7 @@ from algebroproj_sym.replaying.reals.proofs import apply, assume
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
+STRIDE = 8
 MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
@@ -64,15 +65,16 @@ class Knowledge:
     def case(self, relation: str, text: str) -> Knowledge:
         """Return the same knowledge, without its steps, where something more is assumed."""
         wanted = {">": (1,), "=": (0,), "<": (-1,), ">=": (0, 1)}[relation]
-        element = self.theory.polynomial(text)
-        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, element) in wanted]
+        polynomial = self.theory.signed(self.theory.polynomial(text))
+        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, polynomial) in wanted]
         found = Knowledge(self.theory.branch(), kept, self.effort)
         assume(found.theory, relation, text)
         return found
 
     def seen(self, element: Element) -> set[int]:
         """Return the signs of something at the samples, as far as they are known."""
-        signs = {sample.sign(self.theory, element) for sample in self.samples or [Sample({})]}
+        polynomial = self.theory.signed(element)
+        signs = {sample.sign(self.theory, polynomial) for sample in self.samples or [Sample({})]}
         return {sign for sign in signs if sign is not None}
 
     def step(self, law: str, **entries: Any) -> bool:
@@ -89,17 +91,21 @@ class Knowledge:
             self.steps.append(step)
         return True
 
-    # -- polynomials of FLINT, whose last variable is spare
+    # -- polynomials of FLINT, whose last variables are spare
+
+    @property
+    def _size(self) -> int:
+        """How many variables polynomials have: it changes seldom, as what was found is kept for the same variables."""
+        return (len(self.theory.field.places) // STRIDE + 1) * STRIDE
 
     @property
     def context(self) -> Any:
         """The ring in all symbols of the theory."""
-        names = tuple(f"v{place}" for place in range(len(self.theory.field.places)))
-        return flint.fmpq_mpoly_ctx.get((*names, "spare"), flint.Ordering.degrevlex)
+        return flint.fmpq_mpoly_ctx.get(tuple(f"v{place}" for place in range(self._size)), flint.Ordering.degrevlex)
 
     def into(self, polynomial: Polynomial) -> Any:
         """Return a polynomial of the theory as one of FLINT."""
-        size = len(self.theory.field.places) + 1
+        size = self._size
         kept = self._made.get(id(polynomial))
         if kept is not None and kept[0] is polynomial and kept[1] == size:
             return kept[2]
@@ -205,9 +211,9 @@ class Knowledge:
     def rules(self, polynomial: Any) -> list[Rule]:
         """Return the rules that zeros connected with a polynomial give."""
         zeros = self.connected(polynomial)
-        key = (tuple(place for place, _ in zeros), len(self.theory.field.places))
+        key = (tuple(place for place, _ in zeros), self._size)
         if key not in self._rules:
-            self._rules[key] = rules(zeros)
+            self._rules[key] = rules(zeros, self.theory.field.places.get("pi", -1))
         return self._rules[key]
 
     # -- zeros
@@ -257,7 +263,7 @@ class Knowledge:
             return None
         polynomials = [zero for _, zero in zeros]
         units = self._units([goal, *polynomials])
-        key = (tuple(place for place, _ in zeros), len(self.theory.field.places), tuple(map(str, units)))
+        key = (tuple(place for place, _ in zeros), self._size, tuple(map(str, units)))
         self.spend(4)
         try:
             if key not in self._systems:

@@ -326,7 +326,7 @@ def _forms(knowledge: Knowledge, radicand: Element) -> list[Element]:
             candidate = knowledge.back(form) / divisor
             if not any((candidate - other).is_zero for other in found):
                 found.append(candidate)
-    return found
+    return sorted(found, key=lambda form: len(form.numerator.terms))
 
 
 def _squares(knowledge: Knowledge, main: str) -> list[tuple[tuple[int, int], Any]]:

@@ -63,6 +63,7 @@ def on_a_range(function, *ends, variable="x", bits=64):
     return {"law": "on a range", "variable": variable, "function": function, "ends": [*ends], "bits": bits}
 
 
+POWERS = {"law": "order of powers", "larger": "x", "smaller": "y", "degree": 2}
 ORDER = {"law": "order of sines", "larger": "x", "smaller": "y"}
 
 # law: what is given, each needed; the terms that are defined; the step; what follows; steps that are wrong
@@ -160,6 +161,11 @@ CASES = [
     (["sin(x) >= 0", "-pi < x", "x < 2*pi"], [], {"law": "range of sine", "angle": "x"}, (">=", "x"), []),
     (["cos(x) >= 0", "-3*pi/2 < x", "x < 3*pi/2"], [], {"law": "range of cosine", "angle": "x"},
      (">=", "pi + 2*x"), []),
+    (["x >= 0", "x^2 - y^2 >= 0"], [], POWERS, (">=", "x - y"), [
+        {**POWERS, "degree": 1}, {**POWERS, "degree": 3}, {**POWERS, "degree": 0}, {**POWERS, "degree": -2},
+        {**POWERS, "larger": "y", "smaller": "x"}, {**POWERS, "larger": "-x"}, {**POWERS, "smaller": "2*y"},
+    ]),
+    (["x >= 0", "x^3 - y^3 > 0"], [], {**POWERS, "degree": 3}, (">", "x - y"), []),
     (["sin(x) >= sin(y)", "-pi/2 <= x", "x <= pi/2", "-pi/2 <= y", "y <= pi/2"], [], ORDER, (">=", "x - y"), [
         {**ORDER, "larger": "y", "smaller": "x"}, {**ORDER, "larger": "x + 1"}, {**ORDER, "smaller": "-y"},
     ]),

@@ -471,15 +471,23 @@ Proof. intros ->; now rewrite ln_exp. Qed.
 Lemma logarithms A L a v : L = ln A -> 0 < a /\ ln a = v -> A - a = 0 -> L - v = 0.
 Proof. intros -> [_ <-] zero; replace A with a by lra; ring. Qed.
 
+Lemma increasing_power n x y : 0 <= x < y -> x ^ S n < y ^ S n.
+Proof.
+  intros [X Y]; induction n as [|n IH]; [lra|].
+  change (x * x ^ S n < y * y ^ S n); pose proof (pow_le x (S n) X); nra.
+Qed.
+
+Lemma order_of_powers a b n : 0 <= a -> 0 <= a ^ S n - b ^ S n -> 0 <= a - b.
+Proof. intros A D; destruct (Rle_dec b a); [lra|]; pose proof (increasing_power n a b); lra. Qed.
+
+Lemma order_of_powers_strictly a b n : 0 <= a -> 0 < a ^ S n - b ^ S n -> 0 < a - b.
+Proof. intros A D; destruct (Rlt_dec b a); [lra|]; pose proof (pow_incr a b (S n)); lra. Qed.
+
 Lemma equal_powers a b n : 0 <= a -> 0 <= b -> a ^ S n - b ^ S n = 0 -> a - b = 0.
 Proof.
-  intros A B E.
-  assert (forall x y, 0 <= x < y -> x ^ S n < y ^ S n) as increasing.
-  { intros x y [X Y]; clear E; induction n as [|n IH]; [lra|].
-    change (x * x ^ S n < y * y ^ S n); pose proof (pow_le x (S n) X); nra. }
-  destruct (Rtotal_order a b) as [less|[|more]]; [| lra |].
-  - pose proof (increasing a b); lra.
-  - pose proof (increasing b a); lra.
+  intros A B E; destruct (Rtotal_order a b) as [less|[|more]]; [| lra |].
+  - pose proof (increasing_power n a b); lra.
+  - pose proof (increasing_power n b a); lra.
 Qed.
 
 (** ** Enclosures of numbers *)

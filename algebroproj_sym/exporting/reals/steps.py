@@ -345,6 +345,15 @@ def _equal_powers(theory: Written, step: Step) -> str:
     return f"equal_powers {texts[0]} {texts[1]} {degree - 1} {signs} {powers}"
 
 
+def _order_of_powers(theory: Written, step: Step) -> str:
+    larger, smaller, degree = theory.read(step["larger"]), theory.read(step["smaller"]), step["degree"]
+    texts, rise = (theory.shown(larger), theory.shown(smaller)), larger**degree - smaller**degree
+    strict = theory.holds(">", rise)
+    shown = theory.proof(">" if strict else ">=", rise, f"({texts[0]} ^ {degree} - {texts[1]} ^ {degree})")
+    lemma = f"order_of_powers{'_strictly' * strict}"
+    return f"{lemma} {texts[0]} {texts[1]} {degree - 1} {theory.proof('>=', larger)} {shown}"
+
+
 def _sign_function(theory: Written, step: Step) -> str:
     value, argument = called(step["target"]), theory.applications[step["target"]].args[0]
     text = theory.shown(argument)
@@ -381,6 +390,7 @@ _LEMMAS: Mapping[str, Callable[[Written, Step], str]] = {
     "exponents": _exponents,
     "logarithms": _logarithms,
     "equal powers": _equal_powers,
+    "order of powers": _order_of_powers,
     "zero of sine": _zero_of_sine,
     "full turn": _full_turn,
     "sine in range": _sine_in_range,

@@ -115,6 +115,22 @@ def _related_sine(knowledge: Knowledge, angle: Element) -> bool:
     return True
 
 
+def turned_by_an_eighth(knowledge: Knowledge, element: Element, relate: Relate) -> bool:
+    """Show that cos F + sin F, or cos F - sin F, is not negative by the range of F + pi/4."""
+    theory = knowledge.theory
+    terms = {theory.written(type(element.numerator)({monomial: 1})) for monomial in element.numerator.terms}
+    found = [theory.applications.get(name) for name in sorted(terms)]
+    if len(found) != 2 or {known and known.function for known in found} != {"sin", "cos"} or found[0] is None:
+        return False
+    angle = found[0].args[0]
+    if found[1] is None or not (found[1].args[0] - angle).is_zero:
+        return False
+    if not _related_sine(knowledge, angle + theory.pi * theory.number(Fraction(1, 4))):
+        return False
+    relate(knowledge)
+    return knowledge.positive(element)
+
+
 def by_angle(knowledge: Knowledge, goal: Element, relate: Relate) -> bool:
     """Show that an angle is zero, or that an arc is what it is said to be, by sines, cosines and ranges."""
     theory = knowledge.theory
@@ -149,6 +165,20 @@ def by_angle(knowledge: Knowledge, goal: Element, relate: Relate) -> bool:
         half = knowledge.positive(pi - angle, True) and knowledge.positive(pi + angle, True)
         if half or (knowledge.positive(pi + pi - angle, True) and knowledge.positive(pi + pi + angle, True)):
             return _is_zero_angle(knowledge, angle, half, relate) and knowledge.zero(goal)
+    return False
+
+
+def by_order(knowledge: Knowledge, relation: str, goal: Element) -> bool:
+    """Show that an arc of a sine is more, or less, than an angle by its sine."""
+    if relation not in (">", ">=") or goal.exponents:
+        return False
+    numerator = knowledge.theory.signed(goal)
+    for arc, function, count in _arcs_in(knowledge, numerator.terms):
+        if function == "asin":
+            rest = arc - knowledge.rational(numerator.terms) * knowledge.theory.number(Fraction(1, count))
+            larger, smaller = (arc, rest) if count > 0 else (rest, arc)
+            if _ordered(knowledge, larger, smaller, relation == ">") and knowledge.positive(goal, relation == ">"):
+                return True
     return False
 
 
@@ -214,7 +244,7 @@ def _bounded_by_special(knowledge: Knowledge, arc: Element, count: int) -> None:
                     _ordered(knowledge, larger, smaller)
 
 
-def _ordered(knowledge: Knowledge, larger: Element, smaller: Element) -> bool:
+def _ordered(knowledge: Knowledge, larger: Element, smaller: Element, strict: bool = False) -> bool:
     """Show that one angle is at least another, both between quarter turns, if its sine is."""
     theory = knowledge.theory
     if not all(_related_sine(knowledge, angle) and _is_between(knowledge, angle) for angle in (larger, smaller)):
@@ -223,7 +253,7 @@ def _ordered(knowledge: Knowledge, larger: Element, smaller: Element) -> bool:
     assert first is not None
     assert second is not None
     rise = first - second
-    if not (_zero_number(knowledge, rise) or knowledge.positive(rise)):
+    if not ((not strict and _zero_number(knowledge, rise)) or knowledge.positive(rise, strict)):
         return False
     return knowledge.step("order of sines", larger=knowledge.said(larger), smaller=knowledge.said(smaller))
 

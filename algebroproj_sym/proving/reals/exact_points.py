@@ -31,7 +31,10 @@ FILLS = 12
 """How often other coordinates are chosen for the same ends of ranges."""
 
 NUMBERS = [
-    *map(read, ("0", "1", "-1", "2", "1/2", "-1/2", "-2", "3/5", "sqrt(2)/2", "1/3", "3", "sqrt(3)/2", "sqrt(2)"))
+    *map(
+        read,
+        ("0", "1", "-1", "2", "1/2", "-1/2", "-2", "3/5", "sqrt(2)/2", "exp(1)", "1/3", "3", "sqrt(3)/2", "sqrt(2)"),
+    )
 ]
 ANGLES = [
     *map(

@@ -6,6 +6,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import islice
 from typing import Any
 
 import flint
@@ -35,6 +36,7 @@ SMALL = [Fraction(p, q) for p, q in ((1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (3,
 FURTHER = [Fraction(p, q) for p, q in ((1, 10), (9, 10), (9, 2), (7, 1), (10, 1), (1, 100), (40, 1), (19, 20), (8, 5))]
 
 
+MOST_SEEMING = 12
 MOST_PROOFS = 5
 """How often it is tried to show that a statement fails at a point where it seems to."""
 
@@ -86,21 +88,21 @@ def refuting(statement: Statement, tries: int, closely: int) -> Place | None:
 
 def exact_places(statement: Statement, tries: int, *, fails: bool) -> Iterator[Place]:
     """Yield points of exact numbers where a statement says something; if so asked, only those where it fails."""
-    tried = 0
-    for point in exact_points(statement, tries):
-        values = {name: nearly(value) for name, value in point.items()}
-        if None in values.values() or not seems_to_fail(statement, values, fails=fails):
-            continue
-        tried += 1
-        if tried > MOST_PROOFS:
-            return
+    seeming = (point for point in exact_points(statement, tries) if _seems_to_fail_at(statement, point, fails))
+    plain_first = sorted(islice(seeming, MOST_SEEMING), key=lambda point: sum(value.size() for value in point.values()))
+    for seen in plain_first[:MOST_PROOFS]:
         try:
-            point = {name: settled(value) for name, value in point.items()}
+            point = {name: settled(value) for name, value in seen.items()}
             proof = Search(Theory(()), statement.at(point, fails=fails)).proof()
         except (EffortExceededError, NotReplayable, Rejected, NotRationalError):
             continue
         if proof is not None:
             yield Place(point, fails, proof)
+
+
+def _seems_to_fail_at(statement: Statement, point: Mapping[str, Term], fails: bool) -> bool:
+    values = {name: nearly(value) for name, value in point.items()}
+    return None not in values.values() and seems_to_fail(statement, values, fails=fails)
 
 
 def seems_to_fail(statement: Statement, point: Mapping[str, Any], *, fails: bool = True) -> bool:

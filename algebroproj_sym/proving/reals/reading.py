@@ -49,6 +49,8 @@ from algebroproj_sym.replaying.reals.values import value_of
 from algebroproj_sym.replaying.rejection import Rejected
 
 MOST_PARTS = 4_000
+EULER = function("exp", constant(1))
+"""The number e, for which the letter is a symbol."""
 
 _RELATIONS: dict[Any, str] = {
     sympy.Gt: ">",
@@ -363,6 +365,8 @@ def number_of(term: Term) -> Any:
     >>> number_of(_read("1/2", "x")), number_of(_read("pi/4", "x"))
     (Fraction(1, 2), pi/4)
     """
+    if term == EULER:
+        return sympy.exp(1, evaluate=False)
     found = expression_of(term)
     return Fraction(int(found.p), int(found.q)) if isinstance(found, sympy.Rational) else found
 
@@ -380,6 +384,8 @@ def settled(term: Term) -> Term:
     >>> written(settled(_read("2*pi/4 - 0", "x")))
     'pi/2'
     """
+    if term == EULER:
+        return term
     found = expression_of(term)
     text = str(found)
     if found.is_real is not True or found.has(sympy.E) or has_complex_parts(found):

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.proving.reals.analysis import Analysis
-from algebroproj_sym.proving.reals.arcs import arc_decided, by_angle, turn_decided
+from algebroproj_sym.proving.reals.arcs import arc_decided, by_angle, by_order, turn_decided, turned_by_an_eighth
 from algebroproj_sym.proving.reals.constants import constant_zero
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised
@@ -109,6 +109,9 @@ class Search:
         return all(self._shown(knowledge, *goal) for goal in self.goals) or knowledge.theory.contradictory
 
     def _shown(self, knowledge: Knowledge, relation: str, term: Term) -> bool:
+        for part in term.parts():
+            if part.kind == "abs" and knowledge.step("defined", term=written(part.args[0])):
+                knowledge.positive(knowledge.theory.term(part.args[0]) ** 2)
         if not knowledge.step("defined", term=written(term)):
             return False
         if relation == "=":
@@ -123,12 +126,88 @@ class Search:
         _bounds_strict(knowledge)
         _signs_decided(knowledge)
         _unified(knowledge)
+        return knowledge.theory.contradictory or self._signed(knowledge, relation, goal)
+
+    def _signed(self, knowledge: Knowledge, relation: str, goal: Element, depth: int = 0) -> bool:
+        """Show a relation to zero from what is known, by orders of arcs, by squares, or by where functions rise."""
         return (
-            knowledge.theory.contradictory
-            or knowledge.related(relation, goal)
+            knowledge.related(relation, goal)
             or (relation == ">=" and knowledge.seen(goal) == {0} and _are_equal(knowledge, goal, goal - goal))
-            or _by_conjugates(knowledge, relation, goal)
+            or by_order(knowledge, relation, goal)
+            or self._by_conjugates(knowledge, relation, goal, depth)
+            or self._by_ends(knowledge, relation, goal, depth)
             or Analysis(self._nested, _are_equal, knowledge, self.level).related(relation, goal)
+        )
+
+    def _by_ends(self, knowledge: Knowledge, relation: str, goal: Element, depth: int) -> bool:
+        """Show the sign of what is of first degree in a symbol by those at the ends of its range, or by its slope."""
+        polynomial = knowledge.signed(goal)
+        if depth > 1 or relation not in (">", ">=") or polynomial == 0:
+            return False
+        for name in sorted(knowledge.theory.symbols()):
+            place = knowledge.theory.field.places[name]
+            slope = polynomial.derivative(place)
+            if int(polynomial.degrees()[place]) != 1 or slope.is_constant():
+                continue
+            rest = polynomial - slope * knowledge.context.gens()[place]
+            ends, low, high = list[Any](), *knowledge.ends(place)
+            ends += [rest + slope * end for end in (low, high) if end is not None]
+            others = [slope] if high is None else [-slope] if low is None else []
+            if (
+                ends
+                and not any(-1 in knowledge.seen(knowledge.back(end)) for end in (*ends, *others))
+                and all(self._signed(knowledge, relation, knowledge.back(end), depth + 1) for end in ends)
+                and all(self._signed(knowledge, ">=", knowledge.back(other), depth + 1) for other in others)
+                and knowledge.positive(goal, relation == ">")
+            ):
+                return True
+        return False
+
+    def _by_conjugates(self, knowledge: Knowledge, relation: str, goal: Element, depth: int) -> bool:
+        """Show a sign by squares, for factors a*r + b with a square root r: by that of ``(a*r)**2 - b**2``."""
+        roots = {
+            knowledge.theory.field.places[name]: known.args[0]
+            for name, known in knowledge.theory.applications.items()
+            if known.function == "root" and known.degree == 2 and not known.args[0].exponents
+        }
+        if not roots or depth > 2:
+            return False
+        for factor, _ in knowledge.signed(goal).factor()[1]:
+            element = knowledge.back(factor)
+            seen = knowledge.seen(element) - {0}
+            if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
+                own = factor * max(seen)
+                found = (
+                    self._by_square(knowledge, relation, own, place, roots[place], depth)
+                    for place, degree in enumerate(own.degrees())
+                    if place in roots and degree == 1
+                )
+                if not any(found):
+                    return False
+        return knowledge.related(relation, goal)
+
+    def _by_square(
+        self, knowledge: Knowledge, relation: str, polynomial: Any, place: int, radicand: Element, depth: int
+    ) -> bool:
+        slope = polynomial.derivative(place)
+        part = slope * knowledge.context.gens()[place]
+        rest = polynomial - part
+        larger, smaller, sign = (part, -rest, 1) if knowledge.positive(knowledge.back(slope)) else (rest, -part, -1)
+        if not knowledge.positive(knowledge.back(larger)):
+            knowledge.want(slope, rest)
+            return False
+        strict = relation != ">="
+        product = (slope**2 * knowledge.into(radicand.numerator) - rest**2 * radicand.denominator) * sign
+        value, rise = knowledge.back(product), knowledge.back(larger**2 - smaller**2)
+        return (
+            ((product == 0 and not strict) or self._signed(knowledge, relation, value, depth + 1))
+            and knowledge.positive(rise, strict)
+            and knowledge.step(
+                "order of powers",
+                larger=knowledge.said(knowledge.back(larger)),
+                smaller=knowledge.said(knowledge.back(smaller)),
+                degree=2,
+            )
         )
 
     def _nested(
@@ -221,62 +300,6 @@ def _bounds_strict(knowledge: Knowledge) -> None:
                 knowledge.step("strict bounds", target=name)
 
 
-def _by_conjugates(knowledge: Knowledge, relation: str, goal: Element, depth: int = 0) -> bool:
-    """Show a sign by those of a*r - b and of their product, for factors a*r + b with a square root r."""
-    roots = {
-        knowledge.theory.field.places[name]: known.args[0]
-        for name, known in knowledge.theory.applications.items()
-        if known.function == "root" and known.degree == 2 and not known.args[0].exponents
-    }
-    if not roots or depth > 2:
-        return False
-    for factor, _ in knowledge.signed(goal).factor()[1]:
-        element = knowledge.back(factor)
-        seen = knowledge.seen(element) - {0}
-        if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
-            own = factor * max(seen)
-            found = (
-                _by_conjugate(knowledge, relation, own, place, roots[place], depth)
-                for place, degree in enumerate(own.degrees())
-                if place in roots and degree == 1
-            )
-            if not any(found):
-                return False
-    return knowledge.related(relation, goal)
-
-
-def _by_conjugate(
-    knowledge: Knowledge, relation: str, polynomial: Any, place: int, radicand: Element, depth: int
-) -> bool:
-    theory, root = knowledge.theory, knowledge.context.gens()[place]
-    slope = polynomial.derivative(place)
-    rest = polynomial - slope * root
-    above = knowledge.into(radicand.numerator)
-    product = slope**2 * above - rest**2 * radicand.denominator
-    other = slope * root - rest
-    side = knowledge.back(other)
-    if not knowledge.positive(side, True):
-        side, other, product = -side, -other, -product
-        if not knowledge.positive(side, True):
-            knowledge.want(rest, other)
-            return False
-    sign = 1 if other == slope * root - rest else -1
-    value = knowledge.back(product)
-    strict = relation != ">="
-    if (
-        product != 0
-        and not knowledge.positive(value, strict)
-        and not _by_conjugates(knowledge, relation, value, depth + 1)
-    ):
-        return False
-    zero = root**2 * radicand.denominator - above
-    fact = theory.fact("=", knowledge.back(zero))
-    if fact not in theory.known:
-        return False
-    cofactor = divmod(zero * slope**2 * sign, knowledge.into(fact.polynomial))[0]
-    return knowledge.signed_by(polynomial, side, radicand.denominator, value, {theory.facts.index(fact): cofactor})
-
-
 def _unified(knowledge: Knowledge) -> None:
     """Find roots, sines and cosines that are equal: those that look so, have equal squares, and are not negative."""
     theory = knowledge.theory
@@ -359,7 +382,7 @@ def _by_powers(knowledge: Knowledge, left: Element, right: Element) -> bool:
     theory = knowledge.theory
     for sign in (1, -1):
         a, b = left * theory.number(sign), right * theory.number(sign)
-        if all(knowledge.positive(side) for side in (a, b)):
+        if all(knowledge.positive(side) or turned_by_an_eighth(knowledge, side, _related) for side in (a, b)):
             for degree in sorted(degrees):
                 if knowledge.zero(a**degree - b**degree):
                     texts = [knowledge.said(side) for side in (a, b)]

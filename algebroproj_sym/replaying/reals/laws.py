@@ -221,6 +221,17 @@ def equal_powers(theory: Theory, step: Step) -> None:
     theory.add("=", left - right)
 
 
+def order_of_powers(theory: Theory, step: Step) -> None:
+    """Conclude a >= b if a**n >= b**n and a >= 0, and a > b if a**n > b**n."""
+    larger, smaller = theory.read(step["larger"]), theory.read(step["smaller"])
+    degree = _count(step["degree"])
+    require(degree > 0, "expected a positive degree")
+    theory.require(">=", larger, "order of powers: the larger side")
+    rise = larger**degree - smaller**degree
+    theory.require(">=", rise, "order of powers: the difference of the powers")
+    theory.add(">" if theory.holds(">", rise) else ">=", larger - smaller)
+
+
 def _angle(theory: Theory, step: Step) -> tuple[Element, Element, Element]:
     angle = theory.read(step["angle"])
     return angle, _known(theory, "sin", angle), _known(theory, "cos", angle)
@@ -340,6 +351,7 @@ LAWS: Mapping[str, tuple[Callable[[Theory, Step], None], frozenset[str]]] = {
     "exponents": (exponents, frozenset({"target", "parts"})),
     "logarithms": (logarithms, frozenset({"target", "parts"})),
     "equal powers": (equal_powers, frozenset({"left", "right", "degree"})),
+    "order of powers": (order_of_powers, frozenset({"larger", "smaller", "degree"})),
     "zero of sine": (zero_of_sine, frozenset({"angle"})),
     "full turn": (full_turn, frozenset({"angle"})),
     "sine in range": (sine_in_range, frozenset({"angle"})),

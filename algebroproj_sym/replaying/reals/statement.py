@@ -131,8 +131,9 @@ class Statement:
         >>> [(relation, written(term)) for relation, term in statement.at({"x": read("pi/2")}, fails=True)]
         [('>=', '-(1 - sin(pi/2))')]
         """
+        values = [pair for value in point.values() for pair in conditions(value)]
         given = [pair for own in (*self.given, *self.domain) for pair in (*conditions(own[1]), own)]
-        found = [*given, *self.asked(), *([opposite(self.goal)] if fails else [])]
+        found = [*values, *given, *self.asked(), *([opposite(self.goal)] if fails else [])]
         return [(relation, _at(explicit(term), point)) for relation, term in found]
 
 

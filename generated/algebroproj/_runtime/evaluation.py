@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from .backend import calls, exceeded
 from .exponents import repeated
 from .namespace import is_foreign, is_traced, namespace
+from .pairs import DIGITS
 from .threads import is_large, shared
 
 __all__ = ["Signature", "evaluate"]
@@ -100,8 +101,8 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
         If an argument lacks its core shape, the leading shapes do not broadcast, `out` has another shape, or arrays in
         `out` share memory.
     TypeError
-        If an argument is not numeric or has a mask, `out` has another dtype, arrays of several libraries meet, or
-        ``jax.jit`` is to compile what needs extra digits.
+        If an argument is not numeric or has a mask, `out` has another dtype, arrays of several libraries meet, objects
+        are given to an elementary function, or ``jax.jit`` is to compile what needs extra digits.
 
     Examples
     --------
@@ -130,6 +131,8 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     batch = batch_of(signature, [array.shape for array in arrays])
     dtype = _dtype(signature, given, arrays)
     if dtype.kind == "O":
+        if body.__name__ == f"_{signature.name}" and (called := elementary(body)):
+            raise TypeError(f"{signature.name}: expected machine numbers, which {called[0]} takes, got dtype object")
         arrays, body = _exact(arrays, body)
     is_compiled = signature.twin is not None and dtype in COMPILED
     if is_compiled:
@@ -180,6 +183,11 @@ def _brought_here(body: FunctionType) -> Body:
         if isinstance(value, FunctionType) and package.endswith("._runtime"):
             names[name] = getattr(import_module(f".{module}", __package__), value.__name__)
     return FunctionType(body.__code__, names, body.__name__)
+
+
+def elementary(body: Body) -> list[str]:
+    """Return the names of the elementary functions that the body of a generated function calls."""
+    return sorted({*body.__code__.co_names} - {"solve", "null_vector", *DIGITS})
 
 
 def placed(signature: Signature, arguments: Sequence[Any], named: Mapping[str, Any]) -> list[Any]:

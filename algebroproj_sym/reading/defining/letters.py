@@ -342,6 +342,9 @@ class _Parts(_Gathering):
 
     opaque = symbol
 
+    def shown(self, token: Token) -> _Part:
+        raise _refused(str(token))
+
     def call(self, token: Token, arguments: Any) -> _Part:
         name = str(token)
         if self.reader.is_defined(name):

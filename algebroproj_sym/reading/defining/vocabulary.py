@@ -11,6 +11,7 @@ from typing import Any, Literal
 import sympy
 
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
+from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, evaluated, symbols_in, text_of
@@ -159,7 +160,8 @@ class Vocabulary:
 
     def is_matrix(self, symbol: str) -> bool:
         """Whether a symbol is written as a vector or a matrix."""
-        return symbol in self._matrices or symbol in self._properties or _BOLD.search(symbol) is not None
+        bold = _BOLD.search(symbol) is not None or _is_accented(symbol)
+        return bold or symbol in self._matrices or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""
@@ -260,6 +262,12 @@ class Vocabulary:
         return function
 
 
+def _is_accented(symbol: str) -> bool:
+    r"""Whether a letter has an accent that nothing defines, as in ``\uvec{v}``: it may be that of a vector."""
+    match = re.match(r"(\\[a-zA-Z]+)\{", symbol)
+    return match is not None and match[1] not in STYLES
+
+
 _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
 
 
@@ -269,6 +277,7 @@ def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
     else:
         letter, primes, below, above = split_symbol(symbol)
         accents = "".join(f"_{each}" for each in _ACCENTS.findall(letter))
+        letter = re.sub(r"^\\(?!math)([a-zA-Z]+)\{", r"\1_{", letter) if _is_accented(letter) else letter
         plain = letters.get(letter) or re.sub(r"\\(?:math[a-z]+|mathbb)", "", _ACCENTS.sub("", letter)) + accents
         text = plain + (f"_{below}" if below else "") + "p" * primes + (f"_{above}" if above else "")
     text = text.replace(r"\lambda", "lam").replace("*", "star").replace("+", "plus").replace("-", "minus")

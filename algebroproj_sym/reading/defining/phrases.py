@@ -3,7 +3,7 @@ r"""Phrases by which a document says what a letter is: its size, or a property s
 ::
 
     $\mathbf{x} \in \mathbb{R}^3$, $R \in SO(3)$             sizes, and a rotation
-    $R$ is a rotation matrix, the rotation matrix $R$        likewise orthogonal, symmetric, skew-symmetric,
+    $R$ is a rotation matrix, the rotation matrix $R$,       likewise orthogonal, symmetric, skew-symmetric,
     $n$ is a unit vector, the unit vector $n$                positive definite and diagonal matrices
     $I$ is the identity matrix, the identity matrix $I$
 
@@ -35,6 +35,8 @@ _KINDS = (
 )
 _ANY = "|".join(f"({kind})" for kind, _ in _KINDS)
 _AFTER = re.compile(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_BE = re.compile(rf"^\$?\s*be\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_LET = re.compile(r"\blet(?: the \w+)?\s*\$?$", re.IGNORECASE)
 _BEFORE = re.compile(rf"(?<![\w-])(?:{_ANY})\s*$")
 _OF = re.compile(r"\bof (?:the |an? )?[\w -]*$")
 _ADJECTIVES = ("skew", "symmetric", "diagonal", "positive definite")
@@ -88,7 +90,7 @@ def _kind_of(statement: Statement) -> str:
     before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
     if _DOUBTS.search(before[-200:]):
         return ""
-    if match := _AFTER.match(after):
+    if match := _AFTER.match(after) or (_LET.search(before) and _BE.match(after)):
         return _KINDS[(match.lastindex or 1) - 1][1]
     match = _BEFORE.search(before)
     if match is None or _OF.search(before[: match.start()]):

@@ -19,6 +19,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula, evaluated, symbols_
 MOST_DEFINITIONS = 20_000
 Role = Literal["definition", "premise", "case"]
 
+_LIKE_IDENTITY = re.compile(r"I|\\math(?:bf|bb|rm)\{I\}")
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
 
@@ -101,6 +102,17 @@ class Vocabulary:
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
+
+    def with_identity(self, *trees: Formula) -> Vocabulary | None:
+        """Return the vocabulary in which a lone I is the identity matrix; None if there is none, or if it is given."""
+        letters = {symbol for tree in trees for symbol in self.letters_of(tree) if _LIKE_IDENTITY.fullmatch(symbol)}
+        given = {*self.definitions, *self._properties, *self._sizes}
+        if not letters or letters & given:
+            return None
+        found = self.copied()
+        found._properties |= dict.fromkeys(letters, ("identity",))
+        found.forget()
+        return found
 
     def forget(self) -> None:
         """Forget the values of all letters, so that they are computed again."""

@@ -293,7 +293,9 @@ _PARTNERS = {r"\[": r"\]", "$$": "$$", r"\(": r"\)", "$": "$"}
 
 
 def _up_to_formula(after: str) -> str:
-    match = re.search(r"\$\$|\\\[|\\begin\{(?:equation|align|gather|multline|eqnarray)|\n\s*\n", after)
+    match = re.search(
+        r"\$\$|\\\[|\\begin\{(?:equation|align|gather|multline|eqnarray)|\\end\{document\}|\n\s*\n", after
+    )
     return after[: match.start()] if match else after
 
 

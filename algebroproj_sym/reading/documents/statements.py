@@ -92,7 +92,7 @@ def statements(document: Document) -> list[Statement]:
 def inline_statements(document: Document) -> list[Statement]:
     """Return the inline formulas as statements."""
     return [
-        Statement(each, "", "", each.pieces, each.latex.strip(), "", each.reason)
+        Statement(each, "", "", each.pieces, "".join(piece.text for piece in each.pieces).strip(), "", each.reason)
         for each in document.formulas
         if each.environment == "inline"
     ]

@@ -281,6 +281,11 @@ class _Pass:
             ),
             *self._without_definitions(left, right, vocabulary),
         ]
+        ways += [
+            replace(way, vocabulary=known, reads=f"{' = '.join(map(known.text, way.sides))}, where I is the identity")
+            for way in ways
+            if not way.reads and (known := way.vocabulary.with_identity(*way.sides)) is not None
+        ]
         chained = len(formula.sides) > 2
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained)
         return asked.link, asked

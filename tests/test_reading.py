@@ -630,10 +630,14 @@ def test_a_folder_states_no_functions(tmp_path):
 
 def test_conditions_are_shown_as_they_are(tmp_path):
     path = tmp_path / "conditions.tex"
-    path.write_text(r"\[ \ln xy = \ln x + \ln y \] \[ \frac{x}{x} = 1 \]", encoding="utf-8")
+    latex = r"\[ \ln xy = \ln x + \ln y \] \[ \frac{x}{x} = 1 \] the rotation matrix $R$ \[ R^T R = RR^T \]"
+    path.write_text(latex + r"\[ \mathbf{a} = -\mathbf{a} \]", encoding="utf-8")
     shown = run("read", path, "--full").output
     assert "holds where x*y > 0, x > 0, y > 0" in shown
     assert "holds where x != 0" in shown
+    assert "holds where R is nxn rotation\n" in shown
+    assert "fails at a = [[" in shown
+    assert "'" not in shown
 
 
 def test_every_follows_is_proved_again():

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 import sympy
 
+from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -110,9 +111,20 @@ class Vocabulary:
         if not letters or letters & given:
             return None
         found = self.copied()
-        found._properties |= dict.fromkeys(letters, ("identity",))
         found.forget()
+        shapes = {each for each in map(self._shape_of, trees) if each and each[0] == each[1]}
+        if len(shapes) == 1:
+            found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
+        else:
+            found._properties |= dict.fromkeys(letters, ("identity",))
         return found
+
+    def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:
+        """Return the shape of what a formula stands for; None if it has no entries."""
+        try:
+            return shape(self.value(tree))
+        except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+            return None
 
     def forget(self) -> None:
         """Forget the values of all letters, so that they are computed again."""

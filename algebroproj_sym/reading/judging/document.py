@@ -279,6 +279,7 @@ class _Pass:
                 replace(each, doubt=doubt) if ranged else each
                 for each in self._with_premises(statement, formula, index, vocabulary)
             ),
+            *self._under_equations(statement, left, right, vocabulary),
             *self._without_definitions(left, right, vocabulary),
         ]
         ways += [
@@ -314,6 +315,23 @@ class _Pass:
         if made or more:
             known = extended(vocabulary, [*made, *more])
             yield Way(ours, theirs, known, doubt_of(self.beside, formula, index, vocabulary))
+
+    def _under_equations(
+        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
+    ) -> Iterator[Way]:
+        """Yield a relation under the equations just above it, and cited ones, that speak of its letters alone."""
+        letters = vocabulary.letters_of(left) | vocabulary.letters_of(right)
+        near = neighbours(self.premises, statement.display.part, cited_in(statement.display.before))
+        under = tuple(
+            each
+            for each in near
+            if each.gives is None
+            and not each.special
+            and (known := vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right))
+            and known <= letters
+        )
+        if under:
+            yield Way(left, right, vocabulary, under=under)
 
     def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
         """Yield a relation as it stands, of letters of which nothing is known but their sizes."""

@@ -56,6 +56,8 @@ class Premise:
         Whether words beside it speak of a case.
     words : frozenset of str
         The words beside it.
+    chained : bool
+        Whether it is part of a chain.
     """
 
     left: Formula
@@ -66,6 +68,7 @@ class Premise:
     names: frozenset[str]
     special: bool
     words: frozenset[str]
+    chained: bool
 
     @cached_property
     def gives(self) -> Definition | None:

@@ -222,7 +222,8 @@ class _Pass:
         special, words = bool(self.beside.case()), self.beside.words
         where, display = _where(statement), statement.display
         for left, right in pairs:
-            self.premises.append(Premise(left, right, where, display.part, display.place, names, special, words))
+            given = where, display.part, display.place, names, special, words
+            self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
 
     # -- definitions
 
@@ -326,7 +327,7 @@ class _Pass:
             each
             for each in near
             if each.gives is None
-            and not each.special
+            and not (each.special or each.chained)
             and (known := vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right))
             and known <= letters
         )

@@ -31,14 +31,14 @@ SOLUTIONS = 10
 BLOCK = 512
 """How many problems are solved at once."""
 
-ATTEMPTS = 3
+ATTEMPTS = 5
 """How often floating-point numbers try a problem, each time with other unknowns."""
 
 FEW = 5
 """Up to how many problems integers solve alone.  For so few, operations on arrays take longer."""
 
-STEPS = 3
-"""How many steps of Newton's method are made at most: one in the first attempt, then more."""
+MISSED = 2.0**-43
+"""By how much complex numbers of float64 miss an equation at most, as a share of the lengths of its two vectors."""
 
 RESIDUAL = 2.0**-89
 """By how much double-double numbers miss an equation at most, as a share of the lengths of its two vectors."""
@@ -52,6 +52,12 @@ CUBICS = list(combinations_with_replacement(range(4), 3))
 LEADING = [each for each in CUBICS if 3 not in each]
 ORDER = LEADING + [each for each in CUBICS if 3 in each]
 """The products without the last unknown, and then the others."""
+
+
+SQUARES = list(combinations_with_replacement(range(4), 2))
+TO_SQUARES = np.array([[float(tuple(sorted(each)) == square) for each in np.ndindex(4, 4)] for square in SQUARES])
+TO_CUBICS = np.array([[float(tuple(sorted((*two, k))) == each) for two in SQUARES for k in range(4)] for each in ORDER])
+"""Sums of the products of two unknowns in any order, and of those by a third one."""
 
 
 class FivePairs(NamedTuple):
@@ -157,16 +163,16 @@ def _solve(left: Numbers, right: Numbers, attempt: int, places: NDArray[Any], fo
     """Write the solutions of those problems that the test decides."""
     with np.errstate(all="ignore"):
         left, right = (np.concatenate([points, np.ones_like(points[..., :1])], axis=2) for points in (left, right))
-        starts = _eliminated(left, right, attempt)
+        starts, sides = _eliminated(left, right, attempt)
         usable = np.isfinite(starts).all(axis=(1, 2, 3))
         starts = np.where(usable[:, None, None, None], starts, np.eye(3))
-        tested = _tested(*_base_and_rotation(starts), left, right, min(1 + attempt, STEPS))
-        count, real = _counted(tested)
+        tested = _all_tested(starts, sides, left, right)
+        real = sides == 0
+        decided = usable & _are_different(tested)
         values, errors = _real_parts(tested)
     order = np.argsort(~real, axis=1, kind="stable")[..., None, None]
     kept = np.take_along_axis(real[..., None, None], order, axis=1)
-    decided = usable & (count >= 0)
-    found.count[places[decided]] = count[decided]
+    found.count[places[decided]] = real[decided].sum(axis=1)
     found.multiplicity[places[decided]] = kept[decided, :, 0, 0]
     found.case[places[decided]] = "counted"
     for part, numbers in ((found.E, values), (found.error, errors)):
@@ -194,35 +200,43 @@ def _solve_by_integers(left: Numbers, right: Numbers, found: FivePairs) -> None:
 # Approximate solutions.
 
 
-def _eliminated(left: Numbers, right: Numbers, attempt: int) -> Complex:
-    """Return ten approximate solutions, shape (n, 10, 3, 3), by elimination.
+def _eliminated(left: Numbers, right: Numbers, attempt: int) -> tuple[Complex, NDArray[np.int64]]:
+    """Return ten approximate solutions, shape (n, 10, 3, 3), by elimination, and the signs of their imaginary parts.
+
+    Those of a real matrix are real, with the sign 0, or conjugate pairs, one after the other, with the signs 1 and -1.
 
     The matrices that satisfy the five equations are sums of four, with the unknowns x, y, z, w.  Ten cubic equations
     give the ten products of x, y and z by those with w.  So multiplication by x is a matrix of ten rows, and its
     eigenvectors are the products with w of the solutions.  Each attempt has another reflection of the unknowns.
     """
-    rows = (left[..., None] * right[:, :, None, :]).reshape(-1, 5, 9)
-    rows /= np.linalg.norm(rows, axis=2, keepdims=True)
-    span = np.linalg.qr(rows.transpose(0, 2, 1), mode="complete")[0][:, :, 5:].transpose(0, 2, 1)
+    rows = _rows(left, right)
+    rows = rows / np.linalg.norm(rows, axis=2, keepdims=True)
+    span = np.linalg.qr(rows.swapaxes(1, 2), mode="complete")[0][:, :, 5:].swapaxes(1, 2)
     mirror = np.cos(attempt * np.arange(1, 5))
     reflection = np.eye(4) - 2 * np.outer(mirror, mirror) / (mirror @ mirror)
-    span = (reflection @ span).reshape(-1, 4, 3, 3)
-    squares = np.einsum("naij,nbkj->nabik", span, span)
-    traces = 2 * np.einsum("nabik,nckj->nabcij", squares, span) - np.einsum("nabii,ncjk->nabcjk", squares, span)
-    determinants = np.einsum("nai,nbci->nabc", span[:, :, 0], np.cross(span[:, :, None, 1], span[:, None, :, 2]))
-    terms = np.concatenate([traces.reshape(-1, 64, 9), determinants.reshape(-1, 64, 1)], axis=2)
-    places = [ORDER.index(tuple(sorted(each))) for each in np.ndindex(4, 4, 4)]
-    equations = terms.transpose(0, 2, 1) @ np.eye(20)[places]
-    products = -_inverse(equations[:, :, :10]) @ equations[:, :, 10:]
+    span = reflection @ span
+    stacked, forms = span.reshape(-1, 12, 3), span.reshape(-1, 4, 3, 3)
+    every = (stacked @ stacked.swapaxes(1, 2)).reshape(-1, 4, 3, 4, 3).swapaxes(2, 3).reshape(-1, 16, 9)
+    squares = TO_SQUARES @ every
+    crosses = TO_SQUARES @ np.cross(forms[:, :, None, 1], forms[:, None, :, 2]).reshape(-1, 16, 3)
+    cubes = squares.reshape(-1, 30, 3) @ forms.swapaxes(1, 2).reshape(-1, 3, 12)
+    traces = squares[:, :, ::4].sum(axis=2)
+    terms = np.empty((len(span), 10, 4, 10))
+    terms[..., :9] = 2 * cubes.reshape(-1, 10, 3, 4, 3).swapaxes(2, 3).reshape(-1, 10, 4, 9)
+    terms[..., :9] -= traces[:, :, None, None] * span[:, None]
+    terms[..., 9] = crosses @ forms[:, :, 0].swapaxes(1, 2)
+    equations = TO_CUBICS @ terms.reshape(-1, 40, 10)
+    products = -equations[:, 10:] @ _inverse(equations[:, :10])
     regular = (np.abs(products) < 1 / RESIDUAL).all(axis=(1, 2))
     products = np.where(regular[:, None, None], products, np.eye(10))
     times = [ORDER.index(tuple(sorted((0, *each[:2])))) for each in ORDER[10:]]
     known = np.broadcast_to(np.eye(10), products.shape)
-    vectors = np.linalg.eig(np.concatenate([products, known], axis=1)[:, times])[1]
+    values, vectors = np.linalg.eig(np.concatenate([products.swapaxes(1, 2), known], axis=1)[:, times])
     unknowns = vectors[:, [ORDER.index((k, 3, 3)) - 10 for k in range(4)]]
     unknowns = unknowns / np.linalg.norm(unknowns, axis=1, keepdims=True)
     unknowns = np.where(regular[:, None, None], unknowns, np.nan)
-    return np.asarray(np.einsum("nar,naij->nrij", unknowns, span), dtype=np.complex128)
+    solutions = unknowns.swapaxes(1, 2) @ span
+    return solutions.reshape(-1, SOLUTIONS, 3, 3).astype(np.complex128), np.sign(values.imag).astype(np.int64)
 
 
 def _base_and_rotation(essential: Complex) -> tuple[Complex, Complex]:
@@ -284,88 +298,85 @@ class _Tested:
     radius: Numbers
 
 
-class _Complex:
-    """A complex number of two double-double numbers."""
-
-    def __init__(self, real: Any, imaginary: Any) -> None:
-        self.real = real
-        self.imaginary = imaginary
-
-    def __add__(self, other: _Complex) -> _Complex:
-        return _Complex(self.real + other.real, self.imaginary + other.imaginary)
-
-    def __sub__(self, other: _Complex) -> _Complex:
-        return _Complex(self.real - other.real, self.imaginary - other.imaginary)
-
-    def __neg__(self) -> _Complex:
-        return _Complex(-self.real, -self.imaginary)
-
-    def __mul__(self, other: Any) -> _Complex:
-        if not isinstance(other, _Complex):
-            return _Complex(self.real * other, self.imaginary * other)
-        return _Complex(
-            self.real * other.real - self.imaginary * other.imaginary,
-            self.real * other.imaginary + self.imaginary * other.real,
-        )
-
-    __rmul__ = __mul__
-
-    def rounded(self) -> Complex:
-        return np.asarray(self.real.hi + 1j * self.imaginary.hi)
+def _all_tested(starts: Complex, sides: NDArray[np.int64], left: Numbers, right: Numbers) -> _Tested:
+    """Return all solutions: real ones in real numbers, one of two conjugate ones, and the other as its conjugate."""
+    found = _Tested(np.empty_like(starts), np.empty(sides.shape))
+    for side, test in ((0, _tested_precisely), (1, _tested)):
+        of_side = np.nonzero(sides == side)
+        start = starts[of_side] if side else starts[of_side].real
+        one = test(*_base_and_rotation(start), *(points[of_side[0]] for points in (left, right)))
+        for place in range(side + 1):
+            solution = of_side[0], of_side[1] + place
+            found.E[solution], found.radius[solution] = one.E.conj() if place else one.E, one.radius
+    return found
 
 
-def _tested(base: Complex, quaternion: Complex, left: Numbers, right: Numbers, steps: int) -> _Tested:
-    """Return solutions after steps of Newton's method, also with twice the digits, and how far exact ones are.
+def _tested(base: Complex, quaternion: Complex, left: Numbers, right: Numbers) -> _Tested:
+    """Return how far exact solutions are from approximate ones.
 
     The unknowns are the changes p of base and quaternion, both of length 1, and at right angles to them.  With the
     Jacobian J at p = 0 and Y, nearly its inverse, ``p - Y F(p) = -Y F(0) + (1 - Y J) p - Y Q(p)``.  For ``|p| <= r``,
     r below 1, an element of Q is at most 5 r**2 times the lengths of its two vectors (bridges 9/expansion: a product
     of complex quaternions is at most sqrt(2) times that of their lengths).  With ``h = |Y F(0)|``,
     ``|1 - Y J| <= 1/5`` and ``12 |Y| h <= 1/10`` the ball of radius 2 h is taken into itself, and distances in it are
-    at least halved: there is just one solution in it.
+    at least halved: there is just one solution in it.  If all numbers are real, so is the solution.
 
     What is rounded.  The terms of the nine elements have absolute values whose sums, as a vector, have a norm of at
-    most 7/2, and there are at most 32 operations on the way from base and quaternion to an equation.  In double-double
-    numbers each operation rounds at most 16 u**2, real and imaginary parts make this 2**13 u**2 in all: see RESIDUAL.
-    For a complex number of float64 it is 9/4 u; differences for derivatives have terms of 21, and 35 of them less than
-    2**15 u.  Where the second part of a solution is left out, a derivative changes by less than 32 times that.  A
-    solution changes the matrix by less than 8 times its own change.
+    most 7/2, and there are at most 32 operations on the way from base and quaternion to an equation.  A complex number
+    of float64 is rounded by 9/4 u; this makes less than 2**10 u: see MISSED.  Differences for derivatives have terms of
+    21, and 35 of them less than 2**15 u.  A solution changes the matrix by less than 8 times its own change.
     """
-    for _ in range(steps):
-        residual = _residuals(_essential(base, quaternion), left, right)
-        step = (_inverse(_jacobian(base, quaternion, left, right))[..., :5] @ residual[..., None])[..., 0]
-        base, quaternion = _unit(base - step[..., :3]), _unit(quaternion - step[..., 3:])
-    jacobian = _jacobian(base, quaternion, left, right)
-    inverse = _inverse(jacobian)
-    exact = [_double(part) for part in (*np.moveaxis(base, -1, 0), *np.moveaxis(quaternion, -1, 0))]
-    distance = np.zeros(base.shape[:2])
-    for _ in range(steps):
-        residual = _precise_residuals(_elements(exact), left, right)
-        step = (inverse[..., :5] @ residual[..., None])[..., 0]
-        distance += np.linalg.norm(step, axis=-1)
-        exact = [number - _double(change) for number, change in zip(exact, np.moveaxis(step, -1, 0), strict=True)]
-    elements = _elements(exact)
-    residual = _precise_residuals(elements, left, right)
-
-    lengths = np.linalg.norm(left, axis=2) * np.linalg.norm(right, axis=2)
-    weight = np.linalg.norm(inverse[..., :5] * lengths[:, None, None, :], axis=(2, 3))
-    missed = np.linalg.norm(residual / lengths[:, None, :], axis=2)
-    moved = np.linalg.norm(inverse[..., :5] @ residual[..., None], axis=(2, 3)) * (1 + 2.0**-20)
-    moved = moved + weight * (64 * ROUNDOFF * missed + 3 * RESIDUAL)
-    off = np.linalg.norm(inverse @ jacobian - np.eye(7), axis=(2, 3)) * (1 + 2.0**-20)
-    off = off + ROUNDOFF * (2.0**15 * weight + 64 * np.linalg.norm(inverse[..., 5:], axis=(2, 3)) + 64)
-    off = off + 32 * weight * distance
-    isotropic = np.minimum(*(np.abs((part**2).sum(axis=-1)) for part in (base, quaternion)))
-    passed = (off <= 0.2) & (12 * weight * moved <= 0.1) & (moved < PRECISE)
-    passed &= (isotropic > 8 * (moved + distance) + 2.0**-40) & (distance < 2.0**-20)
-    values = np.stack([number.rounded() for number in elements], axis=-1).reshape(*base.shape[:2], 3, 3)
-    return _Tested(values, np.where(passed, 16 * moved, np.inf))
+    rows = _rows(left, right)
+    essential, jacobian = _essential(base, quaternion), _jacobian(base, quaternion, rows)
+    residual = (rows @ essential.reshape(-1, 9, 1))[..., 0]
+    return _enclosed(base, quaternion, _inverse(jacobian), jacobian, essential, residual, MISSED, 0 * base, rows)
 
 
-def _double(number: Complex) -> _Complex:
+def _tested_precisely(base: Numbers, quaternion: Numbers, left: Numbers, right: Numbers) -> _Tested:
+    """Return real solutions after a step of Newton's method with twice the digits, and how far exact ones are.
+
+    In double-double numbers each operation rounds at most 16 u**2, which makes less than 2**13 u**2: see RESIDUAL.
+    Where the step is left out, a derivative changes by less than 32 times that.
+    """
     from ._runtime.pairs import DoubleDouble
 
-    return _Complex(DoubleDouble(number.real), DoubleDouble(number.imag))
+    rows = _rows(left, right)
+    jacobian = _jacobian(base, quaternion, rows)
+    inverse = _inverse(jacobian)
+    exact = [DoubleDouble(part) for part in (*np.moveaxis(base, -1, 0), *np.moveaxis(quaternion, -1, 0))]
+    step = -(inverse[..., :5] @ _precise_residuals(_elements(exact), left, right)[..., None])[..., 0]
+    elements = _elements([number + DoubleDouble(change) for number, change in zip(exact, step.T, strict=True)])
+    residual = _precise_residuals(elements, left, right)
+    essential = np.stack([number.hi for number in elements], axis=-1).reshape(-1, 3, 3)
+    found = _enclosed(base, quaternion, inverse, jacobian, essential, residual, RESIDUAL, step, rows)
+    return _Tested(found.E, np.where(found.radius < 16 * PRECISE, found.radius, np.inf))
+
+
+def _enclosed(
+    base: NDArray[Any],
+    quaternion: NDArray[Any],
+    inverse: NDArray[Any],
+    jacobian: NDArray[Any],
+    essential: NDArray[Any],
+    residual: NDArray[Any],
+    rounding: float,
+    step: NDArray[Any],
+    rows: Numbers,
+) -> _Tested:
+    """Return matrices and how far exact ones are; the Jacobian is that of a place before a step."""
+    distance = np.linalg.norm(step, axis=1)
+    lengths = np.linalg.norm(rows, axis=2)
+    weight = np.linalg.norm(inverse[..., :5] * lengths[:, None, :], axis=(1, 2))
+    missed = np.linalg.norm(residual / lengths, axis=1)
+    moved = np.linalg.norm(inverse[..., :5] @ residual[..., None], axis=(1, 2)) * (1 + 2.0**-20)
+    moved = moved + weight * (64 * ROUNDOFF * missed + 3 * rounding)
+    off = np.linalg.norm(inverse @ jacobian - np.eye(7), axis=(1, 2)) * (1 + 2.0**-20)
+    off = off + ROUNDOFF * (2.0**15 * weight + 64 * np.linalg.norm(inverse[..., 5:], axis=(1, 2)) + 64)
+    off = off + 32 * weight * distance
+    isotropic = np.minimum(*(np.abs((part**2).sum(axis=-1)) for part in (base, quaternion)))
+    passed = (off <= 0.2) & (12 * weight * moved <= 0.1)
+    passed &= (isotropic > 8 * (moved + distance) + 2.0**-40) & (distance < 2.0**-20)
+    return _Tested(essential, np.where(passed, 16 * moved, np.inf))
 
 
 def _elements(numbers: list[Any]) -> list[Any]:
@@ -376,67 +387,65 @@ def _elements(numbers: list[Any]) -> list[Any]:
     return list(parts_of(minimal.essential_matrix, "five_pairs")[1](*numbers))
 
 
-def _essential(base: Complex, quaternion: Complex) -> Complex:
-    numbers = _elements([*np.moveaxis(base, -1, 0), *np.moveaxis(quaternion, -1, 0)])
-    return np.stack(np.broadcast_arrays(*numbers), axis=-1).reshape(*numbers[0].shape, 3, 3)
+def _essential(base: NDArray[Any], quaternion: NDArray[Any]) -> NDArray[Any]:
+    from . import minimal, plain
+
+    function = plain(minimal.essential_matrix) if base.dtype.kind == "c" else minimal.essential_matrix
+    return np.asarray(function(base, quaternion))
 
 
-def _residuals(essential: Complex, left: Numbers, right: Numbers) -> Complex:
-    return np.asarray(np.einsum("nki,nrij,nkj->nrk", left, essential, right, optimize=True))
+def _rows(left: Numbers, right: Numbers) -> Numbers:
+    """Return the equations of five pairs for the nine elements, shape (n, 5, 9)."""
+    return (left[..., None] * right[:, :, None, :]).reshape(-1, 5, 9)
 
 
-def _precise_residuals(elements: list[Any], left: Numbers, right: Numbers) -> Complex:
-    """Return what five pairs leave of the equation, shape (n, 10, 5), computed with twice the digits."""
-    u, v = ([points[:, None, :, k] for k in range(3)] for points in (left, right))
-    spread = [_Complex(number.real[..., None], number.imaginary[..., None]) for number in elements]
+def _precise_residuals(elements: list[Any], left: Numbers, right: Numbers) -> Numbers:
+    """Return what five pairs leave of the equation, shape (n, 5), computed with twice the digits."""
+    u, v = ([points[..., k] for k in range(3)] for points in (left, right))
+    spread = [number[..., None] for number in elements]
     lines = [(spread[3 * i] * v[0] + spread[3 * i + 1] * v[1]) + spread[3 * i + 2] for i in range(3)]
-    return ((lines[0] * u[0] + lines[1] * u[1]) + lines[2]).rounded()
+    return np.asarray(((lines[0] * u[0] + lines[1] * u[1]) + lines[2]).hi)
 
 
-def _jacobian(base: Complex, quaternion: Complex, left: Numbers, right: Numbers) -> Complex:
-    """Return the derivatives of the five equations, and of the two that keep lengths, shape (n, 10, 7, 7).
+def _jacobian(base: NDArray[Any], quaternion: NDArray[Any], rows: Numbers) -> NDArray[Any]:
+    """Return the derivatives of the five equations, and of the two that keep lengths, shape (n, 7, 7).
 
     The matrix is linear in the base and quadratic in the quaternion: differences are derivatives.
     """
     here = _essential(base, quaternion)
-    by_base = [_essential(np.broadcast_to(unit, base.shape), quaternion) for unit in np.eye(3, dtype=complex)]
+    by_base = [_essential(np.broadcast_to(unit, base.shape), quaternion) for unit in np.eye(3, dtype=base.dtype)]
     by_rotation = [
         _essential(base, quaternion + unit) - here - _essential(base, np.broadcast_to(unit, quaternion.shape))
-        for unit in np.eye(4, dtype=complex)
+        for unit in np.eye(4, dtype=base.dtype)
     ]
-    found = np.zeros((*base.shape[:2], 7, 7), complex)
-    for k, derivative in enumerate(by_base + by_rotation):
-        found[..., :5, k] = _residuals(derivative, left, right)
-    found[..., 5, :3], found[..., 6, 3:] = base.conj(), quaternion.conj()
+    found = np.zeros((len(base), 7, 7), here.dtype)
+    found[:, :5] = rows @ np.stack(by_base + by_rotation, axis=-1).reshape(-1, 9, 7)
+    found[:, 5, :3], found[:, 6, 3:] = base.conj(), quaternion.conj()
     return found
 
 
-# Which solutions are different, and which of them real.
+# Which solutions are different.
 
 
-def _counted(tested: _Tested) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
-    """Return the number of real solutions, -1 where it is not decided, and which are real.
+def _are_different(tested: _Tested) -> NDArray[np.bool_]:
+    """Return whether ten different solutions are known.
 
-    With a solution its conjugate is one, too.  If this is none of the other nine, the solution is real.
+    Then those that were found as real ones are real, and the others are not: each is another one than its conjugate.
     """
     size = np.linalg.norm(tested.E, axis=(2, 3))
     units = (tested.E / size[..., None, None]).reshape(-1, SOLUTIONS, 9)
     radius = tested.radius / size
     limit = 4 * (radius[:, :, None] + radius[:, None, :]) + 2.0**-40
-    itself = np.eye(SOLUTIONS, dtype=bool)
-    different = (_apart(units, units) > limit) | itself
-    unlike = _apart(units.conj(), units) > limit
-    real, not_real = (unlike | itself).all(axis=2), unlike[:, itself]
-    decided = (radius < 2.0**-10).all(axis=1) & different.all(axis=(1, 2)) & (real ^ not_real).all(axis=1)
-    return np.where(decided, real.sum(axis=1), -1), real
+    different = (_apart(units) > limit) | np.eye(SOLUTIONS, dtype=bool)
+    return np.asarray((radius < 2.0**-10).all(axis=1) & different.all(axis=(1, 2)))
 
 
-def _apart(first: Complex, second: Complex) -> Numbers:
-    """Return the distances of unit vectors from the lines through others."""
-    along = first @ second.conj().swapaxes(1, 2)
+def _apart(units: Complex) -> Numbers:
+    """Return the distances of unit vectors from the lines through the others."""
+    along = units @ units.conj().swapaxes(1, 2)
     distance = np.sqrt(np.maximum(1 - np.abs(along) ** 2, 0))
     n, i, j = near = np.nonzero(~(distance > 2.0**-10))
-    distance[near] = np.linalg.norm(first[n, i] - along[near][:, None] * second[n, j], axis=1)
+    distance[near] = np.linalg.norm(units[n, i] - along[near][:, None] * units[n, j], axis=1)
     return np.asarray(distance)
 
 

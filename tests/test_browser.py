@@ -3,7 +3,6 @@
 ``pytest tests/test_browser.py --site DIR`` checks every page of a site that was written before.
 """
 
-import re
 import shutil
 import subprocess
 import sys
@@ -272,12 +271,17 @@ def test_the_search_forgives_a_typo(site, browser, query, title):
     page.close()
 
 
-def test_a_button_copies_the_printed_form(site, browser):
-    page = opened(browser, [], viewport=DESKTOP)
+@pytest.mark.parametrize(
+    ("what", "copied"), [("TeX", r"\frac"), ("Python", "z11"), ("BibTeX", "@misc{"), ("link", "2.2.6.html")]
+)
+def test_a_button_copies(site, browser, what, copied):
+    context = browser.new_context(permissions=["clipboard-read", "clipboard-write"])
+    page = context.new_page()
     page.goto((site / "fundamentals1996" / "2.2.6.html").as_uri())
-    page.get_by_role("button", name="the printed form").click()
-    page.locator(".copies [role=status]").get_by_text(re.compile("Copied|z")).wait_for()
-    page.close()
+    page.get_by_role("button", name=what, exact=True).click()
+    page.locator(".copies [role=status]").get_by_text("Copied.").wait_for()
+    assert copied in page.evaluate("navigator.clipboard.readText()")
+    context.close()
 
 
 def test_a_phone_has_the_search_in_one_line(site, browser):

@@ -2,6 +2,7 @@
 
 import copy
 import json
+import random
 import re
 import subprocess
 import sys
@@ -232,12 +233,43 @@ def test_the_replay_has_the_same_rules():
 
 
 @pytest.mark.parametrize("size", [1, 2, 3, 4])
-@pytest.mark.parametrize("name", ["left adjugate", "right adjugate", "determinant of an inverse"])
+@pytest.mark.parametrize("name", [name for name in RULES if "adjugate" in name or "inverse" in name])
 def test_definitions_hold_for_explicit_matrices(name, size):
     matrix = sympy.Matrix(size, size, lambda i, j: (i + 2) ** j + (i == j))
     text = RULES[name].replace("(n)", f"({size})")
     value = eval(text, {"__builtins__": {}}, FUNCTIONS | {"A": matrix})
     assert value == 0 or value.is_zero_matrix
+
+
+@pytest.mark.parametrize("inner", [1, 2, 3])
+@pytest.mark.parametrize("size", [1, 2, 3])
+@pytest.mark.parametrize("name", ["determinant of a product", "determinant of a rank-one update", "Schur complements"])
+def test_laws_of_determinants_hold_for_explicit_matrices(name, size, inner):
+    generator = random.Random(size + 10 * inner)
+    of_vectors, of_blocks = "rank-one" in name, "Schur" in name
+    width = 1 if of_vectors else inner if of_blocks else size
+    shapes = {"A": (size, size), "B": (size, width), "C": (width, size) if of_blocks else (size, width)}
+    matrices = {
+        letter: sympy.Matrix(*shape, lambda i, j: generator.randint(-9, 9) + 20 * (i == j))
+        for letter, shape in (shapes | {"D": (width, width)}).items()
+    }
+    functions = FUNCTIONS | {"det": lambda matrix: sympy.Matrix([[matrix.det()]])}
+    assert eval(RULES[name], {"__builtins__": {}}, functions | matrices).is_zero_matrix
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "letters", "verdict"),
+    [
+        ("adj(0*A)", "0*A", {"A": "nxn"}, "refuted"),
+        ("adj(0*A)", "eye(1)", {"A": "1x1"}, "proved"),
+        ("adj(0*A)", "0*A", {"A": "2x2"}, "proved"),
+        ("adj(A)", "A", {"A": "1x1"}, "refuted"),
+        ("adj(K)", "K*K", {"K": "nxn skew"}, "refuted"),
+    ],
+)
+def test_the_adjugate_of_a_matrix_of_one_row_is_one(left, right, letters, verdict):
+    record = record_of(left, right, letters)
+    assert (record["verdict"], replay_identity(record).status) == (verdict, "replayed")
 
 
 # -- forgeries: the evidence of a true statement does not show a false one
@@ -254,7 +286,14 @@ TRUE = {
     "constraint": ("A**-1*B", "B*A**-1", {"A": "nxn", "B": "nxn"}, ("A*B = B*A",)),
     "trace": ("trace(Q.T*A*Q)", "trace(A)", {"Q": "nxn orthogonal", "A": "nxn"}, ()),
     "cross": ("skew(n)**3", "-skew(n)", {"n": "3x1 unit"}, ()),
-    "entries": ("det(A + u*v.T)", "det(A) + v.T*adj(A)*u", {"A": "2x2 symmetric", "u": "2x1", "v": "2x1"}, ()),
+    "entries": (
+        "det(A + u*v.T)",
+        "A[0, 0]*A[1, 1] - A[0, 1]**2 + v.T*adj(A)*u",
+        {"A": "2x2 symmetric", "u": "2x1", "v": "2x1"},
+        (),
+    ),
+    "determinants": ("det(A + B*C)", "det(A)*det(eye(m) + C*A**-1*B)", {"A": "nxn", "B": "nxm", "C": "mxn"}, ()),
+    "common factor": ("det(A*B + A)", "det(A)*det(B + eye(3))", {"A": "3x3", "B": "3x3"}, ()),
     "rotation": ("det(R - eye(3))", "0", {"R": "3x3 rotation"}, ()),
     "signs": ("Q**2 - trace(Q)*Q", "-det(Q)*eye(2)", {"Q": "2x2 orthogonal"}, ()),
     "equations": ("det(P)**2", "det(P)", {"P": "2x2 idempotent"}, ()),
@@ -291,6 +330,16 @@ FORGERIES = {
     "a weaker property": ("words", lambda r: r["letters"].update(Q="nxn symmetric")),
     "a rule that is not there": ("words", lambda r: at(r, "certificate", "rules", 0).update(rule="orthogonal sums")),
     "a rule of another letter": ("words", lambda r: at(r, "certificate", "rules", 0).update(of=["A"])),
+    "a complement of other matrices": ("determinants", lambda r: at(r, "certificate", "rules", 0, "of").reverse()),
+    "a complement with an inverse that is not stated": (
+        "determinants",
+        lambda r: at(r, "certificate", "rules", 0)["of"].__setitem__(3, "eye(m) + C*B"),
+    ),
+    "a complement of three matrices": ("determinants", lambda r: at(r, "certificate", "rules", 0, "of").pop()),
+    "a determinant of a number and a matrix": (
+        "common factor",
+        lambda r: at(r, "certificate", "rules", 0)["of"].__setitem__(0, "trace(A)"),
+    ),
     "a rule of a product": ("words", lambda r: at(r, "certificate", "rules", 0).update(of=["Q*A"])),
     "another rule": ("words", lambda r: at(r, "certificate", "rules", 0).update(rule="idempotent")),
     "the other orthogonality": ("words", lambda r: at(r, "certificate", "rules", 0).update(rule="orthogonal rows")),

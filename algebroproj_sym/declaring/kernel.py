@@ -231,7 +231,8 @@ def declared_kernel(
     """Return a kernel, after checking that its declaration is complete.
 
     Arguments can be letters, as ``MatrixSymbol("S", 3, 3)``, and forms can speak of these.  They are then written out
-    here, once.  A letter can be symmetric, skew or diagonal by ``properties={S: "symmetric"}``.
+    here, once.  By ``properties={S: "symmetric"}`` a letter is symmetric, skew, diagonal, positive definite,
+    orthogonal, a rotation, or a unit vector.
 
     Raises
     ------

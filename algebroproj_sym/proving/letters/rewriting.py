@@ -115,7 +115,9 @@ class _Search:
         self.algebra = algebra
         self.rules = rules
         self.leads = [max(rule.poly.terms, key=order) for rule in rules]
-        self.longest_first = sorted(range(len(rules)), key=lambda place: -len(self.leads[place][1]))
+        self.longest_first = sorted(
+            range(len(rules)), key=lambda place: (-len(self.leads[place][1]), -len(self.leads[place][0]))
+        )
         self.places = {
             (rule.name, rule.of[0].key): place
             for place, rule in enumerate(rules)

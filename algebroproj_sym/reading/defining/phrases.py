@@ -63,6 +63,22 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
     return _agreed(_properties(statements))
 
 
+def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the symbols that are said to be vectors, matrices, tensors or quaternions: their order matters."""
+    found = set[str]()
+    for each in statements:
+        if each.display.environment == "inline":
+            before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
+            if _THING_BEFORE.search(before[-200:]) or _THING_AFTER.match(after):
+                found |= {*_symbols(each.latex)}
+    return frozenset(found)
+
+
+_THINGS = r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?)"
+_THING_BEFORE = re.compile(rf"\b{_THINGS}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
+_THING_AFTER = re.compile(rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{_THINGS}\b")
+
+
 def _agreed(found: Iterable[tuple[str, Value]]) -> dict[str, Value]:
     said: dict[str, set[Value]] = {}
     for symbol, value in found:

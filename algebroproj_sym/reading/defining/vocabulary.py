@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -172,6 +172,8 @@ class Vocabulary:
             return constant
         if symbol == r"\infty":
             raise UnreadableError("infinity is no number")
+        if is_operator(symbol):
+            raise UnreadableError(f"{self.name(symbol)} is an operator, and not computed")
         size = self.size_of(symbol)
         if size is not None and not self.is_component(symbol):
             name = self.name(symbol)
@@ -269,10 +271,27 @@ class Vocabulary:
 
         return names
 
+    def _are(self, arguments: Sequence[Any], parameters: Sequence[str]) -> bool:
+        """Whether a function is taken at the letters with which it was defined."""
+        return all(
+            isinstance(a, sympy.Symbol) and a.name == self.name(p) for a, p in zip(arguments, parameters, strict=True)
+        )
+
+    def _hidden_in(self, definition: Definition) -> str:
+        r"""Return a parameter that stands within another symbol, as in ``\frac{dy}{dx}`` and ``x_1``."""
+        inner = [each for used in self.used_in(definition.tree) for each in used.symbols if each not in used.parameters]
+        for parameter in definition.parameters:
+            within = (each for each in (*definition.symbols, *inner) if each != parameter)
+            if parameter in inner or any(_stands_in(parameter, each) for each in within):
+                return self.name(parameter)
+        return ""
+
     def _function(self, definition: Definition, values: Mapping[str, Any]) -> Callable[..., Any]:
         def function(*arguments: Any) -> Any:
             if len(arguments) != len(definition.parameters):
                 raise UnreadableError(f"{definition.symbol} is a function of {len(definition.parameters)} arguments")
+            if (hidden := self._hidden_in(definition)) and not self._are(arguments, definition.parameters):
+                raise UnreadableError(f"{definition.symbol} depends on {hidden} in a way that is not computed")
             if definition.tree.data == "slope":
                 letters = [sympy.Dummy(each) for each in definition.parameters]
                 inside = evaluated(
@@ -286,23 +305,38 @@ class Vocabulary:
         return function
 
 
+def is_operator(symbol: str) -> bool:
+    r"""Whether a symbol is an operator, such as ``\nabla`` and ``\partial_t``, and no letter."""
+    return re.match(r"(?:\\[a-z]+\{)?\\(?:nabla|partial)(?![a-zA-Z /])", symbol) is not None and "/" not in symbol
+
+
 def _is_accented(symbol: str) -> bool:
     r"""Whether a letter has an accent that nothing defines, as in ``\uvec{v}``: it may be that of a vector."""
     match = re.match(r"(\\[a-zA-Z]+)\{", symbol)
     return match is not None and match[1] not in STYLES
 
 
+def _stands_in(letter: str, symbol: str) -> bool:
+    """Whether a letter is a part of a symbol."""
+    if "/" in symbol:
+        return re.sub(r"[{}]", "", letter) in re.sub(r"[{}]", "", symbol)
+    return re.search(rf"(?<![a-zA-Z\\]){re.escape(letter)}(?![a-zA-Z])", symbol) is not None
+
+
 _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
 
 
 def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
-    if " " in symbol or "/" in symbol:
+    if " " in symbol or re.match(r"(d|\\partial).*/\1", symbol):
         text = symbol
     else:
         letter, primes, below, above = split_symbol(symbol)
         accents = "".join(f"_{each}" for each in _ACCENTS.findall(letter))
         letter = re.sub(r"^\\(?!math)([a-zA-Z]+)\{", r"\1_{", letter) if _is_accented(letter) else letter
-        plain = letters.get(letter) or re.sub(r"\\(?:math[a-z]+|mathbb)", "", _ACCENTS.sub("", letter)) + accents
+        plain = (
+            letters.get(letter)
+            or re.sub(r"\\math(?:bf|cal|rm|bb|frak|sf|it|tt|scr|ds)", "", _ACCENTS.sub("", letter)) + accents
+        )
         text = plain + (f"_{below}" if below else "") + "p" * primes + (f"_{above}" if above else "")
     text = text.replace(r"\lambda", "lam").replace("*", "star").replace("+", "plus").replace("-", "minus")
     name = re.sub(r"\W+", "_", re.sub(r"[\\{}]", "", text), flags=re.ASCII).strip("_") or "symbol"

@@ -71,7 +71,10 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
         elif text in _OVER:
             over, base = waiting.group(), waiting.group()
             relation = "".join(each.text for each in base).strip()
-            defines = relation == "=" and re.search(r"def|triangle", "".join(each.text for each in over))
+            above = "".join(each.text for each in over).strip()
+            if relation == "=" and above in ("!", "?"):
+                relation = r"\equiv"
+            defines = relation == "=" and re.search(r"def|triangle", above)
             plain = [piece, *_braced(piece, over), *_braced(piece, base)]
             out += _at(piece, ":=" if defines else relation) if relation in RELATIONS else plain
         elif text in _FRAMES:

@@ -88,8 +88,14 @@ def take_letter(cursor: Cursor) -> str:
     cursor.index += 1
     if text in STYLES or text in UPRIGHT or (cursor.text == "{" and _is_accent(text)):
         inside = bare(cursor.group())
-        return inside if text in UPRIGHT and len(inside) > 1 else inside if text in UPRIGHT else f"{text}{{{inside}}}"
+        if text == r"\mathbf" and (accented := _ACCENTED.fullmatch(inside)):
+            return rf"{accented[1]}{{\mathbf{accented[2]}}}"
+        return inside if text in UPRIGHT else f"{text}{{{inside}}}"
     return text
+
+
+_ACCENTED = re.compile(r"(\\(?:d*dot|tilde|bar|hat|overline|widehat|widetilde|check|breve))([a-zA-Z]|\\[a-zA-Z]+)")
+r"""A letter with an accent: ``\mathbf{\hat s}`` is printed as ``\hat{\mathbf s}`` is."""
 
 
 def _is_accent(text: str) -> bool:
@@ -204,9 +210,17 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
         cursor.index += len(inside)
         cursor.out.append(Token("SHOWN", whole + "".join(piece.text for piece in inside), start_pos=start))
         return
-    before_bracket = cursor.functions is not None and not raised and cursor.peek() == "("
-    called = before_bracket and (whole in (cursor.functions or ()) or _at_argument(cursor))
+    bracket = cursor.peek() if cursor.functions is not None and not raised else ""
+    called = bracket == "(" and (whole in (cursor.functions or ()) or _at_argument(cursor))
+    called = called or (bracket in ("(", "[") and _FUNCTION.fullmatch(whole) is not None)
+    called = called or (bracket == "[" and _EXPECTATION.fullmatch(whole) is not None)
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
+
+
+_FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|delta|Delta|Pr)|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
+"""What is a function before a bracket, whatever stands in it."""
+_EXPECTATION = re.compile(r"[EPV](?:_.*)?")
+"""What is a function before a square bracket."""
 
 
 def bracket_ahead(cursor: Cursor) -> list[Piece]:

@@ -166,7 +166,7 @@ def _readable(value: Any) -> Markup | str:
         if all(isinstance(each, int) for each in value):
             return ", ".join(map(str, value))
         return Markup("<ul>{}</ul>").format(_items(value))
-    return _code(value) if isinstance(value, str) else str(value)
+    return _code(value) if isinstance(value, str) else _item(value)
 
 
 def _items(values: Iterable[Any]) -> Markup:

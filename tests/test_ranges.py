@@ -126,6 +126,17 @@ def test_results_are_written_where_the_arguments_were():
     assert np.array_equal(rows[:, 4:7], expected)
 
 
+@pytest.mark.parametrize("part", [slice(0, 5), slice(1, 6), slice(2, 7), slice(4, None, -1), slice(0, 10, 2)])
+@pytest.mark.parametrize("size", [1.0, 1e-200])
+def test_results_are_written_over_arguments(part, size):
+    """Arrays in the usual layout are written at once, unless they share memory with an argument."""
+    memory = np.linspace(1, 2, 10) * size
+    x, f = memory[:5].copy(), np.full(5, 3 * size)
+    found = optics.scale(memory[:5], f, out=memory[part])
+    assert found.base is memory
+    assert np.array_equal(memory[part], optics.scale(x, f))
+
+
 def test_threads_notice_it(monkeypatch):
     rows = of_sizes(np.float64, (0.5, 2.0), 2000)
     rows[1700] *= 1e-60

@@ -108,16 +108,13 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     >>> float(evaluate(ratio, lambda x0, x1: (x0 / x1,), ([1, 2],)))
     0.5
     """
-    if signature.twin is not None and (out is None or _is_small(out)):
-        results = calls[signature.twin](*given)
-        if results is not None and out is None:
-            return results
-        if results is not None and _has_room(out, results):
-            out[...] = results
-            return out
-    if signature.twin is not None and _are_alike(given) and (out is None or _is_fitting(signature, given, out)):
+    if signature.twin is not None:
+        results = calls[signature.twin](*given) if out is None else calls[signature.twin](*given, out)
+        if results is not None:
+            return results if out is None else out
+    if signature.twin is not None and out is None and _are_alike(given):
         try:
-            results = signature.twin(*given) if out is None else signature.twin(*given, out)
+            results = signature.twin(*given)
             if not exceeded():
                 return results
         except ValueError:  # another shape, of which the rest of this function knows what to say
@@ -249,31 +246,6 @@ def _are_alike(given: Sequence[Any]) -> bool:
         if type(array) is not np.ndarray or array.dtype is not dtype or is_large(array.shape):
             return False
     return dtype in COMPILED
-
-
-def _is_small(out: Any) -> bool:
-    """Whether copying a result into an array costs less than a ufunc that writes there."""
-    return type(out) is np.ndarray and out.size < BLOCK
-
-
-def _has_room(out: Any, result: Any) -> bool:
-    """Whether an array takes one result as it is."""
-    if isinstance(result, tuple) or out.dtype is not result.dtype:
-        return False
-    return bool(out.shape == result.shape and out.flags.writeable)
-
-
-def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:
-    """Whether alike arguments have one leading shape, and the one array for the result has it and memory of its own."""
-    first = given[0]
-    if type(out) is not np.ndarray or out.dtype is not first.dtype or len(signature.results) > 1:
-        return False
-    batch = first.shape[: first.ndim - len(signature.arguments[0][1])]
-    cores = [core for _, core in signature.arguments]
-    return out.shape == batch + signature.results[0] and all(
-        array.shape == batch + core and not np.may_share_memory(array, out)
-        for array, core in zip(given, cores, strict=True)
-    )
 
 
 def batch_of(signature: Signature, shapes: Sequence[Shape]) -> Shape:

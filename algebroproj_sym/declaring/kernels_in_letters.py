@@ -16,12 +16,11 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
-from algebroproj_sym.expressions import Matrix, over
-from algebroproj_sym.expressions.letters import ONE, LetterError, Reading, Term, factors_of, made, number
-from algebroproj_sym.proving.letters.derivatives import KINDS
-from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
+from algebroproj_sym.declaring.letters_in_entries import EXPRESSIONS, require_rational
+from algebroproj_sym.expressions import Matrix
+from algebroproj_sym.expressions.letters import ONE, LetterError, Reading, Term, made, number
+from algebroproj_sym.proving.letters.entries import Rows, entries_of
 from algebroproj_sym.proving.letters.properties import Letter, coordinates, declared_letters
-from algebroproj_sym.proving.letters.series import FUNCTIONS
 from algebroproj_sym.proving.statements import speaks_of_letters
 
 _ENTRIES = {"symmetric", "skew", "diagonal", "positive definite"}
@@ -32,7 +31,6 @@ _SIMPLER = {
     "positive definite": "Taken as positive definite.",
 }
 """Properties by which a form becomes simpler, or is defined, and what is said of an argument that has them."""
-_EXPRESSIONS = Field(lambda value: sympy.Rational(value.numerator, value.denominator), over)
 
 
 def entry_by_entry(parts: Mapping[str, Any], label: str) -> dict[str, Any]:
@@ -90,8 +88,8 @@ class _Letters:
         unknown = sorted(self.reading.letters.keys() - self.rows.keys())
         if unknown:
             raise LetterError(f"{name}: expected the letters of the arguments, got also {', '.join(unknown)}")
-        _require_rational(term, name)
-        rows = entries_of(_scaled_last(simpler(term, self.declared)), self.rows, self.reading.scalars, _EXPRESSIONS)
+        require_rational(term, name)
+        rows = entries_of(_scaled_last(simpler(term, self.declared)), self.rows, self.reading.scalars, EXPRESSIONS)
         return rows[0][0] if term.shape == ONE else Matrix(rows)
 
 
@@ -103,7 +101,7 @@ def _rows(letter: Letter) -> Rows:
             f"every matrix, got {', '.join(letter.declared)}"
         )
     found = coordinates(replace(letter, properties=letter.properties & _ENTRIES))
-    return entries_of(found.entries, {}, {name: sympy.Symbol(name) for name in found.names}, _EXPRESSIONS)
+    return entries_of(found.entries, {}, {name: sympy.Symbol(name) for name in found.names}, EXPRESSIONS)
 
 
 def simpler(term: Term, letters: Mapping[str, Letter]) -> Term:
@@ -173,9 +171,3 @@ def _scaled_last(term: Term) -> Term:
     if term.kind == "product":
         parts.sort(key=lambda part: part.shape == ONE)
     return replace(term, parts=(*parts,))
-
-
-def _require_rational(term: Term, name: str) -> None:
-    others = {part.kind for part in factors_of(term)} & {*FUNCTIONS, *KINDS}
-    if others:
-        raise LetterError(f"{name}: expected rational functions of the entries, got {', '.join(sorted(others))}")

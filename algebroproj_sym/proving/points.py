@@ -73,11 +73,11 @@ def rational_zeros(
         for part, (places, group) in enumerate(_apart(polynomials))
     ]
     for found in product(*(points for _, points in parts)):
-        values = list(found[0])
+        values = [*found[0]]
         for (places, _), other in zip(parts, found, strict=True):
             for place in places:
                 values[place] = other[place]
-        point: Point = dict(zip(symbols, values, strict=True))
+        point: Point = dict(zip(symbols, values, strict=True))  # type: ignore[arg-type]
         if vanish(expressions, point):
             yield point
 

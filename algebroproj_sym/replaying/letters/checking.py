@@ -72,7 +72,7 @@ def require_in_letters(record: Mapping[str, Any]) -> None:
         If it does not.
     """
     given, certificate = stated(record), record["certificate"]
-    statement = without_derivatives(without_definitions(without_lengths(given)))
+    statement = without_definitions(without_derivatives(without_lengths(given)))
     if record["verdict"] == "refuted":
         require(certificate["method"] == "counterexample", "expected the method 'counterexample'")
         require(record["hypotheses"] == [], "a counterexample needs no hypotheses")
@@ -126,7 +126,7 @@ class _AtPoint:
             require(same and has_properties(letter, letters[name]), f"{name} is not what it is declared to be")
         numbers = {name: entry(name, point[name]) for name in symbols}
         entries = Entries(Algebra(numbers.__getitem__, Fraction), letters, sizes, turn)
-        for node in given.constraints:
+        for node in without_derivatives(given).constraints:
             require(not any(map(any, entries.of(node))), "the point violates a constraint")
         if turn is not None:
             self._require_homogeneous(statement, turn)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from itertools import combinations
 from math import gcd
 
 from algebroproj_sym.proving.reals.constants import constant_zero
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised
+from algebroproj_sym.proving.reals.rewriting import reduced_by
 from algebroproj_sym.replaying.field import Element
 
 ARCS = ("asin", "atan", "atan2")
@@ -87,7 +89,7 @@ def _ranged(knowledge: Knowledge, function: str, angle: Element) -> bool:
     """Give an angle its range if its sine, or its cosine, is not negative."""
     theory = knowledge.theory
     value = _value(knowledge, function, angle)
-    if value is None or not knowledge.positive(value):
+    if value is None or not (knowledge.positive(value) or _by_square_of_term(knowledge, value)):
         return False
     turn = theory.pi if function == "sine" else theory.pi * theory.number(Fraction(3, 2))
     strict = not theory.holds(">", value)
@@ -97,6 +99,25 @@ def _ranged(knowledge: Knowledge, function: str, angle: Element) -> bool:
         and knowledge.positive(high, strict)
         and knowledge.step(f"range of {function}", angle=knowledge.said(angle))
     )
+
+
+def _by_square_of_term(knowledge: Knowledge, element: Element) -> bool:
+    """Show that what is equal to t - u is not negative, as one of its terms t is not, and t**2 >= u**2."""
+    polynomial = knowledge.into(element.numerator)
+    reduced = reduced_by(polynomial, knowledge.rules(polynomial))
+    if reduced is None or len(reduced[0]) != 2 or -1 in knowledge.seen(element):
+        return False
+    for powers, value in reduced[0].to_dict().items():
+        term = knowledge.context.from_dict({powers: value})
+        rest = term - reduced[0]
+        texts = [knowledge.said(knowledge.back(side)) for side in (term, rest)]
+        if (
+            knowledge.positive(knowledge.back(term))
+            and knowledge.positive(knowledge.back(term**2 - rest**2))
+            and knowledge.step("order of powers", larger=texts[0], smaller=texts[1], degree=2)
+        ):
+            return knowledge.positive(element)
+    return False
 
 
 def _value(knowledge: Knowledge, function: str, angle: Element) -> Element | None:
@@ -136,30 +157,16 @@ def by_angle(knowledge: Knowledge, goal: Element, relate: Relate) -> bool:
     theory = knowledge.theory
     if not {*ARCS} & {known.function for known in theory.applications.values()} or knowledge.seen(goal) - {0}:
         return False
+    if _by_sines(knowledge, goal):
+        return True
     _with_roots(knowledge)
     relate(knowledge)
-    if knowledge.zero(goal):
+    if knowledge.zero(goal) or _by_sines(knowledge, goal):
         return True
-    whole = knowledge.settled(theory.field.element(theory.signed(goal, parity=False)))
-    terms = dict(theory.signed(whole, parity=False).terms)
-    arcs = _arcs_in(knowledge, terms)
-    if len(terms) > MOST_ANGLES or not arcs:
+    numerator, arcs = _angle_of(knowledge, goal)
+    if not arcs:
         return False
-    numerator = knowledge.rational(terms)
-    common = gcd(*(count for _, _, count in arcs))
-    base = numerator * theory.number(Fraction(1, common))
-    for arc, _, count in arcs:
-        _bounded_by_special(knowledge, arc, abs(count) // common)
-    for arc, function, count in arcs:
-        rest = arc - numerator * theory.number(Fraction(1, count))
-        if (
-            function == "asin"
-            and abs(count) == common
-            and not rest.is_zero
-            and _by_sine(knowledge, arc, rest)
-            and knowledge.zero(goal)
-        ):
-            return True
+    base = numerator * theory.number(Fraction(1, gcd(*(count for _, _, count in arcs))))
     for scale in (Fraction(1), Fraction(1, 2)):
         angle, pi = base * theory.number(scale), theory.pi
         half = knowledge.positive(pi - angle, True) and knowledge.positive(pi + angle, True)
@@ -168,8 +175,40 @@ def by_angle(knowledge: Knowledge, goal: Element, relate: Relate) -> bool:
     return False
 
 
+def _angle_of(knowledge: Knowledge, goal: Element) -> tuple[Element, list[tuple[Element, str, int]]]:
+    """Return a goal as an angle, after rewriting, and its arcs; none if it has too many terms."""
+    theory = knowledge.theory
+    whole = knowledge.settled(theory.field.element(theory.signed(goal, parity=False)))
+    terms = dict(theory.signed(whole, parity=False).terms)
+    return knowledge.rational(terms), _arcs_in(knowledge, terms) if len(terms) <= MOST_ANGLES else []
+
+
+def _by_sines(knowledge: Knowledge, goal: Element) -> bool:
+    """Show that an arc of a sine is the rest of an angle, of which it is said to be the opposite."""
+    numerator, arcs = _angle_of(knowledge, goal)
+    common = gcd(*(count for _, _, count in arcs))
+    for arc, _, count in arcs:
+        _bounded_by_special(knowledge, arc, abs(count) // common)
+    for (one, first, _), (two, second, _) in combinations(arcs, 2):
+        if first == second == "asin":
+            for larger, smaller in ((one, two), (two, one), (one, -two), (-two, one)):
+                if -1 not in knowledge.seen(larger - smaller) and not knowledge.positive(larger - smaller):
+                    _ordered(knowledge, larger, smaller)
+    for arc, function, count in arcs:
+        rest = arc - numerator * knowledge.theory.number(Fraction(1, count))
+        if (
+            function == "asin"
+            and abs(count) == common
+            and not rest.is_zero
+            and _by_sine(knowledge, arc, rest)
+            and knowledge.zero(goal)
+        ):
+            return True
+    return False
+
+
 def by_order(knowledge: Knowledge, relation: str, goal: Element) -> bool:
-    """Show that an arc of a sine is more, or less, than an angle by its sine."""
+    """Show that an arc is more, or less, than an angle by its sine, or by the range that its sine and cosine give."""
     if relation not in (">", ">=") or goal.exponents:
         return False
     numerator = knowledge.theory.signed(goal)
@@ -179,7 +218,13 @@ def by_order(knowledge: Knowledge, relation: str, goal: Element) -> bool:
             larger, smaller = (arc, rest) if count > 0 else (rest, arc)
             if _ordered(knowledge, larger, smaller, relation == ">") and knowledge.positive(goal, relation == ">"):
                 return True
-    return False
+    if not _arcs_in(knowledge, numerator.terms):
+        return False
+    _with_roots(knowledge)
+    for name, known in [*knowledge.theory.applications.items()]:
+        if known.function in ARCS:
+            arc_decided(knowledge, name, knowledge.theory.field.symbol(name))
+    return knowledge.positive(goal, relation == ">")
 
 
 def _arcs_in(knowledge: Knowledge, terms: Mapping[int, int]) -> list[tuple[Element, str, int]]:
@@ -236,7 +281,7 @@ def _bounded_by_special(knowledge: Knowledge, arc: Element, count: int) -> None:
         return
     quarter = theory.pi * theory.number(Fraction(1, 2 * count))
     turn = theory.pi * theory.number(Fraction(1, 2))
-    for bound in (quarter, turn - quarter - quarter):
+    for bound in (quarter, turn - quarter - quarter)[: 1 if count == 3 else 2]:
         for side in (bound, -bound):
             for larger, smaller in ((side, arc), (arc, side)):
                 rise = larger - smaller

@@ -7,7 +7,13 @@ from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.proving.reals.analysis import Analysis
-from algebroproj_sym.proving.reals.arcs import arc_decided, by_angle, by_order, turn_decided, turned_by_an_eighth
+from algebroproj_sym.proving.reals.arcs import (
+    arc_decided,
+    by_angle,
+    by_order,
+    turn_decided,
+    turned_by_an_eighth,
+)
 from algebroproj_sym.proving.reals.constants import constant_zero
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised

@@ -45,6 +45,8 @@ READ_PAGE = """() => {
     links: [...document.querySelectorAll("[href], [src]")]
       .map((element) => new URL(element.getAttribute("href") ?? element.getAttribute("src"), document.baseURI).href),
     anchors: [...document.querySelectorAll("[id]")].map((element) => element.id),
+    cut: [...document.querySelectorAll(".formula, .line-formula, .wide")].filter(shown)
+      .filter((element) => element.scrollHeight > element.clientHeight + 1).map((element) => element.outerHTML),
     overflow: document.documentElement.scrollWidth - document.documentElement.clientWidth,
   };
 }"""
@@ -227,15 +229,16 @@ def test_the_edges_of_a_formula_stand_out_in_the_graph_while_it_has_the_focus(si
     page.close()
 
 
-def test_a_phone_shows_every_page_without_scrolling_sideways(site, browser, request):
-    problems, wide = [], []
+def test_a_phone_shows_every_page_without_scrolling_sideways_and_cuts_no_formula(site, browser, request):
+    problems, wide, cut = [], [], []
     page = opened(browser, problems, viewport=PHONE)
     for name in addresses(site, request):
         page.goto((site / name).as_uri())
-        if page.evaluate(READ_PAGE)["overflow"] > 0:
-            wide.append(name)
+        read = page.evaluate(READ_PAGE)
+        wide += [name] if read["overflow"] > 0 else []
+        cut += [(name, element) for element in read["cut"]]
     page.close()
-    assert wide == problems == []
+    assert wide == cut == problems == []
 
 
 @pytest.mark.parametrize("query", ["2.2.6", "(2.2.6)"])

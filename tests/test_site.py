@@ -199,6 +199,16 @@ def test_every_link_and_anchor_resolves(files):
     assert checked > 100
 
 
+def test_a_section_of_references_has_an_anchor_for_each():
+    section = Section("demo", "0", "References")
+    section.reference("0.1", "reference", printed="1.2", meant="1.2")
+    files = render_site(
+        catalogue([judge(claim) for claim in section.claims], [Derivation("demo", section, Path("demo.py"))])
+    )
+    assert 'href="index.html#0.1"' in files["demo/0.1.html"]
+    assert "0.1" in Page(files["demo/index.html"]).identifiers
+
+
 def test_nothing_is_loaded_from_elsewhere(files):
     elsewhere = r"(?:src|href|action)=\"(?:[a-z]+:|//)|url\((?!data:)|@import|fetch\(|https?://"
     for name, text in files.items():
@@ -547,6 +557,10 @@ def test_the_search_finds_numbers_titles_and_symbols(site):
     assert {"z11", "zeta11"} <= {*found[5].split()}
     assert any("u'1" in entry[5].split() and "up1" in entry[5].split() for entry in index)
     assert any(entry[1] == "function" and entry[2].startswith("correlation.") for entry in index)
+    assert [entry[0] for entry in index if "Brandst\u00e4tter" in entry[3]] == [
+        "fundamentals1996/index.html",
+        "rhodos1990/index.html",
+    ]
     assert all(entry[0] in site for entry in index)
 
 
@@ -762,7 +776,7 @@ def test_the_index_has_every_entry_of_the_catalogue():
     section = demonstration()
     source = Derivation("demo", section, Path("demo.py"))
     whole = catalogue([judge(claim) for claim in section.claims], [source] * len(section.claims))
-    assert len(search_index(whole, symbols_in(whole))) == len(section.claims)
+    assert len(search_index(whole, symbols_in(whole))) == len(section.claims) + len(whole.papers)
     assert isinstance(section.claims[9].printed, Decimal)
     assert Path("demo/1.8.html").as_posix() in {entry[0] for entry in search_index(whole, symbols_in(whole))}
     assert entries(section.claims[4].printed)[1] == -y

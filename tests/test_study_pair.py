@@ -225,6 +225,14 @@ def test_a_pair_whose_prediction_hardly_holds_is_not_trusted():
     assert "Linear prediction is off by 19 %" in judgement.reasons[0]
 
 
+def test_pairs_that_are_measured_once_and_listed_twice_are_noticed():
+    known = pair(5, "ordinary", 40, 0.5)
+    twice = [np.concatenate([side, side + 0.01]) for side in (known.x1, known.x2)]
+    found = judge(*twice, 0.5)
+    assert found.verdict == UNDECIDED
+    assert found.reasons[0] == "80 pairs are the same as others but for 0.1 sigma: they count twice."
+
+
 def test_errors_that_are_too_large_contradict_sigma():
     x1, x2 = known_pair(1, "ordinary", 40, 2.0)
     judgement = judge(x1, x2, 0.2)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import cKDTree
 from scipy.stats import chi2
 
 from algebroproj_derivations.studies.pairs import estimating, explaining, predicting
@@ -41,6 +42,10 @@ IMPRECISE = Limit(0.05, 0.2)
 """Of the error at check points: its share of the width of the points."""
 CONTRADICTED = Limit(2.0, 4.0)
 """Of the sum of squares: minus the decimal logarithm of the probability that it is so large."""
+REPEATED = Limit(0.01, np.inf)
+"""Of pairs that are nearer to another one than errors let them be: their share."""
+TOGETHER = 0.1
+"""How near that is, in standard deviations of a coordinate: independent errors of a point, three times in a million."""
 CHANCE = -2.0
 """Of pairs that a RANSAC has kept: the decimal logarithm of how many such sets wrong pairs alone would give."""
 WIDTH = 2 * np.sqrt(2)
@@ -161,7 +166,13 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float, frames: ArrayLike | None =
     large = f"{bound:.2g} px" if share < 1 else "as large as the pictures"
     off = f"{100 * bent:.0f} %" if bent < 1 else "more than 100 %"
     unlikely = -np.log10(max(probability, 1e-300))
+    again = _repeated(pairs.pixels, sigma)
     figures = (
+        (
+            again.mean(),
+            REPEATED,
+            f"{again.sum()} pairs are the same as others but for {TOGETHER:g} sigma: they count twice.",
+        ),
         (share, IMPRECISE, f"The error at check points may be {large}."),
         (bent, BENT, f"Linear prediction is off by {off} at three standard deviations."),
         (-second, AMBIGUOUS, f"Another matrix fits, too: {second:.1f} standard deviations worse."),
@@ -204,6 +215,12 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float, frames: ArrayLike | None =
         additions=tuple(explaining.additions(pairs, fit, sigma, checks)),
         sigma=sigma,
     )
+
+
+def _repeated(pixels: Numbers, sigma: float) -> NDArray[np.bool_]:
+    """Return which pairs are nearer to another one than independent errors let them be."""
+    rows = np.concatenate(list(pixels), axis=1)
+    return np.asarray(cKDTree(rows).query(rows, k=2)[0][:, 1] < TOGETHER * sigma)
 
 
 def require_sigma(sigma: float) -> None:

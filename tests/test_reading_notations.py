@@ -14,8 +14,8 @@ def read(latex, **options):
 @pytest.mark.parametrize(
     ("latex", "expected"),
     [
-        (r"p(y|x) = p(x|y) p(y)/p(x)", ["[p(y|x)] = [p(x|y)]*p(y)/p(x)"]),
-        (r"\mathrm{Pr}(X < a) = \frac12", ["[Pr(X < a)] = 1/2"]),
+        (r"p(y|x) = p(x|y) p(y)/p(x)", ["p_y_x = p_x_y*p(y)/p(x)"]),
+        (r"\mathrm{Pr}(X < a) = \frac12", ["Pr_X_a = 1/2"]),
         (r"y = \left\lbrace y_1, \ldots, y_n \right\rbrace", [r"y = [\lbrace y_1, \ldots, y_n \right\rbrace]"]),
         (r"s = x_1 + \cdots + x_n", [r"s = x_1 + [\cdots] + x_n"]),
         (r"s = x_1 + ... + x_n", [r"s = x_1 + [\ldots] + x_n"]),

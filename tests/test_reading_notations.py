@@ -67,3 +67,7 @@ def test_blocks_of_code_are_formulas_where_they_say_so():
     text = "A\n```math\na = b\n```\nand\n```{math}\n:label: two\nc = d\n```\nand\n```python\ne = f\n```\n"
     found = read_document(document_of(text, latex=False))
     assert [(each.line, each.number, each.read) for each in found] == [(2, "", "a = b"), (6, "two", "c = d")]
+
+
+def test_blocks_of_code_that_do_not_close_end_within_bounds():
+    assert read_document(document_of("```math\n" * 20_000, latex=False)) == []

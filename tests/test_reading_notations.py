@@ -14,8 +14,8 @@ def read(latex, **options):
 @pytest.mark.parametrize(
     ("latex", "expected"),
     [
-        (r"p(y|x) = p(x|y) p(y)/p(x)", ["[p(y|x)] = [p(x|y)]*p(y)/p(x)"]),
-        (r"\mathrm{Pr}(X < a) = \frac12", ["[Pr(X < a)] = 1/2"]),
+        (r"p(y|x) = p(x|y) p(y)/p(x)", ["p_y_x = p_x_y*p(y)/p(x)"]),
+        (r"\mathrm{Pr}(X < a) = \frac12", ["Pr_X_a = 1/2"]),
         (r"y = \left\lbrace y_1, \ldots, y_n \right\rbrace", [r"y = [\lbrace y_1, \ldots, y_n \right\rbrace]"]),
         (r"s = x_1 + \cdots + x_n", [r"s = x_1 + [\cdots] + x_n"]),
         (r"s = x_1 + ... + x_n", [r"s = x_1 + [\ldots] + x_n"]),
@@ -67,3 +67,7 @@ def test_blocks_of_code_are_formulas_where_they_say_so():
     text = "A\n```math\na = b\n```\nand\n```{math}\n:label: two\nc = d\n```\nand\n```python\ne = f\n```\n"
     found = read_document(document_of(text, latex=False))
     assert [(each.line, each.number, each.read) for each in found] == [(2, "", "a = b"), (6, "two", "c = d")]
+
+
+def test_blocks_of_code_that_do_not_close_end_within_bounds():
+    assert read_document(document_of("```math\n" * 20_000, latex=False)) == []

@@ -33,13 +33,9 @@ _CODE = re.compile(
     r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
 )
 _INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
-_FENCE = re.compile(r"^(```|~~~).*?^\1|`[^`\n]*`", re.DOTALL | re.MULTILINE)
-_MATH_FENCE = re.compile(
-    r"^(?P<indent>[ \t]*)(?P<mark>```|~~~|:::)[ \t]*(?:math|\{math\})[^\n]*(?P<options>(?:\n[ \t]*:\w+:[^\n]*)*)"
-    r"(?P<inside>\n.*?)^[ \t]*(?P=mark)(?=[ \t]*$)",
-    re.DOTALL | re.MULTILINE,
-)
-"""A formula in a block of code, as in GitHub and MyST."""
+_CODE_IN_LINE = re.compile(r"`[^`\n]*`")
+_MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
+"""The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
@@ -190,7 +186,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     """
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbers = lines or tuple(range(1, len(starts) + 1))
-    plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _FENCE.sub(_blank, _MATH_FENCE.sub(_dollars, text))
+    plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _CODE_IN_LINE.sub(_blank, _without_blocks(text))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -231,11 +227,29 @@ def _blank(found: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", found.group())
 
 
-def _dollars(found: re.Match[str]) -> str:
-    """Return a block of code that is a formula as one between dollars, with the same lines and characters."""
-    options = _OPTION.sub(lambda each: rf"\label{{{each[1]}}}" if each[1] else _blank(each), found["options"])
-    opening = found["indent"] + "$$" + " " * (found.start("options") - found.end("indent") - 2)
-    return f"{opening}{options}{found['inside']}$$".ljust(len(found.group()))
+def _without_blocks(text: str) -> str:
+    """Return Markdown without blocks of code; those that are formulas stand between dollars, at the same places."""
+    kept, place = list[str](), 0
+    opening: re.Match[str] | None = None
+    for mark in _MARK.finditer(text):
+        if opening is None and (mark[2] != ":::" or mark[3]):
+            kept.append(text[place : mark.start()])
+            place, opening = mark.start(), mark
+        elif opening is not None and mark[2] == opening[2] and not mark.group().strip(" \t`~:"):
+            block = text[place : mark.end()]
+            kept.append(_between_dollars(block, opening) if opening[3] else re.sub(r"[^\n]", " ", block))
+            place, opening = mark.end(), None
+    return "".join([*kept, text[place:]])
+
+
+def _between_dollars(block: str, opening: re.Match[str]) -> str:
+    first, _, rest = block.partition("\n")
+    inside = rest[: rest.rfind(opening[2])]
+    lines = inside.split("\n")
+    options = next((i for i, line in enumerate(lines) if not _OPTION.fullmatch(line.strip())), len(lines))
+    named = [_OPTION.sub(lambda each: rf"\label{{{each[1]}}}" if each[1] else _blank(each), x) for x in lines[:options]]
+    inside = "\n".join([*named, *lines[options:]])
+    return f"{'$$'.ljust(len(first))}\n{inside}$$".ljust(len(block))
 
 
 _OPTION = re.compile(r"(?::label: (\S+)|:\w+:)[^\n]*")

@@ -205,10 +205,12 @@ def _read_differential(cursor: Cursor, letter: str, start: int) -> None:
 
 
 def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -> None:
-    """Add the token of a letter, or of a function before its bracket, with what is only shown of it."""
+    """Add the token of a letter, or of a function before its bracket, or a value with a condition, as in ``p(y|x)``."""
     if cursor.functions is not None and not raised and says_more(inside := bracket_ahead(cursor)):
         cursor.index += len(inside)
-        cursor.out.append(Token("SHOWN", whole + "".join(piece.text for piece in inside), start_pos=start))
+        cursor.chose = "a value with a condition is a letter of its own"
+        text = "".join(piece.text for piece in inside if not piece.text.isspace() and piece.text not in DROPPED)
+        cursor.out.append(Token("SYMBOL", f"{whole} {text}", start_pos=start))
         return
     bracket = cursor.peek() if cursor.functions is not None and not raised else ""
     called = bracket == "(" and (whole in (cursor.functions or ()) or _at_argument(cursor))

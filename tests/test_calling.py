@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import algebroproj
-from algebroproj import correlation, metric, normal_case, optics, projection, space
+from algebroproj import collinearity, correlation, metric, normal_case, optics, projection, space
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating.runtime import threads
 from algebroproj_sym.generating.runtime.evaluation import Signature, evaluate
@@ -175,6 +175,14 @@ def test_what_is_exact_goes_exactly_from_function_to_function():
     for tau in (mu_left, mu_right):
         mapped = normal_case.map_points(tau, np.array([1, 2], object))
         assert all(isinstance(value, Fraction) for value in (*tau, *mapped))
+
+
+@pytest.mark.parametrize("function", [collinearity.similarity, metric.rotation_left, metric.rotations_from_correlation])
+def test_elementary_functions_take_machine_numbers(function):
+    shapes = [core for _, core in function.__globals__[f"_{function.__name__.upper()}_SIGNATURE"].arguments]
+    name = f"{function.__name__}: expected machine numbers"
+    with pytest.raises(TypeError, match=name):
+        function(*(np.full(shape, Fraction(1, 2), object) for shape in shapes))
 
 
 # What a compiler may do

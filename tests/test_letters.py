@@ -842,6 +842,7 @@ def test_the_example_has_right_and_wrong_ones_each_with_its_source(claims):
     assert len(slips) >= 30
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_the_command_decides_and_replays_a_file(tmp_path, repository):
     path = repository / "examples" / "rotations" / "claims.json"
     answers = CliRunner().invoke(main, ["check", str(path), "--format", "json"])
@@ -852,6 +853,7 @@ def test_the_command_decides_and_replays_a_file(tmp_path, repository):
     assert "96 identities: 96 replayed, 0 rejected" in result.output
 
 
+@pytest.mark.usefixtures("decided_here")
 @pytest.mark.parametrize(
     ("changes", "message"),
     [

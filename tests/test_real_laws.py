@@ -63,6 +63,9 @@ def on_a_range(function, *ends, variable="x", bits=64):
     return {"law": "on a range", "variable": variable, "function": function, "ends": [*ends], "bits": bits}
 
 
+POWERS = {"law": "order of powers", "larger": "x", "smaller": "y", "degree": 2}
+ORDER = {"law": "order of sines", "larger": "x", "smaller": "y"}
+
 # law: what is given, each needed; the terms that are defined; the step; what follows; steps that are wrong
 CASES = [
     (["x > 0"], ["y"], {"law": "defined", "term": "sqrt(x) + log(x) + 1/x"}, None, [
@@ -154,6 +157,20 @@ CASES = [
     (["sin(x) > 0", "-pi <= x", "x <= 2*pi"], [], {"law": "range of sine", "angle": "x"}, (">", "pi - x"), []),
     (["cos(x) > 0", "-3*pi/2 <= x", "x <= 3*pi/2"], [], {"law": "range of cosine", "angle": "x"},
      (">", "pi + 2*x"), []),
+    (["sin(x) >= 0", "-pi < x", "x < 2*pi"], [], {"law": "range of sine", "angle": "x"}, (">=", "pi - x"), []),
+    (["sin(x) >= 0", "-pi < x", "x < 2*pi"], [], {"law": "range of sine", "angle": "x"}, (">=", "x"), []),
+    (["cos(x) >= 0", "-3*pi/2 < x", "x < 3*pi/2"], [], {"law": "range of cosine", "angle": "x"},
+     (">=", "pi + 2*x"), []),
+    (["x >= 0", "x^2 - y^2 >= 0"], [], POWERS, (">=", "x - y"), [
+        {**POWERS, "degree": 1}, {**POWERS, "degree": 3}, {**POWERS, "degree": 0}, {**POWERS, "degree": -2},
+        {**POWERS, "larger": "y", "smaller": "x"}, {**POWERS, "larger": "-x"}, {**POWERS, "smaller": "2*y"},
+    ]),
+    (["x >= 0", "x^3 - y^3 > 0"], [], {**POWERS, "degree": 3}, (">", "x - y"), []),
+    (["sin(x) >= sin(y)", "-pi/2 <= x", "x <= pi/2", "-pi/2 <= y", "y <= pi/2"], [], ORDER, (">=", "x - y"), [
+        {**ORDER, "larger": "y", "smaller": "x"}, {**ORDER, "larger": "x + 1"}, {**ORDER, "smaller": "-y"},
+    ]),
+    (["sin(x) > sin(y)", "-pi/2 <= x", "x <= pi/2", "-pi/2 <= y", "y <= pi/2"], [], ORDER, (">", "x - y"), []),
+    (["sin(x) = sin(y)", "-pi/2 <= x", "x <= pi/2", "-pi/2 <= y", "y <= pi/2"], [], ORDER, ("=", "x - y"), []),
     (["x > 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1 - 1"), [
         {"law": "sign function", "target": "x"},
     ]),
@@ -233,6 +250,16 @@ def test_a_range_that_is_not_strict_gives_no_strict_sign():
     known = theory(["0 <= x", "x <= pi"], ["sin(x)"])
     apply(known, {"law": "sine in range", "angle": "x"})
     assert not known.holds(">", known.term(read("sin(x)")))
+
+
+@pytest.mark.parametrize(("law", "given"), [
+    ("range of sine", ["sin(x) >= 0", "-pi <= x", "x < 2*pi"]),
+    ("range of sine", ["sin(x) >= 0", "-pi < x", "x <= 2*pi"]),
+    ("range of cosine", ["cos(x) >= 0", "-3*pi/2 <= x", "x < 3*pi/2"]),
+    ("range of cosine", ["cos(x) >= 0", "-3*pi/2 < x", "x <= 3*pi/2"]),
+])  # fmt: skip
+def test_a_sign_that_is_not_strict_gives_no_range_where_the_ends_belong_to_it(law, given):
+    assert not accepts(theory(given), {"law": law, "angle": "x"})
 
 
 POINTS = [Fraction(p, q) for p, q in ((1, 2), (-1, 2), (2, 1), (-3, 1), (7, 5), (1, 9), (-11, 3), (0, 1))]

@@ -219,7 +219,7 @@ def test_no_formula_shows_markup_as_text(files):
 
 
 def test_evidence_is_not_shown_as_python_writes_it(files):
-    assert [name for name, text in files.items() if name.endswith(".html") and "{&#39;" in text] == []
+    assert [name for name, text in files.items() if name.endswith(".html") and ">{&#39;" in text] == []
 
 
 def test_no_formula_of_any_function_shows_markup_as_text():

@@ -6,14 +6,19 @@ from contextlib import closing
 
 import numpy as np
 import pytest
+import xarray
 from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 
+from algebroproj_derivations.studies.pair import STUDY
+from algebroproj_derivations.studies.pairs import estimating, explaining, populating, space
 from algebroproj_derivations.studies.pairs.cameras import camera, distorted, ideal, read_cameras, undistorted
 from algebroproj_derivations.studies.pairs.colmap import LAST_IMAGE
+from algebroproj_derivations.studies.pairs.critical import nearest_critical
 from algebroproj_derivations.studies.pairs.judging import DISTRUST, judge, selected
 from algebroproj_derivations.studies.pairs.measuring import measured
+from algebroproj_derivations.studies.pairs.normalising import pairs_of
 from algebroproj_derivations.studies.pairs.pair_files import read_pairs
 from algebroproj_derivations.studies.pairs.populating import pair
 from algebroproj_derivations.studies.pairs.robust import chance, kept
@@ -329,3 +334,78 @@ def test_the_command_names_faults(tmp_path, options, message):
     )
     assert result.exit_code == 2, result.output
     assert message in " ".join(result.stderr.split())
+
+
+def object_points(seed, kind="ordinary", sigma=0.5, count=20, share=1e-3):
+    """Return pixels of both pictures, shape (2, n, 2), and their object points."""
+    rng = np.random.default_rng(seed)
+    centers = np.array([[0.0, 0.0, 0.0], [0.5, 0.05, 0.1]])
+    while True:
+        cameras = [populating.FOCAL_MATRIX @ populating._towards(rng, center, 0.05) for center in centers]
+        surface = populating._surface(rng, kind, centers)
+        objects = populating._points(rng, count, cameras, centers, surface, share)
+        if objects is not None:
+            seen = [populating._seen(camera, center, objects) for camera, center in zip(cameras, centers, strict=True)]
+            return np.stack(seen) + sigma * rng.normal(size=(2, count, 2)), 100 * objects
+
+
+def written(path, pixels, objects, known):
+    """Write a file of pairs of which some have object points."""
+    lines = ["x1,y1,x2,y2,E,N,H"]
+    for k, (one, two, place) in enumerate(zip(*pixels, objects, strict=True)):
+        given = ",".join(map(repr, map(float, place))) if k < known else ",,"
+        lines.append(",".join(map(repr, map(float, (*one, *two)))) + f",{given}")
+    path.write_text("\n".join(lines) + "\n")
+
+
+def test_exact_pairs_are_where_their_object_points_are():
+    pixels, objects = object_points(1, sigma=0.0)
+    pairs = pairs_of(*pixels)
+    known = np.where(np.arange(20)[:, None] < 6, objects, np.nan)
+    points = space.reconstructed(estimating.minima(pairs)[0].matrix, pairs)
+    assert np.abs(space.placed(points, space.into_space(points, known)) - objects).max() < 1e-6
+
+
+def test_object_points_tell_errors_in_space(tmp_path):
+    pixels, objects = object_points(1)
+    written(tmp_path / "pairs.csv", pixels, objects, 8)
+    arguments = ["study", "pair", "--file", str(tmp_path / "pairs.csv"), "--points", "E,N,H", "--members", "20"]
+    result = CliRunner().invoke(main, [*arguments, "--out", str(tmp_path / "out")])
+    assert result.exit_code == 0, result.output
+    assert "8 object points: off by" in result.output
+    with xarray.open_dataset(tmp_path / "out" / "pair.nc", engine="h5netcdf") as dataset:
+        apart = np.linalg.norm(dataset.place_again.values - dataset.place.values, axis=-1)
+        true = np.linalg.norm(dataset.place.values - objects, axis=-1)
+    # The true errors are such as the simulated ones: their ratio has a median of about 1.
+    assert 0.3 < np.median(true / np.median(apart, axis=0)) < 3
+
+
+@pytest.mark.parametrize(("kind", "expected"), [("quadric", "In space this is a"), ("plane", "from a plane")])
+def test_the_surface_is_told_in_space(kind, expected):
+    pixels, objects = object_points(3, kind, count=12)
+    pairs = pairs_of(*pixels)
+    sentence = explaining.in_space(pairs, nearest_critical(pairs), objects)
+    assert expected in sentence
+    assert float(re.search(r"are ([0-9.e-]+)", sentence)[1]) < 1
+
+
+@pytest.mark.parametrize(
+    ("known", "points", "message"),
+    [
+        (4, "E,N,H", "points: expected at least 5 object points, got 4"),
+        (8, "E,N", "points: expected three names such as X,Y,Z, got E,N"),
+        (8, "E,N,Z", "expected one column Z in the first line"),
+    ],
+)
+def test_faults_of_object_points_are_named(tmp_path, known, points, message):
+    written(tmp_path / "pairs.csv", *object_points(1), known)
+    with pytest.raises(ValueError, match=message):
+        STUDY.arguments({"file": tmp_path / "pairs.csv", "points": points})
+
+
+def test_object_points_in_a_plane_determine_nothing():
+    pixels, objects = object_points(1, sigma=0.0)
+    pairs = pairs_of(*pixels)
+    points = space.reconstructed(estimating.minima(pairs)[0].matrix, pairs)
+    with pytest.raises(ValueError, match="got points of a plane or a line"):
+        space.into_space(points, objects * [1, 1, 0])

@@ -188,6 +188,11 @@ class Kernel:
         return any(stage.primitive in LINEAR for stage in self.stages)
 
     @property
+    def is_rational(self) -> bool:
+        """Whether no stage solves a linear system or calls an elementary function."""
+        return all(stage.primitive == "let" for stage in self.stages)
+
+    @property
     def derived(self) -> Expression:
         """The derived form of the result, or of all results in one column."""
         return _joined([result.derived for result in self.results])

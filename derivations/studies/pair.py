@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +12,11 @@ import xarray
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from algebroproj_derivations.studies.pairs import estimating, explaining, predicting
+from algebroproj_derivations.studies.pairs import estimating, explaining, predicting, space
 from algebroproj_derivations.studies.pairs.drawings import residuals_in_pictures, uncertain_lines
 from algebroproj_derivations.studies.pairs.judging import PairJudgement, judge, require_sigma, selected, simulated
 from algebroproj_derivations.studies.pairs.measuring import measured
-from algebroproj_derivations.studies.pairs.normalising import pairs_of
+from algebroproj_derivations.studies.pairs.normalising import Pairs, pairs_of
 from algebroproj_derivations.studies.pairs.pair_files import COLUMNS
 from algebroproj_derivations.studies.pairs.robust import require_ransac
 from algebroproj_derivations.studies.pairs.wording import in_words
@@ -32,13 +33,15 @@ def check(**options: Any) -> None:
     require_sigma(sigma)
     require_ransac(options["ransac"])
     try:
-        pixels = measured(**options).pixels
+        given = measured(**options)
     except OSError as error:
         raise ValueError(f"file: {error.filename} cannot be read ({error.strerror})") from error
     try:
-        pairs_of(*pixels)
+        pairs = pairs_of(*given.pixels)
     except ValueError as error:
         raise ValueError(f"file: {options['file']}: {error}") from error
+    if given.objects is not None:
+        _in_space(estimating.minima(pairs)[0].matrix, pairs, given.objects)
 
 
 def chunk(indices: Indices, seed: int, *, sigma: float, **source: Any) -> xarray.Dataset:
@@ -49,12 +52,12 @@ def chunk(indices: Indices, seed: int, *, sigma: float, **source: Any) -> xarray
     places, adjusted = predicting.checks(fit.matrix, pairs, given.frames), estimating.adjusted(fit.matrix, pairs)
     additions = explaining.additions(pairs, fit, sigma, places)
     whole = np.concatenate([adjusted, places[:, [addition.place for addition in additions]]], axis=1)
-    errors = []
-    for changes in sigma * normal(seed, indices, whole.shape):
-        measurements = whole + changes
-        errors.append(
-            [_error(measurements[:, : adjusted.shape[1] + more], places) for more in range(len(additions) + 1)]
-        )
+    count = adjusted.shape[1]
+    again = [
+        [_again(measurements[:, : count + more]) for more in range(len(additions) + 1)]
+        for measurements in whole + sigma * normal(seed, indices, whole.shape)
+    ]
+    errors = [[_error(*one, places) for one in member] for member in again]
     frames = np.full((2, 2, 2), np.nan) if given.frames is None else given.frames
     data = {
         "error": variable(
@@ -66,19 +69,60 @@ def chunk(indices: Indices, seed: int, *, sigma: float, **source: Any) -> xarray
         "chance": variable([], given.chance, about="log10 of how many sets of wrong pairs were kept, too"),
         "sigma": variable([], sigma, "pixel", "standard deviation of a coordinate"),
     }
+    if given.objects is not None:
+        true = _in_space(fit.matrix, pairs, given.objects)
+        known = np.where(np.isfinite(given.objects), true, np.nan)
+        found = [_in_space(*member[0], known) for member in again]
+        data |= {
+            "object": variable(["pair", "xyz"], given.objects, about="object points, in the unit of the file"),
+            "place": variable(["pair", "xyz"], true, about="where the pairs put them"),
+            "place_again": variable([MEMBER, "pair", "xyz"], found, about="where repeated measurements put them"),
+        }
     return xarray.Dataset(data, coords={MEMBER: indices})
 
 
-def _error(pixels: NDArray[np.float64], places: NDArray[np.float64]) -> float:
-    """Return the root mean square error at check points of the matrix of some pairs."""
-    again = pairs_of(*pixels)
-    return float(np.sqrt((predicting.errors(estimating.minima(again)[0].matrix, again, places) ** 2).mean()))
+def _again(pixels: NDArray[np.float64]) -> tuple[NDArray[np.float64], Pairs]:
+    """Return the matrix of some pairs, and the pairs to scale."""
+    pairs = pairs_of(*pixels)
+    return estimating.minima(pairs)[0].matrix, pairs
+
+
+def _error(matrix: NDArray[np.float64], pairs: Pairs, places: NDArray[np.float64]) -> float:
+    """Return the root mean square error at check points of a matrix."""
+    return float(np.sqrt((predicting.errors(matrix, pairs, places) ** 2).mean()))
+
+
+def _in_space(matrix: NDArray[np.float64], pairs: Pairs, objects: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return where the pairs are in space, by those whose object points are known."""
+    points = space.reconstructed(matrix, pairs)
+    return space.placed(points, space.into_space(points, objects))
 
 
 def _judged(dataset: xarray.Dataset) -> PairJudgement:
     frames = dataset.frame.values if np.isfinite(dataset.frame.values).all() else None
     judgement = judge(*dataset.measured.values, float(dataset.sigma), frames)
+    if "object" in dataset:
+        pairs = pairs_of(*dataset.measured.values)
+        surface = explaining.in_space(pairs, judgement.critical, dataset.object.values)
+        judgement = replace(judgement, why=(*judgement.why, surface))
     return simulated(selected(judgement, int(dataset.read), float(dataset.chance)), dataset.error.values[:, 0])
+
+
+def _of_objects(dataset: xarray.Dataset) -> list[str]:
+    """Return how object points fit, and how certain the points in space are, in sentences."""
+    if "object" not in dataset:
+        return []
+    true, again = dataset.place.values, dataset.place_again.values
+    off, apart = (np.linalg.norm(each - true, axis=-1) for each in (dataset.object.values, again))
+    known = np.isfinite(off)
+    expected = np.quantile(np.sqrt((apart[:, known] ** 2).mean(axis=1)), 0.95)
+    deviations = np.sqrt(np.median(apart**2, axis=0))
+    return [
+        f"{known.sum()} object points: off by {np.sqrt((off[known] ** 2).mean()):.2g} (root mean square), "
+        f"pair {int(np.nanargmax(off)) + 1} by {np.nanmax(off):.2g}; pixels explain {expected:.2g}.",
+        f"Simulated errors in space: median {np.median(deviations):.2g}, largest {deviations.max():.2g} "
+        f"(pair {int(deviations.argmax()) + 1}).",
+    ]
 
 
 def report(dataset: xarray.Dataset) -> str:
@@ -90,7 +134,7 @@ def report(dataset: xarray.Dataset) -> str:
     judgement, read = _judged(dataset), int(dataset.read)
     kept = len(judgement.residuals)
     left_out = f"RANSAC kept {kept} of {read} pairs. " if np.isfinite(dataset.chance.values) else ""
-    return in_words(judgement, left_out + repeated, added[1:])
+    return in_words(judgement, "\n".join([left_out + repeated, *_of_objects(dataset)]), added[1:])
 
 
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
@@ -112,6 +156,7 @@ STUDY = Study(
         Option("images", str, None, "Names of the left and of the right picture in COLMAP's files."),
         Option("size", str, None, "Width and height of the pictures in pixels, such as 4000,3000."),
         Option("camera", Path, None, "Calibration: TOML, .npz, COLMAP's database or cameras.txt."),
+        Option("points", str, None, "Names of the columns with object coordinates, such as X,Y,Z."),
         Option("ransac", float, None, "Leave out pairs that miss the matrix by more pixels, by PoseLib's RANSAC."),
     ),
     members=100,

@@ -11,6 +11,7 @@ from itertools import islice
 from pathlib import Path
 
 from algebroproj_sym.reading.documents.macros import Macro, expanded, macros_in, redefinitions
+from algebroproj_sym.reading.documents.tidying import tidied
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
 
 MAX_CHARACTERS = 5_000_000
@@ -33,6 +34,12 @@ _CODE = re.compile(
 )
 _INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
 _FENCE = re.compile(r"^(```|~~~).*?^\1|`[^`\n]*`", re.DOTALL | re.MULTILINE)
+_MATH_FENCE = re.compile(
+    r"^(?P<indent>[ \t]*)(?P<mark>```|~~~|:::)[ \t]*(?:math|\{math\})[^\n]*(?P<options>(?:\n[ \t]*:\w+:[^\n]*)*)"
+    r"(?P<inside>\n.*?)^[ \t]*(?P=mark)(?=[ \t]*$)",
+    re.DOTALL | re.MULTILINE,
+)
+"""A formula in a block of code, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
@@ -183,7 +190,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     """
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbers = lines or tuple(range(1, len(starts) + 1))
-    plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _FENCE.sub(_blank, text)
+    plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _FENCE.sub(_blank, _MATH_FENCE.sub(_dollars, text))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -222,6 +229,16 @@ class _Following:
 
 def _blank(found: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", found.group())
+
+
+def _dollars(found: re.Match[str]) -> str:
+    """Return a block of code that is a formula as one between dollars, with the same lines and characters."""
+    options = _OPTION.sub(lambda each: rf"\label{{{each[1]}}}" if each[1] else _blank(each), found["options"])
+    opening = found["indent"] + "$$" + " " * (found.start("options") - found.end("indent") - 2)
+    return f"{opening}{options}{found['inside']}$$".ljust(len(found.group()))
+
+
+_OPTION = re.compile(r"(?::label: (\S+)|:\w+:)[^\n]*")
 
 
 def _formulas(
@@ -276,13 +293,15 @@ _PARTNERS = {r"\[": r"\]", "$$": "$$", r"\(": r"\)", "$": "$"}
 
 
 def _up_to_formula(after: str) -> str:
-    match = re.search(r"\$\$|\\\[|\\begin\{(?:equation|align|gather|multline|eqnarray)|\n\s*\n", after)
+    match = re.search(
+        r"\$\$|\\\[|\\begin\{(?:equation|align|gather|multline|eqnarray)|\\end\{document\}|\n\s*\n", after
+    )
     return after[: match.start()] if match else after
 
 
 def _expanded(latex: str, place: int, macros: Mapping[str, Macro]) -> tuple[tuple[Piece, ...], str]:
     try:
-        return tuple(expanded(pieces_of(latex, place), macros)), ""
+        return tuple(tidied(expanded(pieces_of(latex, place), macros))), ""
     except UnreadableError as error:
         return (), str(error)
 

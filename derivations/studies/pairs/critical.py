@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,13 @@ Numbers = NDArray[np.float64]
 ROUNDOFF = 2.0**-53
 DENSE = 40
 """Up to how many pairs the terms of second order are bounded together, not one by one."""
+RESTRICTED = 200
+"""Up to how many pairs the kernels that are left are restricted."""
+FARTHER = 1.8
+TRIALS = 6
+ROUNDS = 8
+SHARES = tuple(10.0**k for k in np.linspace(-3, 1, 7))
+NEGLIGIBLE = 1e-9
 BISECTIONS = 60
 STEPS = 40
 CONVERGED = 1e-10
@@ -111,7 +119,7 @@ def lower_bound(pairs: Pairs) -> float:
     rounding = 16 * (4 * len(a) + 200) * ROUNDOFF
     moved = np.sqrt(4 * len(a)) * 16 * ROUNDOFF * np.abs(pairs.pixels).max()
     norms, half = _norms(pairs) * (1 + rounding), float(pairs.scales.prod()) / 2 * (1 + rounding)
-    found = max(_by_eigenvalues(a, norms, half, rounding), _by_elimination(a, linear, norms, half, rounding))
+    found = max(_by_eigenvalues(a, linear, norms, half, rounding), _by_elimination(a, linear, norms, half, rounding))
     return max(0.0, found * (1 - rounding) - moved)
 
 
@@ -122,15 +130,52 @@ def _norms(pairs: Pairs) -> Numbers:
     return np.asarray(np.sqrt(squares.mean(axis=0) + np.hypot((squares[0] - squares[1]) / 2, mixed)))
 
 
-def _by_eigenvalues(a: Numbers, norms: Numbers, half: float, rounding: float) -> float:
-    """Return the bound of Weyl: the last two singular values, of rows divided by what a pixel changes them."""
-    b = a / norms[:, None]
+def _by_eigenvalues(a: Numbers, linear: Numbers, norms: Numbers, half: float, rounding: float) -> float:
+    """Return the greatest distance that `_is_excluded`, beginning with what is excluded without a restriction."""
+    squares = _sum_of_least(a / norms[:, None], rounding)
+    target = np.sqrt(max(0.0, squares)) * (1 - rounding)
+    low = 2 * target / (1 + np.sqrt(1 + 4 * half / float(norms.min()) * target))
+    high = FARTHER * low
+    for _ in range(TRIALS if len(a) <= RESTRICTED and low > 0 else 0):
+        middle = (low + high) / 2
+        low, high = (middle, high) if _is_excluded(middle, a, linear, norms, half, rounding) else (low, middle)
+    return low
+
+
+def _is_excluded(r: float, a: Numbers, linear: Numbers, norms: Numbers, half: float, rounding: float) -> bool:
+    """Return whether it is proved that nothing critical is as near as r.
+
+    Let B be a kernel of two orthonormal columns, at a distance of at most r.  A row has ``a B = -(E d + q(d, d)) B``,
+    which is not longer than ``(sqrt(m) + half r) |d|`` if ``b^T E E^T b <= m`` for all b of length 1 in the kernel.  So
+    the squares of all ``a B``, divided by those factors, have a sum of at most r**2, and at least that of the two least
+    eigenvalues of W, which has the divided rows.  If this is more, there is no such kernel.
+
+    If not, ``b^T W b`` is at most r**2 less the least eigenvalue, and this restricts b: for any l of at least 0, m may
+    be the largest eigenvalue of ``E E^T - l W``, and l times that bound (the S-lemma).  With these m one tries again.
+    """
+    forms = np.einsum("nik,njk->nij", linear, linear)
+    m = norms**2
+    for _ in range(ROUNDS):
+        divided = a / (np.sqrt(m) + half * r)[:, None] * (1 - rounding)
+        w = divided.T @ divided
+        size = float(np.trace(w))
+        if _sum_of_least(divided, rounding) > r**2 * (1 + rounding):
+            return True
+        bound = max(0.0, r**2 - _least(w, rounding)) + 2 * rounding * size
+        scale = float(m.mean() / np.linalg.eigvalsh(w)[2])
+        tried = [_largest(forms - share * scale * w) + share * scale * (bound + rounding * size) for share in SHARES]
+        least = np.minimum(np.min(tried, axis=0) + rounding * norms**2, m)
+        if (least > (1 - IMPROVED) * m).all():
+            return False
+        m = np.maximum(least, NEGLIGIBLE * m)
+    return False
+
+
+def _sum_of_least(b: Numbers, rounding: float) -> float:
+    """Return a bound below the sum of the squares of the last two singular values."""
     normal = b.T @ b
     last = np.linalg.eigh(normal)[1][:, 0]
-    squares = _least(normal, rounding) + _least(normal + np.trace(normal) * np.outer(last, last), rounding)
-    target = np.sqrt(max(0.0, squares)) * (1 - rounding)
-    curvature = half / float(norms.min())
-    return 2 * target / (1 + np.sqrt(1 + 4 * curvature * target))
+    return _least(normal, rounding) + _least(normal + np.trace(normal) * np.outer(last, last), rounding)
 
 
 def _by_elimination(a: Numbers, linear: Numbers, norms: Numbers, half: float, rounding: float) -> float:
@@ -210,33 +255,34 @@ def _bent(left: Numbers, right: Numbers, dual: Numbers, weights: Numbers, apart:
     for i in range(n):
         form[4 * i + 2 : 4 * i + 4, 4 * i : 4 * i + 2] -= half * blocks[i]
         form[4 * i : 4 * i + 2, 4 * i + 2 : 4 * i + 4] -= half * blocks[i].T
-    return max(0.0, _largest(form))
+    return max(0.0, float(_largest(form)))
 
 
 def _norm(matrix: Numbers, rounding: float) -> float:
     square = matrix @ matrix.T
-    return float(np.sqrt(max(0.0, _largest(square) + rounding * np.trace(square)))) * (1 + rounding)
+    return float(np.sqrt(max(0.0, float(_largest(square)) + rounding * np.trace(square)))) * (1 + rounding)
 
 
-def _largest(form: Numbers) -> float:
-    """Return a bound that the largest eigenvalue does not exceed: Cholesky's factorisation proves it."""
-    size = float(np.linalg.norm(form))
-    bound = float(np.linalg.eigvalsh(form)[-1])
-    margin = 64 * len(form) * ROUNDOFF * size
+def _largest(form: Numbers) -> Any:
+    """Return bounds that the largest eigenvalues do not exceed: Cholesky's factorisation proves them."""
+    size, unit = np.linalg.norm(form, axis=(-2, -1)), np.eye(form.shape[-1])
+    bound = np.linalg.eigvalsh(form)[..., -1]
+    margin = 64 * len(unit) * ROUNDOFF * size
     while True:
-        bound += margin
-        definite = bound * np.eye(len(form)) - form
+        bound = bound + margin
+        definite = bound[..., None, None] * unit - form
         try:
             np.linalg.cholesky(definite)
         except np.linalg.LinAlgError:
-            margin = max(2 * margin, np.finfo(np.float64).tiny)
+            margin = np.maximum(2 * margin, np.finfo(np.float64).tiny)
             continue
-        return bound + 4 * (len(form) + 2) * ROUNDOFF * float(np.abs(np.diag(definite)).sum())
+        diagonal = np.abs(np.diagonal(definite, axis1=-2, axis2=-1)).sum(axis=-1)
+        return bound + 4 * (len(unit) + 2) * ROUNDOFF * diagonal
 
 
 def _least(form: Numbers, rounding: float) -> float:
     """Return a bound below the smallest eigenvalue of a Gram matrix whose entries have rounding errors."""
-    return -_largest(-form) - rounding * float(np.trace(form))
+    return float(-_largest(-form) - rounding * np.trace(form))
 
 
 def flattened(pairs: Pairs, kept: slice | NDArray[np.int64] = slice(None)) -> tuple[float, Numbers, Numbers]:

@@ -11,6 +11,7 @@ from algebroproj_derivations.studies.pairs import predicting
 from algebroproj_derivations.studies.pairs.critical import DENSE, Critical, flattened
 from algebroproj_derivations.studies.pairs.estimating import Fit, of_rank_two
 from algebroproj_derivations.studies.pairs.normalising import Pairs
+from algebroproj_derivations.studies.pairs.space import cameras, into_space, placed, reconstructed, surface
 
 Numbers = NDArray[np.float64]
 
@@ -60,6 +61,21 @@ def why(pairs: Pairs, nearest: Critical) -> list[str]:
                 f"{distance / np.sqrt(count - len(off)):.2g} px: the others are near a plane."
             ]
     return [f"The points and both centers are near {quadric(nearest.kernel)}."]
+
+
+def in_space(pairs: Pairs, nearest: Critical, objects: Numbers) -> str:
+    """Return what the nearest critical configuration is for object points, shape (n, 3), in a sentence."""
+    known = objects[np.isfinite(objects).all(axis=1)]
+    if flattened(pairs)[0] <= NEARLY * nearest.upper:
+        off = np.linalg.svd(known - known.mean(axis=0))[1][-1] / np.sqrt(len(known))
+        return f"In space the object points are {off:.2g} from a plane (root mean square)."
+    found = []
+    for matrix in of_rank_two(*nearest.kernel):
+        points = reconstructed(matrix, pairs)
+        transformation = into_space(points, objects)
+        misfit = np.nansum((placed(points, transformation) - objects) ** 2)
+        found.append((misfit, surface(_form(matrix, nearest.kernel), transformation, objects)))
+    return min(found)[1]
 
 
 def hanging(fit: Fit) -> list[str]:
@@ -123,9 +139,7 @@ def _off_a_plane(pairs: Pairs) -> list[NDArray[np.int64]]:
 
 def _form(matrix: Numbers, kernel: Numbers) -> Numbers:
     """Return the quadric, shape (4, 4), in the projective frame of two cameras with the given matrix."""
-    left = np.eye(3, 4)
-    epipole = np.linalg.svd(matrix)[0][:, 2]
-    right = np.concatenate([np.cross(np.eye(3), epipole).T @ matrix, epipole[:, None]], axis=1)
+    left, right = cameras(matrix)
     other = max(kernel, key=lambda each: np.linalg.norm(each - (each * matrix).sum() * matrix))
     form = right.T @ other @ left
     return np.asarray((form + form.T) / 2)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj_derivations.studies.pairs.cameras import Camera, ideal, read_cameras
-from algebroproj_derivations.studies.pairs.pair_files import COLUMNS, read_pairs
+from algebroproj_derivations.studies.pairs.pair_files import COLUMNS, read_objects, read_pairs
 from algebroproj_derivations.studies.pairs.robust import chance, kept
 
 Numbers = NDArray[np.float64]
@@ -34,12 +34,15 @@ class Measured:
     chance : float
         Decimal logarithm of the expected number of sets of wrong pairs as large as the kept one; minus infinity if none
         were left out on purpose.
+    objects : ndarray, shape (n, 3), or None
+        The object points of the pairs; NaN where they are not known.
     """
 
     pixels: Numbers
     frames: Numbers | None
     read: int
     chance: float
+    objects: Numbers | None = None
 
 
 def measured(
@@ -49,6 +52,7 @@ def measured(
     size: str | None = None,
     camera: Path | None = None,
     ransac: float | None = None,
+    points: str | None = None,
 ) -> Measured:
     """Return the pairs of a file.
 
@@ -64,6 +68,8 @@ def measured(
         As `cameras.read_cameras` expects it.
     ransac : float, optional
         Leave out wrong pairs: those that are farther from the matrix than this, in pixels.
+    points : str, optional
+        Names of the columns with object coordinates, such as ``"X,Y,Z"``.
 
     Raises
     ------
@@ -78,10 +84,12 @@ def measured(
         cameras = read_cameras(camera, images)
         pixels = ideal(pixels, cameras)
         frames = None if frames is None else _ideal_frames(frames, cameras)
+    objects = None if points is None else read_objects(file, points)
     if ransac is None:
-        return Measured(pixels, frames, len(pixels[0]), -np.inf)
+        return Measured(pixels, frames, len(pixels[0]), -np.inf, objects)
     mask = kept(pixels, ransac)
-    return Measured(pixels[:, mask], frames, len(mask), chance(pixels, mask, ransac))
+    kept_objects = None if objects is None else objects[mask]
+    return Measured(pixels[:, mask], frames, len(mask), chance(pixels, mask, ransac), kept_objects)
 
 
 def _frames(size: str, pixels: Numbers) -> Numbers:

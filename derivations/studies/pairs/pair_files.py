@@ -16,6 +16,8 @@ from algebroproj_derivations.studies.pairs.matching import chosen, form, paired
 Numbers = NDArray[np.float64]
 
 COLUMNS = "x1,y1,x2,y2"
+POINTS = "X,Y,Z"
+NUMERALS = {3: "three", 4: "four"}
 ZIP = b"PK\x03\x04"
 
 
@@ -59,7 +61,26 @@ def read_pairs(path: Path, columns: str = COLUMNS, images: str | None = None, ev
         return colmap.of_model(path, images)
     if images is not None:
         raise ValueError(f"images: expected them with a database or {colmap.IMAGES} of COLMAP alone, got {path}")
-    return _of_arrays(path) if start.startswith(ZIP) else _of_table(path, columns)
+    if start.startswith(ZIP):
+        return _of_arrays(path)
+    return _of_table(path, _names(columns, 4, "columns", COLUMNS)).reshape(-1, 2, 2).transpose(1, 0, 2)
+
+
+def read_objects(path: Path, points: str) -> Numbers:
+    """Return the object coordinates of a CSV file of pairs, shape (n, 3); NaN in lines where they are not given.
+
+    Raises
+    ------
+    ValueError
+        If the file is no such file, a column is missing, or a number is not finite.
+    OSError
+        If the file cannot be read.
+    """
+    with path.open("rb") as file:
+        start = file.read(len(colmap.SQLITE))
+    if start == colmap.SQLITE or start.startswith(ZIP) or path.name == colmap.IMAGES:
+        raise ValueError(f"points: expected them with a CSV file alone, got {path}")
+    return _of_table(path, _names(points, 3, "points", POINTS), lacking=True)
 
 
 def arrays(path: Path) -> dict[str, NDArray[np.generic]]:
@@ -95,14 +116,19 @@ def _of_arrays(path: Path) -> Numbers:
     return paired(np.concatenate([side[:, :2] for side in points], axis=1), path)
 
 
-def _of_table(path: Path, columns: str) -> Numbers:
+def _names(columns: str, count: int, option: str, example: str) -> list[str]:
+    names = [name.strip() for name in columns.split(",")]
+    if len(names) != count or len(set(names)) != count:
+        raise ValueError(f"{option}: expected {NUMERALS[count]} names such as {example}, got {columns}")
+    return names
+
+
+def _of_table(path: Path, names: list[str], lacking: bool = False) -> Numbers:
+    """Return the columns with some names; NaN in lines where all of them are empty, if these may be `lacking`."""
     try:
         lines = list(csv.reader(path.read_text(encoding="utf-8-sig").splitlines(), skipinitialspace=True, strict=True))
     except (UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"file: expected a text file of comma-separated values, got {path} ({error})") from error
-    names = [name.strip() for name in columns.split(",")]
-    if len(set(names)) != 4:
-        raise ValueError(f"columns: expected four names such as {COLUMNS}, got {columns}")
     numbered = all(name.isdecimal() and int(name) > 0 for name in names)
     if numbered:
         places = [int(name) - 1 for name in names]
@@ -114,15 +140,21 @@ def _of_table(path: Path, columns: str) -> Numbers:
                 raise ValueError(f"file: expected one column {name} in the first line of {path}, got the columns {got}")
         places = [header.index(name) for name in names]
     cells = [
-        [_number(line, place, name, number, path) for place, name in zip(places, names, strict=True)]
+        [np.nan] * len(names)
+        if lacking and not any(_cell(line, place) for place in places)
+        else [_number(line, place, name, number, path) for place, name in zip(places, names, strict=True)]
         for number, line in enumerate(lines, 1)
         if line and (numbered or number > 1)
     ]
-    return np.array(cells, dtype=np.float64).reshape(-1, 2, 2).transpose(1, 0, 2)
+    return np.array(cells, dtype=np.float64).reshape(-1, len(names))
+
+
+def _cell(line: list[str], place: int) -> str:
+    return line[place].strip() if place < len(line) else ""
 
 
 def _number(line: list[str], place: int, name: str, number: int, path: Path) -> float:
-    text = line[place].strip() if place < len(line) else ""
+    text = _cell(line, place)
     try:
         value = float(text)
     except ValueError:

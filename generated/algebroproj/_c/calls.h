@@ -106,7 +106,7 @@ static int run(const struct call *call, const int place, char **data, const npy_
     return raised ? PyUFunc_GiveFloatingpointErrors(call->name, numbered(raised)) : 0;
 }
 
-/* The results for arguments that are alike, for others None. */
+/* The results for arguments that are alike, None for others, and where something overflows or underflows. */
 static PyObject *evaluated(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
     const struct call *call = PyCapsule_GetPointer(self, NULL);
@@ -140,6 +140,11 @@ static PyObject *evaluated(PyObject *self, PyObject *const *arguments, Py_ssize_
         Py_XDECREF(results);
         return NULL;
     }
+    if (has_exceeded) {
+        has_exceeded = 0;
+        Py_DECREF(results);
+        Py_RETURN_NONE;
+    }
     for (int k = 0; k < call->results; k++) {
         PyTuple_SET_ITEM(results, k, PyArray_Return((PyArrayObject *)PyTuple_GET_ITEM(results, k)));
     }
@@ -153,7 +158,7 @@ static PyObject *evaluated(PyObject *self, PyObject *const *arguments, Py_ssize_
 
 static PyMethodDef evaluation = {
     "evaluated", (PyCFunction)(void (*)(void))evaluated, METH_FASTCALL,
-    "Return the results for arrays that are alike, or None for other arguments.",
+    "Return the results for arrays that are alike; None for others, and where something overflows or underflows.",
 };
 
 /* Add a short call to a dictionary, under its ufunc. */

@@ -147,6 +147,9 @@ struct plain_kernel {
 
 static int fused_is_available = 0;
 
+/* Whether an intermediate result has overflowed or underflowed, which the caller then computes in another way. */
+static NPY_TLS int has_exceeded = 0;
+
 /* Read the steps of a generalized ufunc: first those of the points, then those of the core dimensions.  Rows that follow
    each other become one. */
 static void lay_out(struct layout *layouts, const struct shape *shapes, const int operands, const npy_intp *steps)
@@ -1278,7 +1281,7 @@ static int execute(PyObject *module)
     }
     failed = failed < 0 ? -1 : PyModule_AddObjectRef(module, "calls", dictionary);
     Py_XDECREF(dictionary);
-    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "2323ce2e10f10e09");
+    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "3752c9d5dee9dd56");
 }
 
 static PyModuleDef_Slot slots[] = {
@@ -1286,11 +1289,25 @@ static PyModuleDef_Slot slots[] = {
     {0, NULL},
 };
 
+static PyObject *exceeded(PyObject *self, PyObject *unused)
+{
+    const int exceeded = has_exceeded;
+    has_exceeded = 0;
+    return PyBool_FromLong(exceeded);
+}
+
+static PyMethodDef methods[] = {
+    {"exceeded", exceeded, METH_NOARGS,
+     "Return whether an intermediate result overflowed or underflowed since the last call, in this thread."},
+    {NULL},
+};
+
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT,
     .m_name = "_compiled",
     .m_doc = "The kernels as generalized ufuncs.",
     .m_size = 0,
+    .m_methods = methods,
     .m_slots = slots,
 };
 

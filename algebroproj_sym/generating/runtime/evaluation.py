@@ -187,7 +187,8 @@ def _brought_here(body: FunctionType) -> Body:
 
 def elementary(body: Body) -> list[str]:
     """Return the names of the elementary functions that the body of a generated function calls."""
-    return sorted({*body.__code__.co_names} - {"solve", "null_vector", *DIGITS})
+    called = {name for name in body.__code__.co_names if callable(body.__globals__.get(name))}
+    return sorted(called - {"solve", "null_vector", *DIGITS})
 
 
 def placed(signature: Signature, arguments: Sequence[Any], named: Mapping[str, Any]) -> list[Any]:

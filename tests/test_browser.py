@@ -97,9 +97,16 @@ def opened(browser, problems, **options):
     page = browser.new_page(**options)
     page.on("console", lambda message: problems.append((page.url, message.text)) if message.type == "error" else None)
     page.on("pageerror", lambda error: problems.append((page.url, str(error))))
-    page.on("requestfailed", lambda request: problems.append((page.url, f"cannot be loaded: {request.url}")))
+    page.on("requestfailed", lambda request: problems.extend(failures(page, request)))
     page.on("request", lambda request: None if is_local(request.url) else problems.append((page.url, request.url)))
     return page
+
+
+def failures(page, request):
+    """Return what could not be loaded; a request that ends since the next page is opened is no failure."""
+    if request.failure == "net::ERR_ABORTED":
+        return []
+    return [(page.url, f"cannot be loaded: {request.url}, {request.failure}")]
 
 
 def is_local(address):

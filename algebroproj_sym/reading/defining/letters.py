@@ -7,7 +7,7 @@ The value of a function, a sum or an integral is a letter of its own, the same f
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable
 from functools import reduce
 from typing import Any
 
@@ -170,7 +170,7 @@ class _Reader:
         ):
             raise UnreadableError(f"{symbol} stands for no letter")
         part = self._letter(symbol)
-        part.symbols = frozenset((symbol,))
+        part.symbols = vocabulary.behind(symbol)
         return part
 
     def _letter(self, symbol: str) -> _Part:
@@ -208,9 +208,10 @@ class _Reader:
         """Return the name of the number that is the value of a function."""
         return self._functions.setdefault(f"{name}({argument})", f"value{len(self._functions) + 1}'")
 
-    def is_defined(self, symbol: str) -> bool:
-        """Whether a symbol has a definition."""
-        return symbol in self._vocabulary.definitions
+    @property
+    def definitions(self) -> Collection[str]:
+        """The symbols that have a definition."""
+        return self._vocabulary.definitions
 
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
@@ -221,7 +222,7 @@ class _Reader:
 
         def text() -> str:
             key = f"{name}({', '.join(each.text() for each in arguments)})"
-            kind = FREE if is_call and self._called.setdefault(_base(name), key) == key else "whole"
+            kind = FREE if is_call and self._called.setdefault(base_of(name), key) == key else "whole"
             own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}'", shape))
             if [size.root for size in first] != [size.root for size in shape] and any(
                 one.value is None or one.value != other.value for one, other in zip(first, shape, strict=True)
@@ -230,7 +231,7 @@ class _Reader:
             return own
 
         found = _Part(shape, text, *arguments)
-        found.symbols |= {*re.findall(r"(?<![a-zA-Z\\])[a-zA-Z](?![a-zA-Z])", name)}
+        found.symbols |= letters_in(name)
         return found
 
     def question(self, sides: list[_Part]) -> Question:
@@ -259,7 +260,26 @@ class _Reader:
         return found
 
 
-def _base(function: str) -> str:
+def letters_in(name: str) -> frozenset[str]:
+    """Return the letters in the name of a sum, an integral or a function."""
+    return frozenset(re.findall(r"(?<![a-zA-Z\\])[a-zA-Z](?![a-zA-Z])", name))
+
+
+def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[str]) -> None:
+    """Refuse a sum, an integral or a limit whose index or variable is a letter with a value."""
+    bound = re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", re.sub(r"^\\[a-z]+|\^.*$|\\(?:in|to)(?![a-z])", "", name))
+    bound += [each[2:] for each in symbols if each.startswith("d ")]
+    if defined := [each for each in bound if each in definitions]:
+        raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")
+
+
+def index_of(name: str) -> str:
+    """Return the index of a sum; empty for what is no sum over one index."""
+    match = re.match(r"\\sum_\{([a-z])(?:=.*)?\}", name)
+    return match[1] if match else ""
+
+
+def base_of(function: str) -> str:
     r"""Return the letter of a function without accents and scripts: ``q_x`` may be a derivative of ``q``."""
     letters = re.findall(
         r"[a-zA-Z]+|\\[a-zA-Z]+", re.sub(r"\\(?:math[a-z]+|d*dot|bar|tilde|hat|vec)(?![a-z])", "", function)
@@ -352,7 +372,7 @@ class _Parts(_Gathering):
 
     def call(self, token: Token, arguments: Any) -> _Part:
         name = str(token)
-        if self.reader.is_defined(name):
+        if name in self.reader.definitions:
             raise _refused(f"the value of the function {name}")
         columns = (_Size(), _Size(1)) if _COLUMN.search(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
@@ -416,26 +436,23 @@ class _Parts(_Gathering):
         raise _refused("a root of another degree than two")
 
     def big(self, name: Token, body: _Part) -> _Part:
-        bound = re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", re.sub(r"^\\[a-z]+|\^.*$|\\(?:in|to)(?![a-z])", "", name))
-        bound += [each[2:] for each in body.symbols if each.startswith("d ")]
-        if defined := [each for each in bound if self.reader.is_defined(each)]:
-            raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")
-        index = re.match(r"\\sum_\{([a-z])(?:=.*)?\}", name)
-        if index is None or len(body.terms) > MOST_TERMS:
+        require_no_value(name, body.symbols, self.reader.definitions)
+        index = index_of(name)
+        if not index or len(body.terms) > MOST_TERMS:
             return self.reader.whole(str(name), [body], body.shape)
-        return _sum([(minus, self._summed(str(name), index[1], factors)) for minus, factors in body.terms])
+        return _sum([(minus, self._summed(str(name), index, factors)) for minus, factors in body.terms])
 
     def _summed(self, name: str, index: str, factors: list[_Part]) -> _Part:
         """Return a sum of products: what does not depend on the index stands before or behind it."""
         numbers = [each for each in factors if each.is_number]
         rest = [each for each in factors if not each.is_number]
-        depends = [_depends_on(each, index) for each in rest]
+        depends = [depends_on(each.symbols, index) for each in rest]
         first = depends.index(True) if True in depends else len(rest)
         last = len(rest) - depends[::-1].index(True) if True in depends else len(rest)
-        within = [each for each in numbers if _depends_on(each, index)]
+        within = [each for each in numbers if depends_on(each.symbols, index)]
         middle = rest[first:last]
         inner = _in_order(within, reduce(_times, middle) if middle else None)
-        outer = [each for each in numbers if not _depends_on(each, index)]
+        outer = [each for each in numbers if not depends_on(each.symbols, index)]
         whole = self.reader.whole(name, [inner], inner.shape)
         return reduce(_times, [*outer, *rest[:first], whole, *rest[last:]])
 
@@ -527,15 +544,26 @@ def _in_order(numbers: list[_Part], rest: _Part | None) -> _Part:
     return _Part(shape, text, *parts)
 
 
-def _depends_on(part: _Part, index: str) -> bool:
-    """Whether an index stands in the symbols of a part, or may do so."""
-    for symbol in part.symbols:
-        if " " in symbol or "/" in symbol:
-            return True
-        letter, _, below, above = split_symbol(symbol)
-        if index in (letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")):
-            return True
-    return False
+def depends_on(symbols: Iterable[str], index: str) -> bool:
+    """Whether an index stands in symbols, or may do so."""
+    return any(not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in symbols)
+
+
+ANY = "any"
+
+
+def letters_of_symbol(symbol: str) -> frozenset[str]:
+    r"""Return a letter and its scripts, on which it depends; "any" for a symbol that may depend on others.
+
+    Examples
+    --------
+    >>> sorted(letters_of_symbol("x_{ij}")), sorted(letters_of_symbol("d x"))
+    (['i', 'j', 'x'], ['any'])
+    """
+    if " " in symbol or "/" in symbol:
+        return frozenset((ANY,))
+    letter, _, below, above = split_symbol(symbol)
+    return frozenset((letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")))
 
 
 def _divided(above: _Part, below: _Part) -> _Part:

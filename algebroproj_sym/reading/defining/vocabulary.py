@@ -15,7 +15,7 @@ from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, evaluated, symbols_in, text_of
+from algebroproj_sym.reading.parsing.grammar import Formula, Values, evaluated, symbols_in, text_of
 
 MOST_DEFINITIONS = 20_000
 Role = Literal["definition", "premise", "case"]
@@ -88,6 +88,7 @@ class Vocabulary:
     ) -> None:
         self.given = given
         self.euler = euler
+        self.uncomputed: Values | None = None
         self.definitions: dict[str, Definition] = {}
         self._sizes = {**sizes, **given.sizes}
         self._matrices = matrices
@@ -153,6 +154,20 @@ class Vocabulary:
                 name = f"{wanted}_v{count}"
             self._names[symbol] = name
         return self._names[symbol]
+
+    def behind(self, symbol: str) -> frozenset[str]:
+        """Return a symbol with all that its definition speaks of, be it usable or not."""
+        found, waiting = {symbol}, [symbol]
+        while waiting:
+            definition = self.definitions.get(waiting.pop())
+            more = {*definition.symbols} - found if definition else set()
+            found |= more
+            waiting += more
+        return frozenset(found)
+
+    def symbol_of(self, name: str) -> str:
+        """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
+        return self._taken.get(name, name)
 
     def text(self, tree: Formula) -> str:
         """Return a formula as text."""
@@ -260,9 +275,9 @@ class Vocabulary:
                 values[definition.symbol] = (
                     self._function(definition, values)
                     if definition.parameters
-                    else evaluated(definition.tree, self._names_with(values))
+                    else evaluated(definition.tree, self._names_with(values), self.uncomputed)
                 )
-        return evaluated(tree, self._names_with(values))
+        return evaluated(tree, self._names_with(values), self.uncomputed)
 
     def _names_with(self, values: Mapping[str, Any]) -> Callable[[str], Any]:
         def names(symbol: str) -> Any:
@@ -286,21 +301,28 @@ class Vocabulary:
                 return self.name(parameter)
         return ""
 
+    def _has_big(self, definition: Definition) -> bool:
+        trees = (definition.tree, *(each.tree for each in self.used_in(definition.tree)))
+        return any(part.data == "big" for tree in trees for part in tree.iter_subtrees())
+
     def _function(self, definition: Definition, values: Mapping[str, Any]) -> Callable[..., Any]:
         def function(*arguments: Any) -> Any:
             if len(arguments) != len(definition.parameters):
                 raise UnreadableError(f"{definition.symbol} is a function of {len(definition.parameters)} arguments")
             if (hidden := self._hidden_in(definition)) and not self._are(arguments, definition.parameters):
                 raise UnreadableError(f"{definition.symbol} depends on {hidden} in a way that is not computed")
+            if self.uncomputed and not self._are(arguments, definition.parameters) and self._has_big(definition):
+                raise UnreadableError(f"a sum in {definition.symbol} may depend on {', '.join(definition.parameters)}")
             if definition.tree.data == "slope":
                 letters = [sympy.Dummy(each) for each in definition.parameters]
                 inside = evaluated(
                     definition.tree,
                     self._names_with({**values, **dict(zip(definition.parameters, letters, strict=True))}),
+                    self.uncomputed,
                 )
                 return inside.xreplace(dict(zip(letters, arguments, strict=True)))
             own = {**values, **dict(zip(definition.parameters, arguments, strict=True))}
-            return evaluated(definition.tree, self._names_with(own))
+            return evaluated(definition.tree, self._names_with(own), self.uncomputed)
 
         return function
 

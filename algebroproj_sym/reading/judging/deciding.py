@@ -23,6 +23,7 @@ from algebroproj_sym.reading.judging.questions import (
     is_lettered,
     questions_of,
     used_by,
+    values_of,
 )
 from algebroproj_sym.reading.judging.repairs import MULTIPLE, STRONG, WITHIN, Repair, repairs
 from algebroproj_sym.reading.judging.verdicts import Link
@@ -129,13 +130,14 @@ def _doubt_of_refutation(way: Way) -> str:
     questions = asked_of(way.vocabulary, *way.sides)
     assert isinstance(questions, list)
     letters = questions[0].letters
+    if any(re.search(r"[a-z]x|x[a-z]", text.partition(" ")[0]) for text in (letters or {}).values()):
+        return "the sizes of its letters are not stated"
+    if values := values_of(questions):
+        if values == {FREE}:
+            return "nothing above it gives the function"
+        return f"what a function, a sum or an integral in it {NOT_COMPUTED}"
     if letters is not None:
-        if any(re.search(r"[a-z]x|x[a-z]", text.partition(" ")[0]) for text in letters.values()):
-            return "the sizes of its letters are not stated"
-        values = {name for _, text in questions[0].named_texts for name in re.findall(r"([a-z]+)\d+'", text)}
-        if values - {FREE}:
-            return f"what a function, a sum or an integral in it {NOT_COMPUTED}"
-        return "nothing above it gives the function" if values else ""
+        return ""
     elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
     positive = bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
     return "it holds where its letters are positive" if positive else ""
@@ -172,6 +174,7 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
         now, before = (way.vocabulary.text(tree) for tree in (repair.now, repair.before))
         suggestion = f"{now} instead of {before}"
     doubt = _doubt_of_refutation(way)
+    is_given = not is_lettered(way) and not doubt.endswith(NOT_COMPUTED)
     doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
     plain = way is asked.ways[0]
     certain = (plain and asked.certain) or (
@@ -182,7 +185,7 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
             or (repair.kind == "letter" and _holds_beside(way, repaired))
         )
     )
-    asserted = (certain and not doubt) or (plain and asked.identity and not (doubt and is_lettered(way)))
+    asserted = (certain and not doubt) or (plain and asked.identity and (is_given or not doubt))
     reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
     undecided = doubt.endswith(NOT_COMPUTED)
     return replace(

@@ -335,9 +335,13 @@ class _Pass:
             yield Way(left, right, vocabulary, under=under)
 
     def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
-        """Yield a relation as it stands, of letters of which nothing is known but their sizes."""
+        """Yield a relation as it stands, of letters of which nothing is known but their sizes.
+
+        Beside a sum it matters what is known: whether they depend on its index.
+        """
         used = used_by(vocabulary, left, right)
-        if used and r"\pi" not in {each.symbol for each in used}:
+        summed = any(part.data == "big" for side in (left, right) for part in side.iter_subtrees())
+        if used and not summed and r"\pi" not in {each.symbol for each in used}:
             bare = vocabulary.copied()
             for each in used:
                 bare.definitions.pop(each.symbol, None)

@@ -15,6 +15,7 @@ from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise
+from algebroproj_sym.reading.defining.values import values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
@@ -133,11 +134,19 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
         return questions_of(vocabulary, left, right)
     except UnreadableError as unread:
         try:
-            return [lettered(vocabulary, left, right)]
+            return _with_values(vocabulary, left, right) or [lettered(vocabulary, left, right)]
         except (UnreadableError, RecursionError) as error:
             return str(error if isinstance(unread, UnsizedError) else unread).partition("\n")[0][:200]
     except (TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
         return str(error).partition("\n")[0][:200] or type(error).__name__
+
+
+def _with_values(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:
+    """Return the questions in which sums, integrals and values of functions are letters; none if there are vectors."""
+    try:
+        return questions_of(with_values(vocabulary), left, right)
+    except (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+        return []
 
 
 def _asked_under(way: Way) -> list[Question] | str:
@@ -163,6 +172,11 @@ def is_lettered(way: Way) -> bool:
     """Whether a relation is asked with vectors and matrices as letters."""
     questions = asked_of(way.vocabulary, *way.sides)
     return isinstance(questions, list) and questions[0].letters is not None
+
+
+def values_of(questions: Sequence[Question]) -> set[str]:
+    """Return the kinds of values in questions that are not computed."""
+    return {kind for each in questions for _, written in each.named_texts for kind in values_in(written)}
 
 
 def is_elementary(value: Any) -> bool:
@@ -195,9 +209,9 @@ def _with_letters(question: Question, outcome: Outcome) -> Outcome:
 
 
 def both_sides(questions: Sequence[Question]) -> tuple[str, str] | None:
-    """Return the sides as a derivation states them; none if they have real functions, which it does not."""
+    """Return the sides as a derivation states them; none with functions or values, which it does not."""
     sides = questions[0].lhs, questions[0].rhs
-    plain = len(questions) == 1 and questions[0].letters is None
+    plain = len(questions) == 1 and questions[0].letters is None and not values_of(questions)
     return sides if plain and not any(map(has_functions, sides)) else None
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, partial, reduce
 from importlib.resources import files
-from typing import Any
+from typing import Any, Protocol
 
 import sympy
 from lark import Lark, Token, Transformer, Tree, v_args
@@ -196,15 +196,28 @@ def formula_of(latex: str, names: Names) -> Parsed:
     return parsed(unaligned(pieces_of(latex)), lambda name: names(name) is not None)
 
 
-def evaluated(tree: Formula, names: Names) -> Expression:
-    """Return the expression that a tree stands for.
+class Values(Protocol):
+    """What takes the place of a value that is not computed."""
+
+    def big(self, name: str, body: Any) -> Any:
+        """Return a sum, a product, an integral or a limit."""
+
+    def call(self, name: str, arguments: Sequence[Any]) -> Any:
+        """Return the value of a function that nothing defines."""
+
+    def require_none(self, value: Any) -> None:
+        """Refuse an expression in which there is such a value."""
+
+
+def evaluated(tree: Formula, names: Names, values: Values | None = None) -> Expression:
+    """Return the expression that a tree stands for; values that are not computed are refused, or taken from `values`.
 
     Raises
     ------
     UnreadableError
         If a symbol is not known, shapes do not fit, or what it stands for is no expression.
     """
-    expression: Expression = transformed(_Expressions(names), tree)
+    expression: Expression = transformed(_Expressions(names, values), tree)
     return expression
 
 
@@ -281,9 +294,10 @@ class _Gathering(Transformer[Token, Any]):
 class _Expressions(_Gathering):
     """Builds expressions from the leaves up."""
 
-    def __init__(self, names: Names) -> None:
+    def __init__(self, names: Names, values: Values | None) -> None:
         super().__init__()
         self.names = names
+        self.values = values
 
     def sum(self, *parts: Any) -> Any:
         terms = parts if isinstance(parts[0], Token) else ("+", *parts)
@@ -318,6 +332,8 @@ class _Expressions(_Gathering):
     def call(self, token: Token, arguments: list[Any]) -> Any:
         function = self.names(str(token))
         if function is None or isinstance(function, sympy.Basic | sympy.MatrixBase):
+            if self.values is not None:
+                return self.values.call(str(token), arguments)
             raise UnreadableError(f"no definition of the function {token} is known", token.start_pos)
         return function(*arguments)
 
@@ -328,6 +344,8 @@ class _Expressions(_Gathering):
         return _marked(base, str(mark))
 
     def slope(self, value: Any, variable: Any) -> Any:
+        if self.values is not None:
+            self.values.require_none(value)
         return _slope(value, variable)
 
     def factorial(self, base: Any) -> Any:
@@ -355,6 +373,8 @@ class _Expressions(_Gathering):
         return sympy.root(_scalar(inside, "a root"), degree)
 
     def big(self, name: Token, body: Any) -> Any:
+        if self.values is not None:
+            return self.values.big(str(name), body)
         raise UnreadableError(f"{name} is read, and not computed", name.start_pos)
 
     def absolute(self, inside: Any) -> Any:

@@ -32,7 +32,7 @@ def in_letters(tree: Formula, names: Names) -> Any:
     >>> in_letters(side, table.get)
     2*R.T*Cross(R*t, t)
     """
-    return transformed(_Matrices(names), tree)
+    return transformed(_Matrices(names, None), tree)
 
 
 @v_args(inline=True)

@@ -1,0 +1,114 @@
+r"""Numbers that a document names and does not compute: sums, integrals, values of functions.
+
+Each is a letter of its own, the same for the same text.  A sum is taken term by term, and what does not depend on its
+index stands before it: ``\sum_{i=1}^{n} (a x_i + b)`` is a times a letter, plus n times b.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import entries, shape, text
+from algebroproj_sym.reading.defining.letters import (
+    ANY,
+    FREE,
+    MOST_TERMS,
+    base_of,
+    index_of,
+    letters_in,
+    letters_of_symbol,
+    require_no_value,
+)
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+
+_COUNTED = re.compile(r"\\sum_\{[a-z]=1\}\^\{([a-zA-Z])\}")
+WHOLE = "whole"
+
+
+class Uncomputed:
+    """The values that have letters of their own, whose names begin with ``free`` or ``whole``."""
+
+    def __init__(self, vocabulary: Vocabulary) -> None:
+        self._vocabulary = vocabulary
+        self._letters: dict[str, frozenset[str]] = {}
+        self._first: dict[str, str] = {}
+
+    def require_none(self, value: Any) -> None:
+        """Refuse an expression in which one of these letters stands: on what it depends is not known."""
+        if any(symbol.name in self._letters for entry in entries(value) for symbol in entry.free_symbols):
+            raise UnreadableError("the derivative of a sum, an integral or a function in it is not computed")
+
+    def call(self, name: str, arguments: Sequence[Any]) -> Any:
+        """Return the value of a function that nothing defines."""
+        vocabulary = self._vocabulary
+        if name in vocabulary.definitions or vocabulary.is_matrix(name) or any(map(shape, arguments)):
+            raise UnreadableError(f"no definition of the function {name} is known")
+        key = f"{name}({', '.join(map(text, arguments))})"
+        kind = FREE if self._first.setdefault(base_of(name), key) == key else WHOLE
+        return self._letter(key, kind, self._on(*arguments) | letters_in(name) | letters_of_symbol(name))
+
+    def big(self, name: str, body: Any) -> Any:
+        """Return a sum, a product, an integral or a limit."""
+        if shape(body):
+            raise UnreadableError(f"{name} is read, and not computed")
+        require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
+        index = index_of(name)
+        if not index:
+            return self._whole(name, body)
+        terms = sympy.Add.make_args(sympy.expand(body, power_base=False, power_exp=False, log=False))
+        if len(terms) > MOST_TERMS:
+            return self._whole(name, body)
+        return sympy.Add(*(self._summed(name, index, term) for term in terms))
+
+    def _summed(self, name: str, index: str, term: Any) -> Any:
+        """Return the sum of a product: what does not depend on the index stands before it."""
+        dependent = [symbol for symbol in term.free_symbols if not {index, ANY}.isdisjoint(self._on(symbol))]
+        outside, inside = term.as_independent(*dependent, as_Add=False) if dependent else (term, sympy.S.One)
+        counted = _COUNTED.fullmatch(name)
+        if inside == 1 and counted and counted[1] not in self._vocabulary.definitions:
+            return outside * self._vocabulary.plain(counted[1])
+        return outside * self._whole(name, inside)
+
+    def _whole(self, name: str, body: Any) -> Any:
+        letters = (self._on(body) | letters_in(name)) - {index_of(name)}
+        return self._letter(f"{name} {text(body)}", WHOLE, letters)
+
+    def _letter(self, key: str, kind: str, letters: frozenset[str]) -> Any:
+        name = self._vocabulary.name(f"{kind} {key}")
+        self._letters[name] = letters
+        return sympy.Symbol(name)
+
+    def _on(self, *values: Any) -> frozenset[str]:
+        """Return the letters of the document on which values depend."""
+        found: set[str] = set()
+        for name in _names(*values):
+            symbols = self._vocabulary.behind(self._vocabulary.symbol_of(name))
+            found |= self._letters.get(name) or frozenset().union(*map(letters_of_symbol, symbols))
+        return frozenset(found)
+
+
+def _names(*values: Any) -> set[str]:
+    return {symbol.name for value in values for symbol in value.free_symbols}
+
+
+def with_values(vocabulary: Vocabulary) -> Vocabulary:
+    """Return a vocabulary in which values that are not computed are letters."""
+    found = vocabulary.copied()
+    found.uncomputed = Uncomputed(found)
+    return found
+
+
+def values_in(written: str) -> set[str]:
+    """Return the kinds of values in the text of an expression: those that may be any number are ``"free"``.
+
+    Examples
+    --------
+    >>> sorted(values_in("free_f_x + 2*whole_sum_i_x_i"))
+    ['free', 'whole']
+    """
+    return {*re.findall(rf"\b({FREE}|{WHOLE})_", written), *re.findall(r"([a-z]+)\d+'", written)}

@@ -1,0 +1,58 @@
+"""Sums, integrals and values of functions that nothing computes are letters of their own."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+MEAN = r"Let $\bar x := \frac{1}{n} \sum_{i=1}^{n} x_i$. "
+
+FOLLOWING = [
+    MEAN + r"Then \begin{equation} \sum_{i=1}^{n} (x_i - \bar x) = 0 \end{equation}",
+    MEAN + r"Then \begin{equation} \sum_{i=1}^{n} (x_i - \bar x)^2 = \sum_{i=1}^{n} x_i^2 - n \bar x^2 \end{equation}",
+    MEAN + r"Then \begin{equation} e^{a + \sum_{i=1}^{n} x_i} = e^a e^{n \bar x} \end{equation}",
+    MEAN + r"Then \begin{equation} 2^{\sum_{i=1}^{n} x_i} = 2^{n \bar x} \end{equation}",
+    r"\begin{equation} \sum_{i=1}^n \sum_{j=1}^m x_i y_j = \sum_{i=1}^n x_i \sum_{j=1}^m y_j \end{equation}",
+    r"\[ \sum_{i=1}^n \sum_{j=1}^m (x_{ij} + c) = \sum_{i=1}^n \sum_{j=1}^m x_{ij} + n m c \]",
+    r"\begin{equation} \left(e^{f(x)}\right)^2 = e^{2 f(x)} \end{equation}",
+]
+
+NOT_FOLLOWING = [
+    MEAN + r"Then \begin{equation} \sum_{i=1}^{n} (x_i - \bar x)^2 = \sum_{i=1}^{n} x_i^2 + n \bar x^2 \end{equation}",
+    r"Let $f(n) := \sum_{i=1}^{n} c g_i$. Then \begin{equation} f(3) = f(5) \end{equation}",
+    r"Let $f(n) := \sum_{i=1}^{n} c$. Then \begin{equation} f(3) = f(5) \end{equation}",
+    r"Let $g := \sum_{i=1}^{n} g_i$ and $f(n) := 2 g$. Then \begin{equation} f(3) = f(5) \end{equation}",
+    r"\begin{equation} \frac{d}{da} \sum_{i=1}^{n} e^{a x_i} = 0 \end{equation}",
+    r"Let $s := \sum_{i=1}^{n} e^{a x_i}$. Then \begin{equation} \frac{ds}{da} = 0 \end{equation}",
+    r"Let $s := \sum_{i=1}^{n} a_i^2$. Then \begin{equation} \frac{ds}{da_1} = 0 \end{equation}",
+    r"\begin{equation} \sum_{i=1}^n \sum_{j=1}^n x_i y_j = n \sum_{i=1}^n x_i y_i \end{equation}",
+    r"\begin{equation} \sum_{i=1}^n x_i y_i = \sum_{i=1}^n x_i \sum_{i=1}^n y_i \end{equation}",
+    r"\begin{equation} \sum_{i=1}^n i c = n i c \end{equation}",
+    r"\begin{equation} \sum_{i=0}^n c = n c \end{equation}",
+    r"Let $n := 3$. Then \begin{equation} \sum_{i=1}^n c = 4 c \end{equation}",
+    r"Let $i := 3$. Then \begin{equation} \sum_{i=1}^n i = 3 n \end{equation}",
+    r"Let $x := 2$. Then \begin{equation} \int_0^1 x \, dx = \int_0^1 2 \, dx \end{equation}",
+    r"Let $c := k + 1$. Then \begin{equation} \sum_{k=1}^n c = n c \end{equation}",
+    r"Let $c = k + 1$ if $k > 2$. Then \begin{equation} \sum_{k=1}^n c = n c \end{equation}",
+    r"Let $\mathbf{c} := k \mathbf{a}$. Then \[ \sum_{k=1}^n \mathbf{c} = \mathbf{c} \sum_{k=1}^n 1 \]",
+    r"\begin{equation} \sum_{i=1}^n \int x_i \, dt = n \int x_i \, dt \end{equation}",
+    r"\begin{equation} \sum_{i=1}^n f(i) = n f(i) \end{equation}",
+    r"\begin{equation} \sum_{i=1}^n f_i(x) = n f_i(x) \end{equation}",
+    r"\begin{equation} f(2)^3 = f(3)^3 \end{equation}",
+]
+
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+
+def verdicts(text):
+    return [link.verdict for reading in read_document(document_of(text), seconds=5.0) for link in reading.links]
+
+
+@pytest.mark.parametrize("text", FOLLOWING)
+def test_what_holds_for_all_values_follows(text):
+    assert verdicts(text) == ["follows"]
+
+
+@pytest.mark.parametrize("text", NOT_FOLLOWING)
+def test_what_depends_on_the_values_is_left_open(text):
+    assert verdicts(text)[-1] in ("not decided", "independent", "not read")

@@ -101,6 +101,12 @@ def rules_for(algebra: Algebra, polys: Sequence[Poly], constraints: Sequence[Pol
     return [*found.values()]
 
 
+def rule_in(algebra: Algebra, rule: Rule, constraints: Sequence[Poly]) -> Poly:
+    """Return what a rule says is zero, computed in some algebra."""
+    poly = constraints[rule.of[0]] if rule.name == CONSTRAINT else _of_rule(algebra, rule.name, rule.of)
+    return algebra.transposed(poly) if rule.transposed else poly
+
+
 def _rule(algebra: Algebra, name: str, of: tuple[Poly, ...], parts: Container[object]) -> Rule | None:
     """Return a rule, unless it speaks of inverses that do not occur."""
     try:

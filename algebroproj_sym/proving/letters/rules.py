@@ -103,7 +103,8 @@ def rules_for(algebra: Algebra, polys: Sequence[Poly], constraints: Sequence[Pol
 
 def rule_in(algebra: Algebra, rule: Rule, constraints: Sequence[Poly]) -> Poly:
     """Return what a rule says is zero, computed in some algebra."""
-    poly = constraints[rule.of[0]] if rule.name == CONSTRAINT else _of_rule(algebra, rule.name, rule.of)
+    (first, *_), parts = rule.of, [part for part in rule.of if isinstance(part, Poly)]
+    poly = constraints[first] if isinstance(first, int) else _of_rule(algebra, rule.name, parts)
     return algebra.transposed(poly) if rule.transposed else poly
 
 

@@ -575,6 +575,71 @@ def test_what_is_proved_holds_for_explicit_matrices(left, right):
                 assert not differs(record, point)
 
 
+# What a proof holds for is what it uses: the replay finds the same, and other sizes agree.
+
+SIZED = {
+    "A": "nxn", "B": "nxn", "Q": "nxn orthogonal", "R": "nxn rotation", "K": "nxn skew", "P": "nxn idempotent",
+    "u": "nx1", "v": "nx1 unit", "c": "1x1",
+}  # fmt: skip
+MATRICES = st.recursive(
+    st.sampled_from(["A", "Q", "R", "K", "P", "eye(n)", "0*A"]),
+    lambda inner: st.one_of(
+        st.tuples(inner, inner).map(lambda two: f"({two[0]} + {two[1]})"),
+        st.tuples(inner, inner).map(lambda two: f"{two[0]}*{two[1]}"),
+        *(inner.map(text.format) for text in (
+            "({}).T", "adj({})", "trace({})*B", "det({})*B", "(2*A*{})", "v*v.T*{}", "dot(u, ({})*v)*B", "c[0, 0]*{}",
+            "(A + {})**-1", "(c*{})",
+        )),
+    ),
+    max_leaves=3,
+)  # fmt: skip
+THREE = st.sampled_from(["skew(u)", "skew(v)*A", "skew(R*u)", "skew(cross(u, v))", "vee(skew(u))*v.T"])
+LAWS = (
+    ("{0} + {1}", "{1} + {0}"), ("({0})*Q*Q.T", "{0}"), ("R.T*({0})", "(({0}).T*R).T"), ("({0})*v*v.T*v", "({0})*v"),
+    ("trace(({0})*({1}))*B", "trace(({1})*({0}))*B"), ("({0})*P*P", "({0})*P"), ("({0})*B", "B*({0})"),
+    ("R*({0})*R.T*R", "R*({0})"), ("adj({0})*({0})", "det({0})*eye(n)"), ("{0}", "(({1}).T - ({1})).T + ({0})"),
+    ("det(2*({0}))*B", "det(({0}).T)*2**3*B"), ("adj(K) + {0}", "{0} + adj(K.T)"), ("det(R)*({0})", "{0}"),
+)  # fmt: skip
+
+
+def of_size(size, *texts):
+    return [re.sub(r"\bn\b", size, text) for text in texts]
+
+
+@settings(max_examples=3 * settings.default.max_examples)
+@given(law=st.sampled_from(LAWS), parts=st.tuples(MATRICES | THREE, MATRICES), size=st.sampled_from("n123"))
+def test_a_proof_holds_for_what_it_uses(law, parts, size):
+    sides = [side.format(*parts) for side in law]
+    letters = {
+        name: of_size(size, re.sub("^nx", f"{size}x", text).replace("xn", f"x{size}"))[0]
+        for name, text in SIZED.items()
+        if re.search(rf"\b{name}\b", " ".join(sides))
+    }
+    try:
+        record = record_of(*of_size(size, *sides), letters)
+    except UndefinedError:
+        return
+    if record["verdict"] in ("proved", "refuted"):
+        assert (replay_identity(record).status, replay_identity(record).reason) == ("replayed", "")
+    if record["verdict"] == "proved" and record["certificate"]["scope"] == "for every size":
+        letters = {name: SIZED[name] for name in letters}
+        assert record_of(*sides, letters)["verdict"] == "proved"
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "letters", "scope"),
+    [
+        ("adj(K) + A", "A + adj(K)", {"K": "3x3 skew", "A": "3x3"}, "for 3x3"),
+        ("A + B", "B + A", {"A": "nxn", "B": "nxn", "c": "1x1"}, "for every size"),
+        ("R*R.T*A", "A", {"A": "3x3", "R": "3x3 rotation"}, "for every size"),
+        ("R*R.T*skew(a)", "skew(a)", {"a": "3x1", "R": "3x3 rotation"}, "for 3x3 and 3x1"),
+    ],
+)
+def test_the_scope_is_that_of_what_is_used(left, right, letters, scope):
+    record = record_of(left, right, letters)
+    assert (record["certificate"]["scope"], replay_identity(record).status) == (scope, "replayed")
+
+
 # -- the public function
 
 

@@ -25,7 +25,7 @@ from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.entries import Field, Rows, degree_of, entries_of
 from algebroproj_sym.proving.letters.points import example, has_properties, sparse
 from algebroproj_sym.proving.letters.properties import Coordinates, Letter, coordinates
-from algebroproj_sym.proving.letters.rewriting import proof_in_words
+from algebroproj_sym.proving.letters.rewriting import Proof, proof_in_words
 from algebroproj_sym.proving.letters.rules import rules_for
 from algebroproj_sym.proving.letters.series import FUNCTIONS, speaks_of_angles, without_series
 from algebroproj_sym.proving.letters.statements import (
@@ -400,7 +400,6 @@ class _Question:
         try:
             claim = algebra.poly(statement.left) - algebra.poly(statement.right)
             constraints = [algebra.poly(term) for term in statement.constraints]
-            stated = algebra.is_sized
             rules = rules_for(algebra, [claim, algebra.poly(statement.left)], constraints)
             proof = proof_in_words(algebra, claim, rules)
         except NotWordsError:
@@ -409,9 +408,15 @@ class _Question:
             raise self._undefined() from None
         if proof is None:
             return None
-        is_sized = algebra.is_sized if proof["rules"] else stated
-        scope = self._scope({}) if is_sized else "for every size"
-        return self._proved({"method": "words"} | proof, scope)
+        scope = self._scope({}) if self._is_sized(proof) else "for every size"
+        return self._proved({"method": "words"} | proof.record(algebra), scope)
+
+    def _is_sized(self, proof: Proof) -> bool:
+        """Whether the statement, or a proof of it, uses what holds for the given sizes alone."""
+        algebra = Algebra(self.plain.letters)
+        _, _, *constraints = map(algebra.poly, self.plain.terms[: 2 + len(self.plain.constraints)])
+        proof.multiply_out(algebra, constraints)
+        return algebra.is_sized
 
     def _proved(self, certificate: Mapping[str, Any], scope: str) -> Found:
         witness = {} if self.witness is None else {"witness": self._completed(self.witness).record()}

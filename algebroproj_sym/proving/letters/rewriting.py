@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from algebroproj_sym.expressions.letters import ONE, letters_text
-from algebroproj_sym.proving.letters.rules import Rule
+from algebroproj_sym.proving.letters.rules import Rule, rule_in
 from algebroproj_sym.proving.letters.words import (
     Algebra,
     Atom,
@@ -67,6 +68,12 @@ class Part:
         inner = algebra.product(self.factor, inner)
         return inner if self.outer is None else algebra.product(inner, self.outer)
 
+    def within(self, algebra: Algebra) -> Part:
+        """Return the multiple with its factors computed in another algebra."""
+        factor, left, right = (algebra.poly(algebra.term(poly)) for poly in (self.factor, self.left, self.right))
+        outer = None if self.outer is None else algebra.poly(algebra.term(self.outer))
+        return replace(self, factor=factor, left=left, right=right, outer=outer)
+
     def record(self, algebra: Algebra) -> dict[str, Any]:
         """Return the multiple as text, without what is 1."""
         found: dict[str, Any] = {"of": self.place}
@@ -77,11 +84,39 @@ class Part:
         return {**found, "trace": True} if self.inside else found
 
 
-def proof_in_words(algebra: Algebra, claim: Poly, rules: Sequence[Rule]) -> dict[str, Any] | None:
-    """Return why a polynomial is zero, as a record; None if that was not found.
+@dataclass(frozen=True)
+class Proof:
+    """Why a polynomial is zero.
 
-    The record lists rules, by name and what they are of, and sums of multiples of them and of earlier sums.  The last
-    sum is the claim.
+    Attributes
+    ----------
+    rules : list of Rule
+        What is zero, and used.
+    sums : list of list of Part
+        Sums of multiples of rules, which have places from 0 on, and of earlier sums, which follow.  The last one is
+        the polynomial.
+    """
+
+    rules: list[Rule]
+    sums: list[list[Part]]
+
+    def record(self, algebra: Algebra) -> dict[str, Any]:
+        """Return the proof as text."""
+        return {
+            "rules": [_rule_record(algebra, rule) for rule in self.rules],
+            "sums": [[part.record(algebra) for part in parts] for parts in self.sums],
+        }
+
+    def multiply_out(self, algebra: Algebra, constraints: Sequence[Poly]) -> None:
+        """Compute the rules and the sums once more, in another algebra."""
+        zeros = [rule_in(algebra, rule, constraints) for rule in self.rules]
+        for parts in self.sums:
+            values = [part.within(algebra).value(algebra, zeros[part.place]) for part in parts]
+            zeros.append(reduce(Poly.__add__, values) if values else Poly(ONE, {}))
+
+
+def proof_in_words(algebra: Algebra, claim: Poly, rules: Sequence[Rule]) -> Proof | None:
+    """Return why a polynomial is zero; None if that was not found.
 
     Examples
     --------
@@ -90,10 +125,10 @@ def proof_in_words(algebra: Algebra, claim: Poly, rules: Sequence[Rule]) -> dict
     >>> from algebroproj_sym.proving.letters.rules import rules_for
     >>> algebra = Algebra({"R": Letter("R", ("n", "n"), frozenset({"orthogonal"}))})
     >>> claim = algebra.poly(parse_letters("R.T*R*R - R", {"R": ("n", "n")}))
-    >>> proof_in_words(algebra, claim, rules_for(algebra, [claim], []))
+    >>> proof_in_words(algebra, claim, rules_for(algebra, [claim], [])).record(algebra)
     {'rules': [{'rule': 'orthogonal columns', 'of': ['R']}], 'sums': [[{'of': 0, 'right': 'R'}]]}
     """
-    return _Search(algebra, rules).record(claim)
+    return _Search(algebra, rules).result(claim)
 
 
 @dataclass(frozen=True)
@@ -127,9 +162,9 @@ class _Search:
         }
         self.left = MOST_STEPS
 
-    def record(self, claim: Poly) -> dict[str, Any] | None:
+    def result(self, claim: Poly) -> Proof | None:
         sums = self.proof(claim) or self._proof_of_forms(claim)
-        return None if sums is None else self._record(sums)
+        return None if sums is None else self._used(sums)
 
     def proof(self, claim: Poly) -> list[list[Part]] | None:
         """Return sums of multiples of the rules and of earlier sums, which have places from -1 on downwards."""
@@ -305,7 +340,7 @@ class _Search:
         sign, word = min(forms, key=lambda each: (str(each[1][0]), str(each[1][-1])))
         return sign, word[0], word[1:-1], word[-1]
 
-    # -- the record
+    # -- the proof
 
     def _sums(self, state: _State) -> list[list[Part]]:
         sums = [state.parts]
@@ -315,19 +350,19 @@ class _Search:
             state = state.before
         return sums
 
-    def _record(self, sums: list[list[Part]]) -> dict[str, Any]:
+    def _used(self, sums: list[list[Part]]) -> Proof:
+        """Return the proof with the rules that it uses."""
         used = sorted({part.place for parts in sums for part in parts if part.place >= 0})
         places = {place: k for k, place in enumerate(used)} | {-k: len(used) + k - 1 for k in range(1, len(sums))}
-        return {
-            "rules": [self._rule(self.rules[place]) for place in used],
-            "sums": [
-                [replace(part, place=places[part.place]).record(self.algebra) for part in parts] for parts in sums
-            ],
-        }
+        return Proof(
+            [self.rules[place] for place in used],
+            [[replace(part, place=places[part.place]) for part in parts] for parts in sums],
+        )
 
-    def _rule(self, rule: Rule) -> dict[str, Any]:
-        named = [part if isinstance(part, int) else letters_text(self.algebra.term(part)) for part in rule.of]
-        return {"rule": rule.name, "of": named} | ({"transposed": True} if rule.transposed else {})
+
+def _rule_record(algebra: Algebra, rule: Rule) -> dict[str, Any]:
+    named = [part if isinstance(part, int) else letters_text(algebra.term(part)) for part in rule.of]
+    return {"rule": rule.name, "of": named} | ({"transposed": True} if rule.transposed else {})
 
 
 def _places(part: Word, word: Word) -> Iterator[int]:

@@ -101,6 +101,13 @@ def rules_for(algebra: Algebra, polys: Sequence[Poly], constraints: Sequence[Pol
     return [*found.values()]
 
 
+def rule_in(algebra: Algebra, rule: Rule, constraints: Sequence[Poly]) -> Poly:
+    """Return what a rule says is zero, computed in some algebra."""
+    (first, *_), parts = rule.of, [part for part in rule.of if isinstance(part, Poly)]
+    poly = constraints[first] if isinstance(first, int) else _of_rule(algebra, rule.name, parts)
+    return algebra.transposed(poly) if rule.transposed else poly
+
+
 def _rule(algebra: Algebra, name: str, of: tuple[Poly, ...], parts: Container[object]) -> Rule | None:
     """Return a rule, unless it speaks of inverses that do not occur."""
     try:

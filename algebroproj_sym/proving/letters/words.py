@@ -145,12 +145,12 @@ class Algebra:
     letters : mapping of str to Letter
         What is declared.
     is_sized : bool
-        Whether something was used that holds for the given sizes alone.
+        Whether something was computed that holds for the given sizes alone.
     """
 
     def __init__(self, letters: Mapping[str, Letter]) -> None:
         self.letters = letters
-        self.is_sized = any(letter.shape == ONE for letter in letters.values())
+        self.is_sized = False
         self._known: dict[Term, Poly] = {}
 
     # -- from terms
@@ -184,6 +184,7 @@ class Algebra:
         if kind == "symbol":
             return of_scalar(Scalar("symbol", value))
         if kind == "letter":
+            self.is_sized |= term.shape == ONE
             return self.of_word(term.shape, (Atom("letter", value, False, *term.shape),))
         if kind == "eye":
             return constant(1, term.shape)
@@ -228,17 +229,11 @@ class Algebra:
             sign = -1
         else:
             base = of_key(atom.key)
-            sign = self._parity(base) ** (int(atom.rows) - 1 if self._is_odd_adjugate(atom, base) else 1)
+            sign = self._parity(base)
+            if atom.kind == "adj" and sign == -1:
+                sign = (-1) ** (int(atom.rows) - 1)
         other = Atom(atom.kind, atom.key, not atom.transposed, atom.columns, atom.rows)
         return (sign, atom) if sign else (1, other)
-
-    def _is_odd_adjugate(self, atom: Atom, base: Poly) -> bool:
-        if atom.kind != "adj" or self._parity(base) != -1:
-            return False
-        if not isinstance(atom.rows, int):
-            raise NotWordsError("the adjugate of a skew matrix of any size")
-        self.is_sized = True
-        return True
 
     def _parity(self, base: Poly) -> int:
         """Return 1 if a polynomial is symmetric, -1 if it is skew, else 0."""
@@ -376,9 +371,13 @@ class Algebra:
             return poly
         if len(poly.terms) == 1:
             (((scalars, word), value),) = poly.terms.items()
-            if not scalars and value == 1 and all(atom.rows == atom.columns for atom in word):
-                parts = (self._opaque("adj", self.of_word(poly.shape, (atom,))) for atom in reversed(word))
+            if len(word) != 1 and not scalars and value == 1 and all(atom.rows == atom.columns for atom in word):
+                parts = (self.adjugate(self.of_word(poly.shape, (atom,))) for atom in reversed(word))
                 return reduce(self.product, parts, constant(1, poly.shape))
+        if self._parity(poly) == -1:
+            if not isinstance(poly.shape[0], int):
+                raise NotWordsError("the adjugate of a skew matrix of any size")
+            self.is_sized = True
         return self._opaque("adj", poly)
 
     def skew(self, poly: Poly) -> Poly:

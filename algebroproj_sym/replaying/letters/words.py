@@ -57,7 +57,7 @@ class Words:
 
     def __init__(self, letters: Mapping[str, Letter]) -> None:
         self.letters = letters
-        self.is_sized = any(letter.shape == NUMBER for letter in letters.values())
+        self.is_sized = False
         self.is_closed = False
         self.atoms: dict[str, _Atom] = {}
         self.inside: dict[str, Poly] = {}
@@ -160,6 +160,7 @@ class Words:
     def letter(self, name: str) -> Poly:
         """Return a letter."""
         shape, properties = self.letters[name]
+        self.is_sized |= shape == NUMBER
         sign = 1 if "symmetric" in properties else -1 if "skew" in properties else 0
         other = name if sign else f"{name}.T"
         self._enter(name, shape, sign or 1, other)

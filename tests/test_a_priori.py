@@ -468,6 +468,49 @@ def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     assert "= [0%nat; 1%nat; 2%nat; 3%nat; 4%nat]" in " ".join(said.split())
 
 
+def program(*operations):
+    return "[" + "; ".join(f"({place}, {text})" for place, text in enumerate(operations, start=1)) + "]"
+
+
+SQUARED = [f"Mul {place} {place}" for place in range(2, 8)]
+"""The second number of a program, raised to the power 64."""
+
+
+@pytest.mark.whole
+@needs_coq
+def test_without_a_range_the_theorem_is_about_results_that_are_finite(tmp_path):
+    """There are arguments for which it says something; where a line overflows or underflows, it says nothing."""
+    (kernel,) = kernels(["metric.normal_covariance"])
+    found = accuracy_of(lower(kernel), algebroproj)
+    assert found.reach is None
+    write_texts(render([found]), tmp_path)
+    for name in (*CHECKER, found.name):
+        (result,) = compiled(tmp_path, [name])
+        assert not result.error
+    assert set(assumptions(tmp_path, CLASSICAL).axioms) <= CLASSICAL
+    text = (tmp_path / f"{found.name}.v").read_text(encoding="utf-8")
+    for theorem in ("finite", "formula", "possible"):
+        assert f"Theorem {found.name}_{theorem} :" in text
+    overflowing = program("Input 1", "Neg 1", *SQUARED)
+    underflowing = program("Constant 1", "Input 1", "Div 1 2", *(f"Mul {place} {place}" for place in range(3, 8)))
+    checks = [
+        f"runs {overflowing} [2]%Z",
+        f"runs {overflowing} [2 ^ 15]%Z",
+        f"runs {overflowing} [2 ^ 16]%Z",
+        f"runs {underflowing} [2]%Z",
+        f"runs {underflowing} [2 ^ 40]%Z",
+        f"runs {underflowing} [0]%Z",
+        f"runs {program('Input 1')} [2 ^ 53 + 1]%Z",
+        f"runs {program('Neg 1', 'Input 1')} [1]%Z",
+    ]
+    parts = [f"From {LIBRARY} Require Import Checker Machine Instances.\n", "From Coq Require Import ZArith List."]
+    parts += ["Import ListNotations.\nOpen Scope positive_scope.", f"Eval vm_compute in [{'; '.join(checks)}]."]
+    (tmp_path / "points.v").write_text("\n".join(parts), encoding="utf-8")
+    command = ["coqc", "-q", "-R", ".", LIBRARY, "points.v"]
+    said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    assert "= [true; true; false; true; false; false; false; false]" in " ".join(said.split())
+
+
 FORMULAS = "Trees.formulas"
 OTHER_FORMULAS = [f"Opp (hd (Formulas.Int 0) {FORMULAS})", "Int 0", "Var 7", f"Abs (hd (Formulas.Int 0) {FORMULAS})"]
 

@@ -260,6 +260,12 @@ def test_text_is_no_number():
         optics.scale("one", 2.0)
 
 
+@pytest.mark.parametrize("wrong", [None, {}, {1.0}, [1.0, None], np.array([Fraction(1), "2"], dtype=object)])
+def test_objects_that_are_no_numbers_are_named(wrong):
+    with pytest.raises(TypeError, match="scale: expected numbers for f, got"):
+        optics.scale(wrong, 1.0)
+
+
 def test_a_python_scalar_does_not_widen_an_array():
     points = np.ones((4, 3), dtype=np.float32)
     assert optics.image_point(2.5, points).dtype == np.float32

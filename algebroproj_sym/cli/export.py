@@ -110,8 +110,9 @@ def bounds(functions: tuple[str, ...], out: Path, compiling: bool, jobs: int) ->
     A FUNCTION is a module such as projection, or a name such as projection.project.  Without one, all are taken.
 
     A theorem speaks of the lines of the C source in the installed package.  It says for all binary64 inputs in a range
-    that nothing overflows, and how far a result can be from the formula of the derivation.  The files need Coq 8.16 or
-    later and Flocq 4.1 or later.
+    that nothing overflows, and how far a result can be from the formula of the derivation.  For two functions no range
+    is found: their theorem supposes that nothing overflows or underflows.  The files need Coq 8.16 or later and Flocq
+    4.1 or later.
 
     With --compile, coqc compiles the files now, and coqchk checks the result.  The exit status is 1 if one of them
     rejects a file, or if a theorem uses more axioms than those of the real numbers and the excluded middle.

@@ -1,6 +1,6 @@
 (** Arguments for which the hypotheses hold: a theorem about them says something. *)
 
-From Coq Require Import Reals ZArith NArith QArith Qreals Qabs PArith List Bool FMapPositive Lia Lra.
+From Coq Require Import Reals ZArith NArith QArith Qreals Qabs PArith FunctionalExtensionality List Bool FMapPositive Lia Lra.
 From Flocq Require Import Core IEEE754.BinarySingleNaN.
 From Algebroproj Require Import Rounding Checker Ranges Machine.
 From Algebroproj Require Elimination Formulas.
@@ -165,4 +165,106 @@ Proof.
     rewrite (proj1 (R _)). apply negb_true_iff, Qeq_bool_neq in H5. intros E. apply H5, eqR_Qeq. rewrite E.
     unfold Q2R; simpl; lra.
   - apply Forall_forall. intros b B. apply A, in_or_app. now right.
+Qed.
+
+(** ** Integers at which the machine overflows and underflows nowhere *)
+
+Definition number_at (known : PositiveMap.t binary64) (j : positive) : binary64 :=
+  match PositiveMap.find j known with Some x => x | None => B754_zero false end.
+
+Fixpoint evaluated_by_machine (input : positive -> binary64) (p : program) (known : PositiveMap.t binary64) :=
+  match p with
+  | [] => known
+  | (i, o) :: q => evaluated_by_machine input q (PositiveMap.add i (machine_value input (number_at known) o) known)
+  end.
+
+Lemma evaluated_by_machine_run input p :
+  forall known, number_at (evaluated_by_machine input p known) = run (machine_value input) p (number_at known).
+Proof.
+  induction p as [|[i o] p IH]; intros known; [reflexivity|]. simpl. rewrite IH. f_equal. apply functional_extensionality.
+  intros j. unfold number_at. destruct (Pos.eqb_spec j i) as [-> | N]; [now rewrite PositiveMap.gss | now rewrite PositiveMap.gso].
+Qed.
+
+(** Exponents between which a number is, unless it is zero. *)
+Definition extent (x : binary64) : option (Z * Z) :=
+  match x with B754_finite _ m e _ => Some (e, e + Z.log2_up (Zpos m))%Z | _ => None end.
+
+Definition product_above (least : Z) (x y : binary64) : bool :=
+  match extent x, extent y with Some (l, _), Some (l', _) => (least <=? l + l')%Z | _, _ => true end.
+
+Definition quotient_above (least : Z) (x y : binary64) : bool :=
+  match extent x, extent y with Some (l, _), Some (_, h) => (least <=? l - h)%Z | _, None => false | None, _ => true end.
+
+Definition regular_at (e : positive -> binary64) (o : operation) : bool :=
+  match o with
+  | Mul a b => product_above (-1022) (e a) (e b)
+  | Div a b => quotient_above (-1022) (e a) (e b)
+  | ProductError a b _ => product_above (-969) (e a) (e b)
+  | _ => true
+  end.
+
+Lemma extent_holds x :
+  match extent x with Some (l, h) => B2R x <> 0 /\ power l <= Rabs (B2R x) <= power h | None => B2R x = 0 end.
+Proof.
+  destruct x as [s | s | | s m e B]; try reflexivity. simpl. assert (P := bpow_gt_0 radix2 e).
+  assert (A : Rabs (F2R (Float radix2 (SpecFloat.cond_Zopp s (Zpos m)) e)) = IZR (Zpos m) * power e).
+  { rewrite <- F2R_Zabs. destruct s; reflexivity. }
+  assert (M : 1 <= IZR (Zpos m) <= power (Z.log2_up (Zpos m))).
+  { split; [apply IZR_le; lia|]. unfold power. rewrite <- IZR_Zpower by apply Z.log2_up_nonneg. apply IZR_le.
+    destruct (Pos.eq_dec m 1) as [-> | N]; [simpl; lia|]. apply Z.log2_up_spec. lia. }
+  split; [apply F2R_neq_0; simpl; now destruct s|]. rewrite A. unfold power in *. rewrite bpow_plus. split.
+  - rewrite <- (Rmult_1_l (bpow radix2 e)) at 1. apply Rmult_le_compat_r; lra.
+  - rewrite Rmult_comm. apply Rmult_le_compat_l; lra.
+Qed.
+
+Lemma product_above_holds least x y :
+  product_above least x y = true -> B2R x * B2R y = 0 \/ power least <= Rabs (B2R x * B2R y).
+Proof.
+  intros H. assert (X := extent_holds x). assert (Y := extent_holds y). unfold product_above in H.
+  destruct (extent x) as [[l h]|]; [|left; rewrite X; ring]. destruct (extent y) as [[l' h']|]; [|left; rewrite Y; ring].
+  right. apply Z.leb_le in H. apply Rle_trans with (power (l + l')); [now apply power_le|].
+  unfold power. rewrite bpow_plus, Rabs_mult. apply Rmult_le_compat; try apply bpow_ge_0; [apply X | apply Y].
+Qed.
+
+Lemma quotient_above_holds least x y :
+  quotient_above least x y = true -> B2R y <> 0 /\ (B2R x / B2R y = 0 \/ power least <= Rabs (B2R x / B2R y)).
+Proof.
+  intros H. assert (X := extent_holds x). assert (Y := extent_holds y). unfold quotient_above in H.
+  destruct (extent y) as [[l' h']|]; [|destruct (extent x) as [[l h]|]; discriminate]. destruct Y as (N & Y). split; [exact N|].
+  destruct (extent x) as [[l h]|]; [|left; rewrite X; unfold Rdiv; ring]. right. apply Z.leb_le in H.
+  apply Rle_trans with (power (l - h')); [now apply power_le|]. destruct X as (_ & X).
+  unfold Rdiv, Z.sub, power. rewrite bpow_plus, Rabs_mult. apply Rmult_le_compat; try apply bpow_ge_0; [apply X|].
+  now apply (within_inv l' h' _ N (or_intror (proj1 Y))).
+Qed.
+
+Definition runs (p : program) (integers : list Z) : bool :=
+  let known := evaluated_by_machine (arguments (map machine_integer integers)) p (PositiveMap.empty _) in
+  well_formed 1 p && forallb (fun n => (Z.abs n <=? 2 ^ 53)%Z) integers
+  && forallb (fun named => is_finite (number_at known (fst named)) && regular_at (number_at known) (snd named)) p.
+
+Theorem runs_sound p integers :
+  runs p integers = true ->
+  let given := map machine_integer integers in
+  all_finite given p /\ all_regular (numbers (map B2R given)) p.
+Proof.
+  intros H given. unfold runs in H. cbv zeta in H. fold given in H. apply andb_prop in H as [H R]. apply andb_prop in H as [W I].
+  rewrite forallb_forall in I, R. rewrite evaluated_by_machine_run in R.
+  assert (E : number_at (PositiveMap.empty _) = fun _ => B754_zero false).
+  { apply functional_extensionality. intros j. unfold number_at. now rewrite PositiveMap.gempty. }
+  rewrite E in R. fold (machine (arguments given) p) in R.
+  assert (G : Forall (fun x => is_finite x = true) given).
+  { apply Forall_map, Forall_forall. intros n N. apply machine_integer_holds, Z.leb_le, I, N. }
+  assert (F : all_finite given p).
+  { split; [exact G|]. apply Forall_forall. intros named N. specialize (R named N). now apply andb_prop in R as [R _]. }
+  split; [exact F|]. rewrite <- real_arguments.
+  assert (M : forall i, holds (computed (real (arguments given)) p i) (machine (arguments given) p i)).
+  { apply machine_computes; [exact W | now apply arguments_finite |]. intros i o N. assert (Q := R (i, o) N).
+    apply andb_prop in Q as [R1 R2]. split; [now right|]. destruct o; try exact Logic.I. right.
+    now apply quotient_above_holds in R2. }
+  apply Forall_forall. intros [i o] N. specialize (R (i, o) N). apply andb_prop in R as [_ R]. simpl in R |- *.
+  destruct o as [| | | | | | a b | a b | a b q]; try exact Logic.I; simpl in R |- *;
+    rewrite <- (proj2 (M a)), <- (proj2 (M b)).
+  - apply product_above_holds in R. destruct R as [-> | R]; [left; apply float_0 | now right].
+  - apply quotient_above_holds in R as (_ & [-> | R]); [left; apply float_0 | now right].
+  - now apply product_above_holds.
 Qed.

@@ -16,7 +16,7 @@ from algebroproj_sym.exporting.rounding.formulas import Derived, derived
 from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.generating.backends.c import c_name
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.ranges import reach
+from algebroproj_sym.generating.ranges import DIGITS, reach
 from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
 from algebroproj_sym.verifying.straight_line import straight_line_of_c
 
@@ -128,7 +128,7 @@ Import ListNotations.
 Open Scope positive_scope.
 
 {definitions("", found.analysis)}
-{_unlimited(found, "check_sound") if found.reach is None else _in_range(found, found.reach)}"""
+{_finite(found) if found.reach is None else _in_range(found, found.reach)}"""
 
 
 def _unlimited(found: Accuracy, lemma: str, given: str = "") -> str:
@@ -144,41 +144,67 @@ Proof. exact ({lemma}{given} lines certificate bounds divisors accepted). Qed.
 
 
 def _in_range(found: Accuracy, k: int) -> str:
-    """Return that theorem, what the formulas are, one about machine numbers in a range, and that there are such."""
+    """Return that theorem, and one about machine numbers in a range."""
+    such = f"that are zero or between 2^-{k} and 2^{k} in absolute value"
+    lemma = f"check_range_sound {k} lines certificate bounds divisors accepted"
+    closed = _about_machine_numbers(found, k, "in_range", such, {"A": f"Forall (argument {k}) {{given}}"}, lemma)
+    return f"{_unlimited(found, 'check_range_bounds', f' {k}')}\n{closed}"
+
+
+def _finite(found: Accuracy) -> str:
+    """Return that theorem, and one about machine numbers from which the lines give finite numbers."""
+    such = "for which every line gives a finite number, and no product or quotient underflows"
+    hypotheses = {"F": "all_finite {given} lines", "R": "all_regular {real} lines"}
+    lemma = "check_finite lines certificate bounds divisors accepted"
+    closed = _about_machine_numbers(found, DIGITS, "finite", such, hypotheses, lemma)
+    return f"{_unlimited(found, 'check_sound')}\n{closed}"
+
+
+def _about_machine_numbers(
+    found: Accuracy, k: int, name: str, such: str, hypotheses: Mapping[str, str], lemma: str
+) -> str:
+    """Return what the formulas are, a theorem about machine numbers, and that there are such numbers."""
     names = [identifier(name) for name in found.analysis.line.inputs]
     given, variables = listed(names), " ".join(names)
     known = derived(found.lowered, found.analysis)
     real, applied = f"(numbers (map B2R {given}))", " ".join(f"(B2R {name})" for name in names)
+    stated = [text.format(given=given, real=real) for text in hypotheses.values()]
+    supposed = "".join(f"  {text} ->\n" for text in stated)
     chosen = instance(found.analysis, min(2**k, 9), known.is_regular)
     integers = f"{listed([*map(str, chosen)])}%Z"
-    return f"""{_unlimited(found, "check_range_bounds", f" {k}")}
-{_formula(found, known)}
-(** For all machine numbers that are zero or between 2^-{k} and 2^{k} in absolute value. *)
-Theorem {found.name}_in_range :
+    tests = [
+        _computed("example", f"is_instance {k} lines bounds divisors {integers}"),
+        _computed("example_nonzero", f"nonzero_at {integers} Trees.factors"),
+    ]
+    shown = [*hypotheses, f"(nonzero_at_sound {integers} Trees.factors example_nonzero)", "D"]
+    steps = f"  destruct (is_instance_sound {k} lines bounds divisors {integers} example) as (A & D & P).\n"
+    if "A" not in hypotheses:
+        tests.append(_computed("example_runs", f"runs lines {integers}"))
+        steps += f"  destruct (runs_sound lines {integers} example_runs) as (F & R).\n"
+    and_ = "\n  /\\ "
+    return f"""{_formula(found, known)}
+(** For all machine numbers {such}. *)
+Theorem {found.name}_{name} :
   forall {variables} : binary64,
-  Forall (argument {k}) {given} ->
-  nonzero {applied} ->
+{supposed}  nonzero {applied} ->
   Forall (determined {real} lines) divisors ->
   Forall2 (accurate {given} lines) bounds (formula {applied}).
 Proof.
-  intros {variables} A N D.
-  exact (check_range_sound {k} lines certificate bounds divisors accepted {given} _ A D
+  intros {variables} {" ".join(hypotheses)} N D.
+  exact ({lemma} {given} _ {" ".join(hypotheses)} D
     ({found.name}_formula {applied} N)).
 Qed.
 
-{_computed("example", f"is_instance {k} lines bounds divisors {integers}")}
-{_computed("example_nonzero", f"nonzero_at {integers} Trees.factors")}
+{chr(10).join(tests)}
 (** There are such numbers. *)
 Theorem {found.name}_possible :
   exists {variables} : binary64,
-  Forall (argument {k}) {given}
-  /\\ nonzero {applied}
+  {and_.join([*stated, f"nonzero {applied}"])}
   /\\ Forall (determined {real} lines) divisors
   /\\ Forall (applies {real} lines) bounds.
 Proof.
   exists {", ".join(f"(machine_integer ({value}))" for value in chosen)}.
-  destruct (is_instance_sound {k} lines bounds divisors {integers} example) as (A & D & P).
-  exact (conj A (conj (nonzero_at_sound {integers} Trees.factors example_nonzero) (conj D P))).
+{steps}  exact ({" (".join(f"conj {proof}" for proof in shown)} P{")" * len(shown)}.
 Qed.
 """
 

@@ -17,6 +17,9 @@ from .evaluation import parts_of
 
 __all__ = ["tell_errors"]
 
+ELSEWHERE = "Other input may lose all digits without a warning: `algebroproj.bounds` tells the error at a point."
+"""What samples do not show."""
+
 _EXAMPLES = re.compile(r"\n\n( *)Examples\n")
 
 
@@ -42,8 +45,8 @@ def sentences(entry: Mapping[str, Any], backward: bool) -> list[str]:
     Examples
     --------
     >>> figures = {"samples": 100, "median_ulp": 0.25, "max_ulp": 0.75, "max_ratio": 1.5}
-    >>> sentences({"all": figures}, False)
-    ['Measured error in float64: 0.25 ULP in the median, at most 0.75 ULP (100 samples, some near singularities).']
+    >>> sentences({"all": figures}, False)[0]
+    'Measured error in float64: 0.25 ULP in the median, at most 0.75 ULP (100 samples, some near singularities).'
     """
     figures = entry["all"]
     ratio = f"{figures['max_ratio']} times what rounding the arguments changes"
@@ -57,7 +60,7 @@ def sentences(entry: Mapping[str, Any], backward: bool) -> list[str]:
             f"at most {ordinary['max_ulp']:.3g} ULP on ordinary input, {everywhere['max_ulp']:.3g} ULP on all samples"
         )
         text.append(f"Without compensation (`plain`): {everywhere['median_ulp']} ULP in the median; {largest}.")
-    return text
+    return [*text, ELSEWHERE]
 
 
 def _with(docstring: str, text: Iterable[str]) -> str:

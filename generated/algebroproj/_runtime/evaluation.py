@@ -276,6 +276,10 @@ def _dtype(signature: Signature, given: Sequence[Any], arrays: Sequence[NDArray[
     for (name, _), array in zip(signature.arguments, arrays, strict=True):
         if array.dtype.kind not in "fcOiub":
             raise TypeError(f"{signature.name}: expected numbers for {name}, got dtype {array.dtype}")
+        if array.dtype.kind == "O":
+            for entry in array.flat:
+                if not (hasattr(entry, "__mul__") and hasattr(entry, "__sub__")):
+                    raise TypeError(f"{signature.name}: expected numbers for {name}, got {entry!r}")
     dtype = arrays[0].dtype
     if any(array.dtype != dtype for array in arrays):
         pairs = zip(given, arrays, strict=True)

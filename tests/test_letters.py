@@ -640,6 +640,61 @@ def test_the_scope_is_that_of_what_is_used(left, right, letters, scope):
     assert (record["certificate"]["scope"], replay_identity(record).status) == (scope, "replayed")
 
 
+# -- several exponentials, and points under constraints with angles
+
+AXES = {name: f"exp({angle}*skew(block({rows})))" for name, angle, rows in (
+    ("X", "w", "[1], [0], [0]"), ("Y", "f", "[0], [1], [0]"), ("Z", "k", "[0], [0], [1]"),
+)}  # fmt: skip
+ENTRIES = (
+    "block([cos(k)*cos(f), cos(k)*sin(f)*sin(w) - sin(k)*cos(w), cos(k)*sin(f)*cos(w) + sin(k)*sin(w)], "
+    "[sin(k)*cos(f), sin(k)*sin(f)*sin(w) + cos(k)*cos(w), sin(k)*sin(f)*cos(w) - cos(k)*sin(w)], "
+    "[-sin(f), cos(f)*sin(w), cos(f)*cos(w)])"
+)
+PRODUCT = "{Z}*{Y}*{X}".format(**AXES)
+UNITS = {"a": "3x1 unit", "b": "3x1 unit"}
+SEVERAL = [
+    (PRODUCT, ENTRIES, {}, (), "proved"),
+    (PRODUCT, f"({ENTRIES}).T", {}, (), "refuted"),
+    (PRODUCT, "{X}*{Y}*{Z}".format(**AXES), {}, (), "refuted"),
+    ("exp(w*skew(block([3], [0], [4])))[1, 1]", "cos(5*w)", {}, (), "proved"),
+    ("exp(w*skew(block([3], [0], [4])))[1, 1]", "cos(10*w)", {}, (), "refuted"),
+    ("R.T*R", "eye(3)", {"R": "3x3"}, (f"R = {PRODUCT}",), "proved"),
+    ("(exp(skew(u))*exp(skew(v))).T", "exp(-skew(v))*exp(-skew(u))", {"u": "3x1", "v": "3x1"}, (), "proved"),
+    ("exp(x*skew(a))*exp(y*skew(a))", "exp((x + y)*skew(a))", UNITS, (), "proved"),
+    ("exp(x*skew(a))*exp(y*skew(a))", "exp((x - y)*skew(a))", UNITS, (), "refuted"),
+    ("R*exp(skew(v))*R.T", "exp(skew(R*v))", {"R": "3x3 rotation", "v": "3x1"}, (), "proved"),
+    ("R*exp(skew(v))*R.T", "exp(skew(R*v))", {"R": "3x3 orthogonal", "v": "3x1"}, (), "refuted"),
+    ("exp(x*skew(a))*exp(y*skew(b))", "exp(y*skew(b))*exp(x*skew(a))", UNITS, ("dot(a, b) = 0",), "refuted"),
+    ("exp(skew(u))*v", "v", {"u": "3x1", "v": "3x1"}, ("cross(u, v) = 0",), "proved"),
+    ("exp(skew(u))*v", "v", {"u": "3x1", "v": "3x1"}, ("dot(u, v) = 0",), "refuted"),
+    ("R*a", "-a", {"R": "3x3 rotation", "a": "3x1 unit"}, ("R = exp(x*skew(a))",), "refuted"),
+    ("R", "eye(3)", {"R": "3x3 rotation", "v": "3x1"}, ("R*v = exp(skew(v))*v",), "refuted"),
+    ("y*sin(x)", "y", {}, ("y*cos(x) = z*sin(x)",), "refuted"),
+    ("sin(x)", "1", {}, ("cos(x) = 0",), "refuted"),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "letters", "constraints", "verdict"), SEVERAL)
+def test_several_exponentials_and_angles_under_constraints(left, right, letters, constraints, verdict):
+    record = record_of(left, right, letters, constraints)
+    assert (record["verdict"], record["reason"]) == (verdict, None)
+    assert (replay_identity(record).status, replay_identity(record).reason) == ("replayed", "")
+
+
+@pytest.mark.parametrize("forged", ["pi/3", "pi/7", "-5*pi/4", "0*pi", "pi/0", "acos(0/1)/2", "acos(1/1)", "acos(3/4)"])
+def test_an_angle_of_which_the_sine_is_not_known_is_rejected(forged):
+    record = record_of("sin(x)", "1", {}, ("cos(x) = 0",))
+    assert replay_identity(record | {"counterexample": {"x": "-pi/2"}}).status == "replayed"
+    assert replay_identity(record | {"counterexample": {"x": "pi/2"}}).status == "rejected"
+    assert replay_identity(record | {"counterexample": {"x": forged}}).status == "rejected"
+
+
+def test_right_angles_and_others_are_no_multiples_of_one():
+    record = record_of("sin(x)", "sin(y)", {}, ("cos(x) = 0",))
+    assert record["verdict"] == "refuted"
+    assert replay_identity(record | {"counterexample": {"x": "pi/2", "y": "acos(3/5)"}}).status == "rejected"
+
+
 # -- the public function
 
 

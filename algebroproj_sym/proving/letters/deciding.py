@@ -19,7 +19,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import admits, is_plain, over, text, values_of
-from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text
+from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text, made, number
 from algebroproj_sym.proving.buchberger import Work
 from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.entries import Field, Rows, degree_of, entries_of
@@ -32,6 +32,7 @@ from algebroproj_sym.proving.letters.statements import (
     Statement,
     fixed,
     hypotheses_of,
+    replaced,
     without_definitions,
     without_lengths,
 )
@@ -274,11 +275,49 @@ class _Question:
             scalars = {name: self._number(symbol, generator, attempt) for name, symbol in self._scalars().items()}
             if None not in letters.values():
                 point = Point(letters, scalars, sizes)  # type: ignore[arg-type]
-                yield self._turned(point, generator) if self.angles else point
+                point = self._turned(point, generator, attempt) if self.angles else point
+                yield from self._with_implied(point, attempt)
 
-    def _turned(self, point: Point, generator: random.Random) -> Point:
+    def _with_implied(self, point: Point, attempt: int) -> Iterator[Point]:
+        """Yield a point, and the same with what constraints say of letters that have properties, and of others."""
+        yield point
+        with suppress(ZeroDivisionError):
+            if self.implied:
+                point = replace(
+                    point, letters={**point.letters, **{k: point.value(v) for k, v in self.implied.items()}}
+                )
+                yield point
+            if self.statement.constraints and self.angles:
+                yield from self._solved(point, attempt)
+
+    @cached_property
+    def implied(self) -> dict[str, Term]:
+        """What constraints say that letters with properties are."""
+        plain = {name: Letter(name, letter.shape, frozenset()) for name, letter in self.statement.letters.items()}
+        defined, _ = without_definitions(replace(self.statement, letters=plain))
+        return {name: term for name, term in defined.items() if name in plain}
+
+    def _solved(self, point: Point, attempt: int) -> Iterator[Point]:
+        """Yield points at which angles are given, and other letters are on the constraints."""
+        if attempt >= CONSTRAINED_STARTS:
+            return
+        bound = {part.value for term in self.angles for part in factors_of(term) if part.kind in ("letter", "symbol")}
+
+        def valued(part: Term) -> Term | None:
+            is_known = part.kind in FUNCTIONS or (part.kind in ("letter", "symbol") and part.value in bound)
+            return _constant(point.value(part)) if is_known else None
+
+        zeros = tuple(replaced(term, valued) for term in self.statement.constraints)
+        letters = {name: letter for name, letter in self.statement.letters.items() if name not in bound}
+        left = number(0)
+        for other in self._on_constraints(fixed(Statement(left, left, letters, zeros), point.sizes), attempt):
+            yield replace(point, letters={**point.letters, **other[0]}, scalars={**point.scalars, **other[1]})
+
+    def _turned(self, point: Point, generator: random.Random, attempt: int) -> Point:
         """Return a point at which lengths are rational, and angles multiples of one."""
         cosine, sine = generator.choice(_CIRCLE)
+        if self.statement.constraints and attempt % 4 == 3:
+            cosine, sine = Fraction(0), Fraction(1)
         value = Fraction(generator.randint(1, 3))
         letters, scalars, names = dict(point.letters), dict(point.scalars), set[str]()
         parts = {part for term in self.statement.terms for part in factors_of(term)}
@@ -343,7 +382,17 @@ class _Question:
         """Yield points on the constraints, in the coordinates of the letters."""
         if attempt >= CONSTRAINED_STARTS:
             return
-        statement = fixed(self.statement, sizes)
+        for letters, scalars in self._on_constraints(fixed(self.statement, sizes), attempt):
+            numbers = {
+                name: scalars[name] if name in scalars else values_of(symbol)[0]
+                for name, symbol in self._scalars().items()
+            }
+            yield Point(letters, numbers, sizes)
+
+    def _on_constraints(
+        self, statement: Statement, attempt: int
+    ) -> Iterator[tuple[dict[str, Rows], dict[str, Fraction]]]:
+        """Yield letters, and numbers, that are zeros of the constraints of a statement of fixed size."""
         expansion = _Expansion(statement)
         if not expansion.equations:
             return
@@ -353,11 +402,7 @@ class _Question:
             for values in islice(zeros, ENOUGH_POINTS):
                 scalars = {symbol.name: value for symbol, value in values.items()}
                 letters = {k: entries_of(each.entries, {}, scalars, _NUMBERS) for k, each in expansion.letters.items()}
-                numbers = {
-                    name: scalars[name] if name in scalars else values_of(symbol)[0]
-                    for name, symbol in self._scalars().items()
-                }
-                yield Point(letters, numbers, sizes)
+                yield letters, scalars
 
     def _refuted(self, point: Point) -> Found:
         shown = ([[*map(str, row)] for row in point.value(side)] for side in self.statement.terms[:2])
@@ -486,6 +531,13 @@ class _Question:
     def _whole(self, expansion: _Expansion, proof: dict[str, Any]) -> dict[str, Any]:
         """Return a proof with a witness that has a value also for coordinates that cancel."""
         return proof | {"witness": dict.fromkeys(expansion.values, "1") | proof["witness"]}
+
+
+def _constant(rows: Rows) -> Term:
+    """Return rows of numbers as a term."""
+    if len(rows) == len(rows[0]) == 1:
+        return number(rows[0][0])
+    return made("block", *(number(entry) for row in rows for entry in row), value=tuple(map(len, rows)))
 
 
 def _frame(generator: random.Random) -> Rows:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import factorial, prod
+from math import factorial, isqrt, prod
 
 from algebroproj_sym.expressions.letters import (
     ONE,
@@ -151,6 +151,8 @@ class _Translation:
             return _Angle(number(1), Fraction(1))
         if term.kind == "power" and term.value == -1 and term.parts[0].kind == "number":
             return _Angle(number(1), 1 / term.parts[0].value)
+        if (length := constant_length(term)) is not None:
+            return _Angle(number(1), length)
         if term.kind != "product":
             return _Angle(term, Fraction(1))
         parts = _flat(term)
@@ -159,7 +161,9 @@ class _Translation:
         chain = [part for part in parts if part.shape != ONE]
         while len(chain) > 1 and is_orthogonal(chain[0], self.statement.letters):
             chain.pop(0)
-        rest = numbers if len(chain) == 1 and self.is_unit(chain[0]) else [*numbers, *chain]
+        length = constant_length(chain[0]) if len(chain) == 1 else None
+        factor *= length or 1
+        rest = numbers if length is not None or (len(chain) == 1 and self.is_unit(chain[0])) else [*numbers, *chain]
         if not rest or not factor:
             return _Angle(number(1), factor)
         if len(rest) > 1:
@@ -262,6 +266,15 @@ class _Translation:
         if kind == "sin":
             return made("sum", made("product", sine, other_cosine), made("product", cosine, other_sine))
         return minus(made("product", cosine, other_cosine), made("product", sine, other_sine))
+
+
+def constant_length(term: Term) -> Fraction | None:
+    """Return the length of a vector of numbers, if that is one and the length is rational and not zero."""
+    if term.kind != "block" or term.shape[1] != 1 or any(part.kind != "number" for part in term.parts):
+        return None
+    square = sum((part.value**2 for part in term.parts), Fraction(0))
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return root if root and root**2 == square else None
 
 
 def matrix_of(part: Term) -> Term:

@@ -1,9 +1,9 @@
 """Exact points of statements with angles: all angles are multiples of one, whose sine and cosine are rational.
 
-Such an angle, acos(3/5), is transcendental by the theorem of Lindemann.  Where it is replaced by a rational number, and
-its sine and cosine are kept, a rational function of it has another value; that is not zero only if the function is not
-zero, and then it is not zero at the angle either.  What must be zero at a point is homogeneous in the angle, so that
-its value does not matter.
+Such an angle, acos(3/5) or pi/2, is transcendental by the theorem of Lindemann.  Where it is replaced by a rational
+number, and its sine and cosine are kept, a rational function of it has another value; that is not zero only if the
+function is not zero, and then it is not zero at the angle either.  What must be zero at a point is homogeneous in the
+angle, so that its value does not matter.
 """
 
 from __future__ import annotations

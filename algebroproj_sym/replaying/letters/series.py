@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from math import factorial
+from math import factorial, isqrt
 from typing import Any, NamedTuple
 
 from algebroproj_sym.replaying.letters.reading import NUMBER, Node, changed, constant, made, parts_of, read
@@ -174,8 +174,9 @@ class _Series:
                 (numbers if factor.shape == NUMBER else others).append(factor)
         while len(others) > 1 and self._is_orthogonal(others[0]):
             others = others[1:]
-        if len(others) == 1 and self._is_unit(others[0]):
-            others = []
+        length = _length_of_numbers(others[0]) if len(others) == 1 else None
+        if length is not None or (len(others) == 1 and self._is_unit(others[0])):
+            others, value = [], value * (length or 1)
         rest = numbers + others
         if not value or not rest:
             return Angle(value, constant(1))
@@ -282,6 +283,15 @@ class _Series:
             made("sum", made("product", cosine, other), minus),
             made("sum", made("product", sine, other), made("product", cosine, another)),
         )
+
+
+def _length_of_numbers(vector: Node) -> Fraction | None:
+    """Return the length of a column of numbers, where it is rational and positive."""
+    if vector.kind != "block" or vector.shape[1] != 1 or {part.kind for part in vector.parts} != {"number"}:
+        return None
+    total = sum((part.value * part.value for part in vector.parts), Fraction(0))
+    root = Fraction(isqrt(total.numerator), isqrt(total.denominator))
+    return root if root > 0 and root * root == total else None
 
 
 def _at_zero(name: str) -> Node:

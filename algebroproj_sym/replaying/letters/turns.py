@@ -1,8 +1,8 @@
 """Points at which angles are multiples of one that is transcendental, while its sine and cosine are rational.
 
-acos(c) with a rational c between -1 and 1 that is no multiple of a right angle, and a rational sine, is no algebraic
-number (Lindemann).  A rational function of it that is not zero at some rational number is not zero there either; a
-homogeneous one that is zero at such a number, not zero itself, is zero there too.
+acos(c) with a rational c between -1 and 1, and a rational sine, is no algebraic number (Lindemann), nor is pi/2.  A
+rational function of it that is not zero at some rational number is not zero there either; a homogeneous one that is
+zero at such a number, not zero itself, is zero there too.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from algebroproj_sym.replaying.letters.series import turning
 from algebroproj_sym.replaying.rejection import Rejected, require
 from algebroproj_sym.replaying.text import number
 
-_MULTIPLE = re.compile(r"(-?)(?:([1-9][0-9]*)\*)?acos\((-?[0-9]+/[0-9]+)\)(?:/([1-9][0-9]*))?")
+_MULTIPLE = re.compile(r"(-?)(?:([1-9][0-9]*)\*)?(?:acos\((-?[0-9]+/[0-9]+)\)|pi)(?:/([1-9][0-9]*))?")
 
 
 class Turn:
@@ -49,13 +49,13 @@ class Turn:
                 self.others.add(name)
             return value
         sign, times, cosine, over = match.groups()
-        self._require_angle(number(cosine))
+        self._require_angle(number(cosine) if cosine else Fraction(0))
         self.names.add(name)
-        return Fraction(int(times or 1), int(over or 1)) * (-1 if sign else 1) * self.value
+        return Fraction(int(times or 1) * (1 if cosine else 2), int(over or 1)) * (-1 if sign else 1) * self.value
 
     def _require_angle(self, cosine: Fraction) -> None:
         sine = _root(1 - cosine**2) if abs(cosine) < 1 else None
-        require(sine is not None and cosine != 0, "an angle of which the sine is not rational, or a right angle")
+        require(sine is not None, "an angle of which the sine is not rational")
         require(self.cosine in (None, cosine), "two angles that are no multiples of one")
         self.cosine, self.sine = cosine, sine or self.sine
 

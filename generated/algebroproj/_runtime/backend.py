@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "2323ce2e10f10e09"
+DIGEST = "10066038292b559a"
 """What identifies the C source that belongs to this package."""
 
 

@@ -128,16 +128,17 @@ def is_installed(name):
 
 @pytest.fixture
 def decided_here(monkeypatch):
-    """Relations of documents are decided in the process of the test: no worker is started, and no time is limited."""
+    """Questions are decided in the process of the test: no worker is started, and no time is limited."""
     from algebroproj_sym.proving import worker
 
-    def outcomes(questions, *, seconds, jobs):
+    def outcomes(questions, *, seconds, jobs, engine="flint"):
         for question in questions:
             try:
-                yield worker._decided(question, "flint")
+                yield worker._decided(question, engine)
             except Exception as error:
                 yield worker.Outcome("error", "none", 0.0, f"{type(error).__name__}: {error}")
 
+    monkeypatch.setattr("algebroproj_sym.proving.outcomes", outcomes)
     monkeypatch.setattr("algebroproj_sym.reading.judging.questions.outcomes", outcomes)
 
 
@@ -154,6 +155,18 @@ def built(request, tmp_path_factory):
         folder = tmp_path_factory.mktemp("built")
         command = [sys.executable, "-m", "algebroproj_sym", "build", "--out", str(folder), "--jobs", "2"]
         subprocess.run(command, env=os.environ | {"PYTHONHASHSEED": "1"}, capture_output=True, check=True)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def lemmas(tmp_path_factory):
+    """Return a folder with the lemmas of all theorems, compiled by Coq."""
+    from algebroproj_sym.exporting import compiled_lemmas, render
+    from algebroproj_sym.files import write_texts
+
+    folder = tmp_path_factory.mktemp("coq")
+    write_texts(render([]), folder)
+    assert not any(lemma.error for lemma in compiled_lemmas(folder))
     return folder
 
 

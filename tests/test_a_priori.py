@@ -35,7 +35,7 @@ from algebroproj_sym.verifying.a_priori import ONE, Analysis, Bound, analysis
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, inline_value, source_of
 from algebroproj_sym.verifying.condition_numbers import a_priori_record, as_record, conditions
 from algebroproj_sym.verifying.shipped import call, function_of, load_package
-from algebroproj_sym.verifying.straight_line import executed, is_rational, numbered, straight_line, straight_line_of_c
+from algebroproj_sym.verifying.straight_line import executed, numbered, straight_line, straight_line_of_c
 
 FUNCTIONS = (
     "projection.mu_from_center",
@@ -211,7 +211,7 @@ def applies(bound, kappas):
 @pytest.mark.whole
 def test_the_c_source_computes_what_was_analysed():
     """The lines of the C source, parsed, are the program that the bounds speak of, and each result has a bound."""
-    rational = [low for low in map(lower, kernels()) if is_rational(low)]
+    rational = [low for low in map(lower, kernels()) if low.kernel.is_rational]
     assert len(rational) >= 74
     for low in rational:
         line = straight_line(low)

@@ -61,7 +61,10 @@ large = pytest.mark.parametrize(("made", "message"), LARGE.values(), ids=LARGE)
 
 
 @large
-@pytest.mark.parametrize("argument", ["lhs", "rhs", "constraints[0]", "nonzero[1]"])
+@pytest.mark.parametrize(
+    "argument",
+    ["lhs", *(pytest.param(name, marks=pytest.mark.whole) for name in ("rhs", "constraints[0]")), "nonzero[1]"],
+)
 def test_prove_refuses_what_is_too_large_by_name(made, message, argument):
     value = made()
     arguments = {
@@ -138,6 +141,7 @@ SLOW = {
 }
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("text", SLOW.values(), ids=SLOW)
 def test_reading_counts_towards_the_time_limit(tmp_path, text):
     path = tmp_path / "slow.json"
@@ -148,6 +152,7 @@ def test_reading_counts_towards_the_time_limit(tmp_path, text):
     assert not multiprocessing.active_children()
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_witnesses_count_towards_the_time_limit(tmp_path):
     item = {"lhs": "x", "rhs": "x", "constraints": ["x^2 = x"], "witness": {"x": "1e999999999"}}
     path = tmp_path / "slow.json"

@@ -3,7 +3,6 @@
 ``pytest tests/test_browser.py --site DIR`` checks every page of a site that was written before.
 """
 
-import re
 import shutil
 import subprocess
 import sys
@@ -46,6 +45,8 @@ READ_PAGE = """() => {
     links: [...document.querySelectorAll("[href], [src]")]
       .map((element) => new URL(element.getAttribute("href") ?? element.getAttribute("src"), document.baseURI).href),
     anchors: [...document.querySelectorAll("[id]")].map((element) => element.id),
+    cut: [...document.querySelectorAll(".formula, .line-formula, .wide")].filter(shown)
+      .filter((element) => element.scrollHeight > element.clientHeight + 1).map((element) => element.outerHTML),
     overflow: document.documentElement.scrollWidth - document.documentElement.clientWidth,
   };
 }"""
@@ -228,15 +229,16 @@ def test_the_edges_of_a_formula_stand_out_in_the_graph_while_it_has_the_focus(si
     page.close()
 
 
-def test_a_phone_shows_every_page_without_scrolling_sideways(site, browser, request):
-    problems, wide = [], []
+def test_a_phone_shows_every_page_without_scrolling_sideways_and_cuts_no_formula(site, browser, request):
+    problems, wide, cut = [], [], []
     page = opened(browser, problems, viewport=PHONE)
     for name in addresses(site, request):
         page.goto((site / name).as_uri())
-        if page.evaluate(READ_PAGE)["overflow"] > 0:
-            wide.append(name)
+        read = page.evaluate(READ_PAGE)
+        wide += [name] if read["overflow"] > 0 else []
+        cut += [(name, element) for element in read["cut"]]
     page.close()
-    assert wide == problems == []
+    assert wide == cut == problems == []
 
 
 @pytest.mark.parametrize("query", ["2.2.6", "(2.2.6)"])
@@ -272,12 +274,17 @@ def test_the_search_forgives_a_typo(site, browser, query, title):
     page.close()
 
 
-def test_a_button_copies_the_printed_form(site, browser):
-    page = opened(browser, [], viewport=DESKTOP)
+@pytest.mark.parametrize(
+    ("what", "copied"), [("TeX", r"\frac"), ("Python", "z11"), ("BibTeX", "@misc{"), ("link", "2.2.6.html")]
+)
+def test_a_button_copies(site, browser, what, copied):
+    context = browser.new_context(permissions=["clipboard-read", "clipboard-write"])
+    page = context.new_page()
     page.goto((site / "fundamentals1996" / "2.2.6.html").as_uri())
-    page.get_by_role("button", name="the printed form").click()
-    page.locator(".copies [role=status]").get_by_text(re.compile("Copied|z")).wait_for()
-    page.close()
+    page.get_by_role("button", name=what, exact=True).click()
+    page.locator(".copies [role=status]").get_by_text("Copied.").wait_for()
+    assert copied in page.evaluate("navigator.clipboard.readText()")
+    context.close()
 
 
 def test_a_phone_has_the_search_in_one_line(site, browser):

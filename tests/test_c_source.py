@@ -64,6 +64,7 @@ def demonstration(name="second.half", symbols="x y"):
     )
 
 
+@pytest.mark.whole
 def test_only_long_kernels_and_those_that_call_functions_of_the_c_library_are_left_out(lowered):
     left_out = {kernel.qualified_name for kernel in kernels()} - COMPILED.keys()
     calling = {k.qualified_name for k in kernels() if {"cos_sin", "arctan2"} & {s.primitive for s in k.stages}}

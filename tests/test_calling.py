@@ -16,9 +16,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import algebroproj
-from algebroproj import correlation, metric, normal_case, optics, projection, space
+from algebroproj import collinearity, correlation, metric, normal_case, optics, projection, space
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.generating.runtime import threads
+from algebroproj_sym.generating.runtime import evaluation, threads
 from algebroproj_sym.generating.runtime.evaluation import Signature, evaluate
 from algebroproj_sym.verifying.shipped import function_of, load_package, without_twin
 
@@ -175,6 +175,14 @@ def test_what_is_exact_goes_exactly_from_function_to_function():
     for tau in (mu_left, mu_right):
         mapped = normal_case.map_points(tau, np.array([1, 2], object))
         assert all(isinstance(value, Fraction) for value in (*tau, *mapped))
+
+
+@pytest.mark.parametrize("function", [collinearity.similarity, metric.rotation_left, metric.rotations_from_correlation])
+def test_elementary_functions_take_machine_numbers(function):
+    shapes = [core for _, core in function.__globals__[f"_{function.__name__.upper()}_SIGNATURE"].arguments]
+    name = f"{function.__name__}: expected machine numbers"
+    with pytest.raises(TypeError, match=name):
+        function(*(np.full(shape, Fraction(1, 2), object) for shape in shapes))
 
 
 # What a compiler may do
@@ -358,6 +366,7 @@ def test_the_points_of_a_large_batch_are_computed_in_a_thread_for_each_core(monk
         seen.append((threading.get_ident(), x.shape, y.shape))
         np.add(x, y, out=out[0])
 
+    monkeypatch.setattr(evaluation, "calls", {twin: lambda *given: None})
     total = Signature("total", (("x", ()), ("y", ())), ((),), twin=twin)
     x, y = drawn((2, MANY), 1), drawn((2, 1), 2)
     out = np.empty((2, MANY))

@@ -245,7 +245,7 @@ def test_statement_text_of_nothing_is_nothing():
 RATIONAL = [c for c in select() if c.kind != "numeric" and not isinstance(c.derived, TextForm)]
 
 
-@pytest.mark.sampled(5)
+@pytest.mark.sampled(20)
 @pytest.mark.parametrize("claim", RATIONAL, ids=lambda claim: claim.number)
 def test_every_statement_of_the_papers_is_parsed_back_to_the_same_values(claim):
     for statement in (claim.printed, claim.derived, claim.corrected):

@@ -172,6 +172,7 @@ def test_verbose_says_how_long_each_step_takes(right, tmp_path):
     assert run(*arguments).stderr == ""
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize(("no_color", "colored"), [({}, True), ({"NO_COLOR": "1"}, False)])
 def test_no_color_is_respected(right, no_color, colored):
     environment = {key: value for key, value in os.environ.items() if key not in ("NO_COLOR", "TERM")}
@@ -359,7 +360,7 @@ def slow(tmp_path):
     return module
 
 
-@pytest.mark.parametrize("jobs", ["1", "2"])
+@pytest.mark.parametrize("jobs", [pytest.param("1", marks=pytest.mark.whole), "2"])
 def test_ctrl_c_ends_a_build_with_130_and_leaves_what_was_there(slow, tmp_path, jobs):
     out = tmp_path / "out"
     write_texts({"ledger.json": '{"schema": 1}\n', "report.md": "old\n"}, out)

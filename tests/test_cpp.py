@@ -188,9 +188,8 @@ def values_of(low, dtype):
 
 
 @compiling
-@pytest.mark.parametrize(
-    "kind", [pytest.param(kind, marks=pytest.mark.whole if kind != "double" else ()) for kind in TYPES]
-)
+@pytest.mark.whole
+@pytest.mark.parametrize("kind", TYPES)
 def test_every_function_gives_the_bits_of_the_numpy_source(kind, every, files, tmp_path):
     chosen = [low for low in every if is_written(low)]
     if kind != "double":  # what differs is the type alone: some functions are enough

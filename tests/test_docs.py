@@ -22,6 +22,7 @@ def test_every_block_is_run_and_prints_what_is_shown(page, tmp_path, monkeypatch
     perform(page, tmp_path, compared)
 
 
+@pytest.mark.whole
 def test_what_is_shown_is_renewed(tmp_path):
     page, made = tmp_path / "page.md", [tmp_path / "before", tmp_path / "after"]
     for folder in made:

@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import judge
-from algebroproj_sym.exporting import assumptions, checked, compiled, compiled_lemmas, export, exported, render
+from algebroproj_sym.exporting import assumptions, checked, compiled, export, exported, render
 from algebroproj_sym.exporting.compiling import ALLOWED, assumed, axioms
 from algebroproj_sym.exporting.files import translated, word
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed, rational, reserved
@@ -147,20 +147,17 @@ def records():
 
 
 @pytest.fixture(scope="module")
-def library(tmp_path_factory):
+def library(lemmas):
     """Return a function that compiles the theorems of records, given as records or as text, beside compiled lemmas."""
-    folder = tmp_path_factory.mktemp("coq")
-    write_texts(render([]), folder)
-    assert [lemma.error for lemma in compiled_lemmas(folder)] == [""] * len(LEMMAS)
 
     def verdict(claims, change=lambda text: text):
         files = render(claims)
-        write_texts({**files, "s_demo_1.v": change(files["s_demo_1.v"])}, folder)
-        (found,) = compiled(folder, ["s_demo_1"])
+        write_texts({**files, "s_demo_1.v": change(files["s_demo_1.v"])}, lemmas)
+        (found,) = compiled(lemmas, ["s_demo_1"])
         if found.error:
             return found
-        printed = assumptions(folder)
-        (independent,) = checked(folder, ["s_demo_1"])
+        printed = assumptions(lemmas)
+        (independent,) = checked(lemmas, ["s_demo_1"])
         return replace(printed, error="; ".join(filter(None, (printed.error, independent.error))))
 
     return verdict
@@ -282,6 +279,7 @@ def test_every_claim_under_constraints_has_a_witness(records):
             assert any("witness" in name or "refuted" in name for name in shown), record["number"]
 
 
+@pytest.mark.whole
 def test_the_files_do_not_depend_on_the_number_of_jobs(records):
     assert render(export(records, jobs=2)) == render(export(records))
 

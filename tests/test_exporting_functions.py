@@ -11,7 +11,7 @@ from sympy import cos, sin, sqrt, symbols
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import judge
-from algebroproj_sym.exporting import assumptions, compiled, compiled_lemmas, exported, render
+from algebroproj_sym.exporting import assumptions, compiled, exported, render
 from algebroproj_sym.exporting.compiling import ALLOWED, CLASSICAL
 from algebroproj_sym.exporting.files import FUNCTIONS, HEADER
 from algebroproj_sym.exporting.reals import real_theorems
@@ -105,32 +105,24 @@ def turn(angle):
     return Matrix([[cos(angle), -sin(angle)], [sin(angle), cos(angle)]])
 
 
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("coq")
-    write_texts(render([]), folder)
-    assert not any(lemma.error for lemma in compiled_lemmas(folder))
-    return folder
-
-
-def accepted(folder, theorems):
+def accepted(lemmas, theorems):
     """Whether Coq accepts statements with their proofs."""
     texts = (f"Theorem t{n} :\n{said}.\nProof.\n{proof}\nQed.\n" for n, (said, proof) in enumerate(theorems))
-    write_texts({"tried.v": "\n".join([HEADER, FUNCTIONS, *texts])}, folder)
-    (found,) = compiled(folder, ["tried"])
+    write_texts({"tried.v": "\n".join([HEADER, FUNCTIONS, *texts])}, lemmas)
+    (found,) = compiled(lemmas, ["tried"])
     return not found.error
 
 
 @pytest.mark.whole
 @needs_coq
-def test_the_kernel_accepts_claims_and_they_rest_on_the_excluded_middle_at_most(folder):
+def test_the_kernel_accepts_claims_and_they_rest_on_the_excluded_middle_at_most(lemmas):
     found = [exported(record) for record in claims()]
     assert [len(claim.theorems) for claim in found] == [1, 1, 4, 1, 1, 1]
-    write_texts(render(found), folder)
-    (built,) = compiled(folder, ["s_demo_1"])
+    write_texts(render(found), lemmas)
+    (built,) = compiled(lemmas, ["s_demo_1"])
     assert not built.error
-    assert ALLOWED <= {*assumptions(folder, CLASSICAL).axioms} <= CLASSICAL
-    assert not assumptions(folder, CLASSICAL).error
+    assert ALLOWED <= {*assumptions(lemmas, CLASSICAL).axioms} <= CLASSICAL
+    assert not assumptions(lemmas, CLASSICAL).error
 
 
 def theorems_of(items):
@@ -147,11 +139,11 @@ def theorems_of(items):
 @needs_coq
 @pytest.mark.whole
 @pytest.mark.parametrize("start", range(9))
-def test_the_kernel_accepts_the_corpus(folder, start):
+def test_the_kernel_accepts_the_corpus(lemmas, start):
     items = TRUE[start::9]
     theorems = theorems_of(items)
     assert len(theorems) > 0.8 * len(items)
-    assert accepted(folder, theorems)
+    assert accepted(lemmas, theorems)
 
 
 FORGED = {
@@ -184,59 +176,59 @@ def question_of(text):
     return {"lhs": lhs, "rhs": rhs, "relation": relation, "assumptions": assumptions}
 
 
-def refused(folder, record):
+def refused(lemmas, record):
     """Whether the exporter finds no theorem, or Coq rejects it; the replay is left out."""
     try:
         theorems = real_theorems(record)
     except (NotExportable, Rejected, KeyError, IndexError, AttributeError, AssertionError):
         return True
-    return not accepted(folder, theorems.values())
+    return not accepted(lemmas, theorems.values())
 
 
 @needs_coq
 @pytest.mark.whole
 @pytest.mark.parametrize("true", FORGED, ids=str)
-def test_a_proof_is_none_of_a_statement_that_is_false(folder, true):
+def test_a_proof_is_none_of_a_statement_that_is_false(lemmas, true):
     found = proved(**question_of(true))
-    assert accepted(folder, real_theorems(found).values())
+    assert accepted(lemmas, real_theorems(found).values())
     for false in FORGED[true]:
-        assert refused(folder, {**found, **question_of(false)}), false
+        assert refused(lemmas, {**found, **question_of(false)}), false
 
 
 @needs_coq
 @pytest.mark.whole
 @pytest.mark.parametrize("true", FORGED, ids=str)
-def test_a_statement_is_not_changed_behind_its_proof(folder, true):
+def test_a_statement_is_not_changed_behind_its_proof(lemmas, true):
     """Coq itself tells a conclusion, or a premise, from another one."""
     ((stated, proof),) = real_theorems(proved(**question_of(true))).values()
     *premises, conclusion = stated.splitlines()
-    assert not accepted(folder, [("\n".join([*premises, f"{conclusion} + 1"]), proof)])
+    assert not accepted(lemmas, [("\n".join([*premises, f"{conclusion} + 1"]), proof)])
     for place, premise in enumerate(premises):
         if place and premise not in HOLDS_ANYWAY:
             weaker = [*premises[:place], "True ->", *premises[place + 1 :], conclusion]
-            assert not accepted(folder, [("\n".join(weaker), proof)]), premise
+            assert not accepted(lemmas, [("\n".join(weaker), proof)]), premise
 
 
 @needs_coq
 @pytest.mark.whole
-def test_steps_that_are_forged_prove_nothing(folder):
+def test_steps_that_are_forged_prove_nothing(lemmas):
     found = proved("sin(x)", "sqrt(1 - cos(x)^2)", assumptions=["0 <= x <= pi"])
     proof = found["certificate"]["proof"]
     assert proof["steps"]
     for place in range(len(proof["steps"])):
         forged = copy.deepcopy(found)
         del forged["certificate"]["proof"]["steps"][place]
-        assert refused(folder, forged)
+        assert refused(lemmas, forged)
 
 
 @needs_coq
 @pytest.mark.whole
 @pytest.mark.parametrize("true", ["sqrt(2) + sqrt(3) > pi", "sin(1) < 85/100", "asin(1/2) = pi/6"])
-def test_no_bound_of_a_number_is_moved_past_it(folder, true):
+def test_no_bound_of_a_number_is_moved_past_it(lemmas, true):
     ((stated, proof),) = real_theorems(proved(**question_of(true))).values()
     bounds = list(re.finditer(r"assert \((\S+ / \d+\)\)?) <= .* <= (\S+ / \d+\)\)?)\) as", proof))
     assert len(bounds) >= 3
     for found in bounds:
         for own, other, by in ((1, 2, "+"), (2, 1, "-")):
             moved = f"({found[other]} {by} 1 / 1000)"
-            assert not accepted(folder, [(stated, proof[: found.start(own)] + moved + proof[found.end(own) :])])
+            assert not accepted(lemmas, [(stated, proof[: found.start(own)] + moved + proof[found.end(own) :])])

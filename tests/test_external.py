@@ -237,6 +237,7 @@ DREAM = {"name": "dream", "lhs": "(a + b)^2", "rhs": "a^2 + b^2"}
 SLOW = {"name": "slow", "lhs": "(a+b+c+d+1/e)^90", "rhs": "(1/e+b+c+d+a)^90"}
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_decided_as_declared_exits_with_0(file):
     path = file([SQUARE | {"expected": "proved"}, DREAM | {"expected": "refuted"}, DREAM])
     result = run(path)
@@ -245,6 +246,7 @@ def test_decided_as_declared_exits_with_0(file):
     assert "3 identities: 1 proved, 2 refuted; all verdicts are as declared" in result.output
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_json_is_one_object(file):
     result = run(file([SQUARE, {"lhs": "x", "rhs": "1", "constraints": ["x^2 = 2"]}]), "--format", "json")
     record = json.loads(result.stdout)
@@ -258,6 +260,7 @@ def test_json_is_one_object(file):
     }
 
 
+@pytest.mark.usefixtures("decided_here")
 @pytest.mark.parametrize("item", [DREAM | {"expected": "proved"}, SQUARE | {"constraints": ["1"]}])
 def test_what_is_not_as_declared_or_not_decided_exits_with_1(file, item):
     assert run(file([item])).exit_code == 1
@@ -273,6 +276,7 @@ def test_an_identity_that_takes_too_long_is_open_and_says_so(file):
     assert time.monotonic() - start < 60
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_what_fails_is_an_error_and_no_verdict(file):
     result = run(file([{"lhs": "1/((x+1)^2-x^2-2*x-1)", "rhs": "1"}]), "--format", "json")
     (item,) = json.loads(result.stdout)["identities"]
@@ -326,6 +330,7 @@ MALFORMED = {
 }
 
 
+@pytest.mark.usefixtures("decided_here")
 @pytest.mark.parametrize(("content", "message"), MALFORMED.values(), ids=MALFORMED)
 def test_a_malformed_file_exits_with_2_and_names_file_item_and_key(file, content, message):
     path = file(content)

@@ -8,13 +8,13 @@ import pytest
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
-from sympy import BlockMatrix, Identity, MatrixSymbol, Trace
+from sympy import BlockMatrix, Determinant, Identity, MatrixSymbol, Trace
 
 import algebroproj
 from algebroproj import metric
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError
-from algebroproj_sym.expressions.letters import Norm
+from algebroproj_sym.expressions.letters import Adjugate, Dot, Norm
 from algebroproj_sym.generating.backends import BACKENDS
 from algebroproj_sym.generating.backends.numpy import render
 from algebroproj_sym.generating.choosing import lower
@@ -30,6 +30,7 @@ A, S, K, D = (
 P, G, H, x, y = (
     MatrixSymbol(n, *shape) for n, shape in (("P", (2, 2)), ("G", (2, 1)), ("H", (1, 2)), ("x", (2, 1)), ("y", (2, 1)))
 )
+R, n = MatrixSymbol("R", 3, 3), MatrixSymbol("n", 3, 1)
 r, s = sympy.symbols("r s")
 
 
@@ -64,6 +65,8 @@ KERNELS = {
         *declared("cayley", (Identity(3) + K).I * (Identity(3) - K), [K], {K: "skew"}),
         *declared("weighted", A * D.I * A.T, [A, D], {D: "diagonal"}),
         *declared("inverse", P.I, [P], {P: "symmetric"}, jacobian=True),
+        *declared("turned", (R * S * R.T).I * n, [R, S, n], {R: "rotation", S: "positive definite"}),
+        *declared("reflected", Identity(3) * Dot(n, n) - 2 * n * n.T, [n], {n: "unit"}),
         *declared("bracket", P * x * y.T - y * x.T * P, [P, x, y], {P: "symmetric"}),
         *declared("several", {"first": Trace(S) / s, "second": S * A.T}, [A, S, s], {"S": "symmetric"}),
     )
@@ -103,6 +106,8 @@ ORACLES = {
     "cayley": lambda k: exact(inverse(np.eye(3, dtype=int) + skew(k)) @ (np.eye(3, dtype=int) - skew(k))),
     "weighted": lambda a, d: a @ np.diag([1 / d[k][k] for k in range(3)]) @ a.T,
     "inverse": lambda p: exact(inverse(upper(p))),
+    "turned": lambda r, s, n: r @ exact(inverse(upper(s))) @ r.T @ n,
+    "reflected": lambda n: np.eye(3, dtype=int) - 2 * np.outer(n, n),
     "bracket": lambda p, x, y: np.outer(upper(p) @ x, y) - np.outer(y, upper(p) @ x),
 }
 NUMBERS = st.fractions(-4, 4, max_denominator=6).filter(bool)
@@ -224,6 +229,9 @@ def test_a_jacobian_has_a_column_for_each_entry_and_zeros_for_those_that_are_not
         ("propagated", "S", "Taken as symmetric: the entries above the diagonal stand for those below it"),
         ("cayley", "K", "Taken as skew: the entries above the diagonal stand for the others, which are not read."),
         ("weighted", "D", "Taken as diagonal: the entries beside the diagonal are not read."),
+        ("turned", "R", "Taken as a rotation: its transpose stands for its inverse."),
+        ("turned", "S", "Taken as positive definite."),
+        ("reflected", "n", "Taken as a unit vector: its length is not computed."),
     ],
 )
 def test_the_documentation_says_which_entries_are_read(name, argument, said, package):
@@ -231,6 +239,26 @@ def test_the_documentation_says_which_entries_are_read(name, argument, said, pac
     about = lines[next(k for k, line in enumerate(lines) if line.strip().startswith(f"{argument} :")) + 1]
     assert said in about
     assert said in " ".join(re.sub("//", "", BACKENDS["cpp"].render([LOWERED[name]])["demo.hpp"]).split())
+
+
+@pytest.mark.parametrize(
+    ("derived", "kind", "equal"),
+    [
+        (R.I * n, "rotation", R.T * n),
+        ((R.T).I * n, "orthogonal", R * n),
+        ((R * S * R) ** -2, "rotation", R.T * S.I * R.T * R.T * S.I * R.T),
+        ((R * S).T.I, "orthogonal", R * S.T.I),
+        (Adjugate(R) * Determinant(R), "rotation", R.T),
+        (2 * R * R.T, "orthogonal", 2 * Identity(3)),
+        (R.T * R * R.T * S * R, "rotation", R.T * S * R),
+        (Adjugate(R) * Determinant(R), "orthogonal", Adjugate(R) * Determinant(R)),
+    ],
+)
+def test_orthogonal_letters_are_not_inverted(derived, kind, equal):
+    arguments = [letter for letter in (R, S, n) if derived.has(letter)]
+    kernels = [*declared("f", derived, arguments, {R: kind}), *declared("f", equal, [R, S, n])]
+    first, second = (sympy.ImmutableMatrix(kernel.derived) for kernel in kernels)
+    assert (first - second).applyfunc(sympy.expand) == sympy.zeros(*first.shape) or first == second
 
 
 def test_what_is_equal_is_computed_once():
@@ -271,7 +299,8 @@ def test_other_repetitions_are_refused_with_what_is_taken(rows):
     ("derived", "properties", "message"),
     [
         (A * S * A.T * MatrixSymbol("B", 2, 2), {}, "derived: expected the letters of the arguments, got also B"),
-        (A * S * A.T, {S: "rotation"}, "S: expected diagonal, skew, symmetric or nothing, .* got rotation"),
+        (A * S * A.T, {S: "idempotent"}, "S: expected diagonal, .* or nothing, .* got idempotent"),
+        (A * S * A.T, {S: "rank 2"}, "S: expected diagonal, .* or nothing, .* got rank 2"),
         (A * S * A.T, {S: "pretty"}, "S: expected one of rotation, .* got 'pretty'"),
         (A * S * A.T, {A: "symmetric"}, "A: expected a square matrix as symmetric, got 2x3"),
         (A * S * A.T, {MatrixSymbol("B", 2, 2): "symmetric"}, r"expected letters that occur \(A, S\), got B"),

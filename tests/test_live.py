@@ -165,19 +165,33 @@ def test_the_modules_are_the_same_bytes_on_every_machine(monkeypatch):
     assert own_sources() == content
 
 
-def test_the_modules_of_a_wheel_are_compiled_without_its_tests_and_with_its_licence(tmp_path):
+INNER = '''"""Forty-two lines about it."""
+from __future__ import annotations
+class Documented:
+    """Forty-two more."""
+def answer(found={'a', 'b', 'c'}):
+    """And forty-two."""
+    assert found, "assertions stay"
+    return sorted(found) if answer.__doc__ is Documented.__doc__ is None else []
+'''
+
+
+def test_the_modules_of_a_wheel_are_compiled_without_its_tests_and_docstrings_and_with_its_licence(tmp_path):
     """They are imported without their source, and the same wheel gives the same bytes."""
     wheel = BytesIO()
     with ZipFile(wheel, "w") as archive:
         archive.writestr("demo/__init__.py", "from demo.inner import answer")
-        archive.writestr("demo/inner.py", "def answer(found={'a', 'b', 'c'}):\n    return sorted(found)")
+        archive.writestr("demo/inner.py", INNER)
         archive.writestr("demo/tests/test_inner.py", "raise SystemExit")
         archive.writestr("demo-1.dist-info/LICENSE", "MIT")
+        archive.writestr("demo-1.dist-info/RECORD", "demo/__init__.py,,")
     content = compiled(wheel.getvalue())
     assert content == compiled(wheel.getvalue())
     (tmp_path / "demo.zip").write_bytes(content)
     with ZipFile(BytesIO(content)) as archive:
         assert archive.namelist() == ["demo-1.dist-info/LICENSE", "demo/__init__.pyc", "demo/inner.pyc"]
+        assert b"Forty-two" not in archive.read("demo/inner.pyc")
+        assert b"assertions stay" in archive.read("demo/inner.pyc")
     command = [sys.executable, "-c", "import sys; sys.path.insert(0, 'demo.zip'); import demo; print(demo.answer())"]
     ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert ran.stdout == "['a', 'b', 'c']\n"

@@ -101,6 +101,7 @@ BROKEN = {
 }
 
 
+@pytest.mark.usefixtures("decided_here")
 @pytest.mark.parametrize("content", BROKEN.values(), ids=BROKEN)
 def test_a_broken_file_is_wrong_usage(check, content):
     assert check(content).exit_code == 2

@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 
 import jupytext
 import nbformat
+import psutil
 import pytest
 import sympy
 from click.testing import CliRunner
@@ -86,7 +87,9 @@ def test_cells_show_their_claims_in_order_with_verdicts():
 def test_a_claim_is_shown_once_below_its_cell_and_again_where_it_is_looked_at(tmp_path):
     first = 'section.identity("1.1", "one", printed=x, derived=x)'
     second = 'last = section.identity("1.2", "two", printed=x, derived=x)'
+    running = psutil.Process().children()
     notebook = run_notebook(module(tmp_path, f"{first}\n{second}\n# %%\nlast\n"))
+    assert psutil.Process().children() == running, "the kernel goes on"
     assert [number for number, _ in shown(notebook)] == ["1.1", "1.2", "1.2"]
     assert [len(cell.outputs) for cell in notebook.cells] == [2, 1]
 

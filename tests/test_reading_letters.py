@@ -34,6 +34,7 @@ def last(latex, given=None):
         ROTATION + r"\[ \mathbf{c} = R\mathbf{a} \] \[ \mathbf{c}^T\mathbf{c} = \|\mathbf{a}\|^2 \]",
         UNIT + r"\[ P^2 = P \]",
         UNIT + r"\[ P\mathbf{n} = 0 \]",
+        r"\newcommand{\R}{\mathbf{R}} Let $\R$ be a rotation matrix. \[ \R^T\R\mathbf{x} = \mathbf{x} \]",
         r"the unit vector $\mathbf{n}$ \[ [\mathbf{n}]_\times^3 = -[\mathbf{n}]_\times \]",
         r"\[ \mathbf{u} = (A^T A)^{-1} A^T \mathbf{y} \] \[ A^T A\mathbf{u} = A^T\mathbf{y} \]",
         r"\[ (\mathbf{A}\mathbf{B})^T = \mathbf{B}^T\mathbf{A}^T \]",
@@ -45,6 +46,16 @@ def last(latex, given=None):
 )
 def test_what_holds_for_letters_follows(latex):
     assert last(latex).verdict == "follows"
+
+
+def test_a_letter_like_the_identity_is_read_as_it_where_that_follows():
+    latex = r"the unit vector $\mathbf{n}$ \[ P = %s - \mathbf{n}\mathbf{n}^T \] \[ P^2 %s= P \] \end{document}"
+    proved = last(latex % ("I", ""))
+    assert proved.verdict == "follows"
+    assert proved.links[0].reason == "read as P**2 = P, where I is the identity"
+    assert last(latex % ("I", "+ P ")).verdict == last(latex % ("J", "")).verdict == "independent"
+    given = latex.replace(r"\[ P =", r"\[ I = 3\mathbf{n}\mathbf{n}^T \] \[ P =")
+    assert last(given % ("I", "")).verdict == "independent"
 
 
 @pytest.mark.parametrize("letter", "nmkl")
@@ -62,6 +73,7 @@ def test_a_proof_says_what_its_letters_are_taken_for():
     "latex",
     [
         r"\[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"Let $R$ and $S$ be rotation matrices or not. \[ R^T R\mathbf{x} = \mathbf{x} \]",
         r"if $R$ is a rotation matrix. \[ R^T R\mathbf{x} = \mathbf{x} \]",
         r"$R$ is not a rotation matrix \[ R^T R\mathbf{x} = \mathbf{x} \]",
         r"the derivative of the rotation matrix $R$ \[ R^T R\mathbf{x} = \mathbf{x} \]",

@@ -41,6 +41,29 @@ def test_what_follows_from_what_stands_above_follows(latex):
     assert last(latex).verdict == "follows"
 
 
+CIRCLE = "$$ c^2 + s^2 = 1 $$\n" r"\[ Q := \begin{pmatrix} c & -s \\ s & c \end{pmatrix} \] "
+
+
+def test_what_holds_under_an_equation_above_follows():
+    proved = last(CIRCLE + r"\[ Q^T Q = \mathbf{I} \]")
+    assert proved.verdict == "follows"
+    assert proved.links[0].rests_on == ("line 2", "line 1")
+    assert last(CIRCLE + r"\[ \det Q = c^4 + s^2 + c^2 s^2 \]").verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        CIRCLE + r"\[ Q^T Q = 2\mathbf{I} \]",
+        CIRCLE + r"\[ Q Q = \mathbf{I} \]",
+        r"\[ c^2 + s^2 = -1 \] \[ c^4 - s^4 = s^2 - c^2 \]",
+        r"\[ c^2 + s^2 = 1 \] If $c = s$, then \[ c^2 - s^2 = 1 \] \[ c^4 - s^4 = 1 \]",
+    ],
+)
+def test_what_fails_under_an_equation_above_does_not_follow(latex):
+    assert last(latex).verdict in ("independent", "not decided")
+
+
 TRUE_OF_ANOTHER_THING = {
     "another wave": r"\[ x = x_0 + v t. \] Hence it moves to the right. A second wave travels as \[ x = x_0 - v t. \]",
     "another body": r"A disc of mass $m$ has \[ I = \frac12 m r^2. \] A ring has \[ 2 I = 2 m r^2. \]",

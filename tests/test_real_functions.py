@@ -356,3 +356,63 @@ def test_a_constraint_may_be_an_equation_and_both_sides_must_be_defined():
 def test_an_algebraic_number_of_a_high_degree_is_told_from_its_conjugates(lhs, rhs):
     assert prove(lhs, rhs).verdict == "proved"
     assert prove(lhs, rhs.replace("2", "-2")).verdict == "refuted"
+
+
+# -- points of exact numbers -------------------------------------------------------------------------------------------
+
+AT_EXACT_POINTS = {
+    "a multiple of pi": ("sin(x)*cos(x)", "<", "1/2", [], []),
+    "an end of a range": ("sin(x)/x", ">", "2/pi", ["0 < x <= pi/2"], []),
+    "angles of a triangle": ("sin(2*A) + sin(2*B) + sin(2*C)", "=", "4*cos(A)*cos(B)*cos(C)", [], ["A + B + C = pi"]),
+    "a solution of an equation": ("tan(f)", "=", "tan(E)", ["0 <= f < pi/2", "0 <= E < pi/2"], ["cos(f) = cos(E)^2"]),
+    "the number e": ("log(x)/x", "<", "exp(-1)", ["x > 0"], []),
+}
+
+
+@pytest.mark.parametrize("name", AT_EXACT_POINTS)
+def test_what_fails_at_exact_points_alone_is_refuted_there(name):
+    lhs, relation, rhs, assumptions, constraints = AT_EXACT_POINTS[name]
+    question = {"lhs": lhs, "rhs": rhs, "relation": relation, "assumptions": assumptions, "constraints": constraints}
+    found = decided({**question, "nonzero": []})
+    assert (found["verdict"], found["certificate"]["method"]) == ("refuted", "exact point")
+    require_real(json.loads(json.dumps(found)))
+
+
+FORGED_POINTS = {
+    "another value": {"counterexample": {"x": "pi/6"}},
+    "a value outside of the range": {"counterexample": {"x": "5*pi/2"}},
+    "a symbol as value": {"counterexample": {"x": "y"}},
+    "a derivative as value": {"counterexample": {"x": "diff(1, y)"}},
+    "a value that is not defined": {"counterexample": {"x": "pi/2 + 0*log(0)"}},
+    "no value": {"counterexample": {}},
+    "a value that is no text": {"counterexample": {"x": 1}},
+    "a value of another symbol": {"counterexample": {"x": "pi/2", "y": "1"}},
+    "a hypothesis": {"hypotheses": ["x != 0"]},
+    "a narrower range": {"assumptions": ["0 < x < pi/2"]},
+    "a weaker relation": {"relation": ">="},
+    "no steps": {"certificate": {"method": "exact point", "proof": {"steps": [], "end": "goal"}}},
+    "a contradiction": {"certificate": {"method": "exact point", "proof": {"steps": [], "end": "contradiction"}}},
+    "another method": {"certificate": {"method": "enclosures", "proof": {"steps": [], "end": "goal"}}},
+}
+
+
+@pytest.mark.parametrize("name", FORGED_POINTS)
+def test_a_forged_exact_point_is_rejected(name):
+    question = {"lhs": "sin(x)/x", "rhs": "2/pi", "relation": ">", "assumptions": ["0 < x <= pi/2"]}
+    found = decided({**question, "constraints": [], "nonzero": []})
+    require_real(found)
+    with pytest.raises(Rejected):
+        require_real({**found, **FORGED_POINTS[name]})
+
+
+def test_a_witness_may_be_an_exact_point_which_is_shown():
+    question = {"lhs": "sin(A + B)", "rhs": "sin(C)", "relation": "=", "assumptions": [], "nonzero": []}
+    found = decided({**question, "constraints": ["A + B + C = pi"]})
+    assert found["verdict"] == "proved"
+    require_real(found)
+    for forged in ({"A": "0", "B": "0", "C": "0"}, {"A": "0", "B": "0", "C": "A"}, {"A": "0", "B": "pi"}):
+        with pytest.raises(Rejected):
+            require_real({**found, "certificate": {**found["certificate"], "witness": forged}})
+    certificate = {key: value for key, value in found["certificate"].items() if key != "at witness"}
+    with pytest.raises(Rejected):
+        require_real({**found, "certificate": {**certificate, "bits": 64}})

@@ -1,5 +1,6 @@
 """The laws of real functions: each holds with its side conditions, and is refused without each of them."""
 
+import math
 import random
 from fractions import Fraction
 
@@ -62,6 +63,9 @@ def mean_value(function, start, given, relation=">", variable="x", proof=GOAL):
 def on_a_range(function, *ends, variable="x", bits=64):
     return {"law": "on a range", "variable": variable, "function": function, "ends": [*ends], "bits": bits}
 
+
+POWERS = {"law": "order of powers", "larger": "x", "smaller": "y", "degree": 2}
+ORDER = {"law": "order of sines", "larger": "x", "smaller": "y"}
 
 # law: what is given, each needed; the terms that are defined; the step; what follows; steps that are wrong
 CASES = [
@@ -154,6 +158,20 @@ CASES = [
     (["sin(x) > 0", "-pi <= x", "x <= 2*pi"], [], {"law": "range of sine", "angle": "x"}, (">", "pi - x"), []),
     (["cos(x) > 0", "-3*pi/2 <= x", "x <= 3*pi/2"], [], {"law": "range of cosine", "angle": "x"},
      (">", "pi + 2*x"), []),
+    (["sin(x) >= 0", "-pi < x", "x < 2*pi"], [], {"law": "range of sine", "angle": "x"}, (">=", "pi - x"), []),
+    (["sin(x) >= 0", "-pi < x", "x < 2*pi"], [], {"law": "range of sine", "angle": "x"}, (">=", "x"), []),
+    (["cos(x) >= 0", "-3*pi/2 < x", "x < 3*pi/2"], [], {"law": "range of cosine", "angle": "x"},
+     (">=", "pi + 2*x"), []),
+    (["x >= 0", "x^2 - y^2 >= 0"], [], POWERS, (">=", "x - y"), [
+        {**POWERS, "degree": 1}, {**POWERS, "degree": 3}, {**POWERS, "degree": 0}, {**POWERS, "degree": -2},
+        {**POWERS, "larger": "y", "smaller": "x"}, {**POWERS, "larger": "-x"}, {**POWERS, "smaller": "2*y"},
+    ]),
+    (["x >= 0", "x^3 - y^3 > 0"], [], {**POWERS, "degree": 3}, (">", "x - y"), []),
+    (["sin(x) >= sin(y)", "-pi/2 <= x", "x <= pi/2", "-pi/2 <= y", "y <= pi/2"], [], ORDER, (">=", "x - y"), [
+        {**ORDER, "larger": "y", "smaller": "x"}, {**ORDER, "larger": "x + 1"}, {**ORDER, "smaller": "-y"},
+    ]),
+    (["sin(x) > sin(y)", "-pi/2 <= x", "x <= pi/2", "-pi/2 <= y", "y <= pi/2"], [], ORDER, (">", "x - y"), []),
+    (["sin(x) = sin(y)", "-pi/2 <= x", "x <= pi/2", "-pi/2 <= y", "y <= pi/2"], [], ORDER, ("=", "x - y"), []),
     (["x > 0"], ["sign(x)"], {"law": "sign function", "target": "_1"}, ("=", "_1 - 1"), [
         {"law": "sign function", "target": "x"},
     ]),
@@ -235,6 +253,16 @@ def test_a_range_that_is_not_strict_gives_no_strict_sign():
     assert not known.holds(">", known.term(read("sin(x)")))
 
 
+@pytest.mark.parametrize(("law", "given"), [
+    ("range of sine", ["sin(x) >= 0", "-pi <= x", "x < 2*pi"]),
+    ("range of sine", ["sin(x) >= 0", "-pi < x", "x <= 2*pi"]),
+    ("range of cosine", ["cos(x) >= 0", "-3*pi/2 <= x", "x < 3*pi/2"]),
+    ("range of cosine", ["cos(x) >= 0", "-3*pi/2 < x", "x <= 3*pi/2"]),
+])  # fmt: skip
+def test_a_sign_that_is_not_strict_gives_no_range_where_the_ends_belong_to_it(law, given):
+    assert not accepts(theory(given), {"law": law, "angle": "x"})
+
+
 POINTS = [Fraction(p, q) for p, q in ((1, 2), (-1, 2), (2, 1), (-3, 1), (7, 5), (1, 9), (-11, 3), (0, 1))]
 
 
@@ -294,6 +322,50 @@ def test_intervals_enclose_what_mpmath_computes():
                 assert mpmath.mpf(int(low)) <= true <= mpmath.mpf(int(high))
                 checked += 1
     assert checked > 1000
+
+
+SMALL = [(low, high) for low in range(-5, 6) for high in range(low, 6)]
+
+
+def test_the_arithmetic_of_intervals_is_the_narrowest_that_encloses():
+    numbers = Intervals(2)
+    for left in SMALL:
+        for right in SMALL:
+            assert numbers.plus(left, right) == (left[0] + right[0], left[1] + right[1])
+            products = [Fraction(a * b, 4) for a in left for b in right]
+            assert numbers.times(left, right) == (math.floor(min(products)), math.ceil(max(products)))
+            if right[0] <= 0 <= right[1]:
+                with pytest.raises(UndecidedError):
+                    numbers.over(left, right)
+            else:
+                quotients = [Fraction(4 * a, b) for a in left for b in right]
+                assert numbers.over(left, right) == (math.floor(min(quotients)), math.ceil(max(quotients)))
+
+
+@pytest.mark.parametrize("interval", SMALL)
+def test_an_interval_has_the_sign_of_all_its_numbers_or_none(interval):
+    numbers, signs = Intervals(2), {(number > 0) - (number < 0) for number in range(interval[0], interval[1] + 1)}
+    if len(signs) == 1:
+        assert {numbers.sign(interval)} == signs
+    else:
+        with pytest.raises(UndecidedError):
+            numbers.sign(interval)
+    if -1 not in signs or signs == {-1}:
+        assert numbers.is_negative(interval) is (signs == {-1})
+    else:
+        with pytest.raises(UndecidedError):
+            numbers.is_negative(interval)
+    assert numbers.even(interval) == tuple(max(end, 0) for end in interval) or interval[1] < 0
+
+
+def test_the_enclosure_of_a_number_is_the_narrowest_and_its_sign_is_known():
+    numbers = Intervals(2)
+    for value in (Fraction(n, d) for n in range(-9, 10) for d in (1, 3, 4, 5, 8)):
+        assert numbers.enclosed(value) == (math.floor(4 * value), math.ceil(4 * value))
+        assert numbers.sign(value) == (value / abs(value) if value else 0)
+        assert numbers.is_negative(value) is (value != abs(value))
+        assert numbers.even(value) == value
+    assert numbers.unit_interval() == (numbers.enclosed(Fraction(0))[0], numbers.enclosed(Fraction(1))[1])
 
 
 WIDE = [

@@ -188,6 +188,7 @@ def answers(tmp_path_factory):
     return path
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_a_file_of_relations_is_decided_and_replayed(answers):
     result = CliRunner().invoke(main, ["check", str(answers), "--format", "json"])
     assert result.exit_code == 0

@@ -269,6 +269,7 @@ def test_a_change_anywhere_in_cases_is_rejected(powers, data):
         assert {*IDLE} & {*path} or same(at_path(powers, path), at_path(changed, path)), path
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_the_command_replays_the_answers_to_a_file(tmp_path):
     items = [{"lhs": "(a + b)^2", "rhs": "a^2 + 2*a*b + b^2"}, {"lhs": "x", "rhs": "0.5", "constraints": ["2*x = 1"]}]
     (tmp_path / "mine.json").write_text(json.dumps(items))

@@ -8,6 +8,7 @@ import sys
 from base64 import b64decode
 from decimal import Decimal
 from fractions import Fraction
+from html import unescape
 from html.parser import HTMLParser
 from io import BytesIO
 from itertools import combinations
@@ -20,6 +21,7 @@ import sympy
 from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
+from markupsafe import escape
 
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
@@ -197,6 +199,16 @@ def test_every_link_and_anchor_resolves(files):
     assert checked > 100
 
 
+def test_a_section_of_references_has_an_anchor_for_each():
+    section = Section("demo", "0", "References")
+    section.reference("0.1", "reference", printed="1.2", meant="1.2")
+    files = render_site(
+        catalogue([judge(claim) for claim in section.claims], [Derivation("demo", section, Path("demo.py"))])
+    )
+    assert 'href="index.html#0.1"' in files["demo/0.1.html"]
+    assert "0.1" in Page(files["demo/index.html"]).identifiers
+
+
 def test_nothing_is_loaded_from_elsewhere(files):
     elsewhere = r"(?:src|href|action)=\"(?:[a-z]+:|//)|url\((?!data:)|@import|fetch\(|https?://"
     for name, text in files.items():
@@ -214,6 +226,10 @@ def test_no_formula_shows_markup_as_text(files):
     for name, text in files.items():
         if name.endswith(".html"):
             require_no_markup(text, name)
+
+
+def test_evidence_is_not_shown_as_python_writes_it(files):
+    assert [name for name, text in files.items() if name.endswith(".html") and ">{&#39;" in text] == []
 
 
 def test_no_formula_of_any_function_shows_markup_as_text():
@@ -388,6 +404,26 @@ def test_addresses_are_permanent():
     ]
 
 
+def test_a_preview_says_what_the_page_says(demo):
+    for name, page in pages(demo).items():
+        shown = {
+            each.get("property") or each.get("name"): each["content"] for each in page.all("meta") if "content" in each
+        }
+        assert f"<title>{escape(shown['og:title'])}</title>" in page.text, name
+        assert shown["og:description"] == shown["description"] != "", name
+    assert "Misprint. The printed form is refuted. The corrected form is proved. demo." in demo["demo/1.4~+a.html"]
+
+
+def test_a_claim_can_be_copied_as_tex_and_as_python_and_what_there_is_none_of_cannot(demo):
+    def copies(name):
+        buttons = re.findall(r'data-copy="([^"]*)">([^<]*)<', demo[f"demo/{name}.html"])
+        return {what: unescape(text) for text, what in buttons}
+
+    assert copies("1.3") == {"TeX": r"x y \neq x + y", "Python": "x*y", "link": ""}
+    assert copies("1.4~a") == {"TeX": "2 x", "Python": "2*x", "link": ""}
+    assert copies("1.10").keys() == {"TeX", "Python", "link"}
+
+
 def test_every_verdict_has_a_page_that_says_so(demo):
     verdicts = {
         name: re.search(r'class="verdict (\w+)"', text).group(1)
@@ -521,6 +557,10 @@ def test_the_search_finds_numbers_titles_and_symbols(site):
     assert {"z11", "zeta11"} <= {*found[5].split()}
     assert any("u'1" in entry[5].split() and "up1" in entry[5].split() for entry in index)
     assert any(entry[1] == "function" and entry[2].startswith("correlation.") for entry in index)
+    assert [entry[0] for entry in index if "Brandst\u00e4tter" in entry[3]] == [
+        "fundamentals1996/index.html",
+        "rhodos1990/index.html",
+    ]
     assert all(entry[0] in site for entry in index)
 
 
@@ -646,8 +686,20 @@ def test_quotes_of_the_papers_are_shown_as_formulas():
 
 def test_a_paper_page_has_the_equations_in_the_order_of_the_paper(site):
     text = site["fundamentals1996/index.html"]
-    numbers = re.findall(r'<span class="number">\((2\.2\.\d+)\)</span>', text)
+    numbers = re.findall(r'<a class="number" href="#(2\.2\.\d+)">\(\1\)</a>', text)
     assert numbers == [f"2.2.{k}" for k in range(1, 10)]
+
+
+def test_where_the_scan_is_damaged_a_paper_page_shows_the_formula_and_folds_the_scan(site):
+    text = site["rhodos1990/index.html"]
+    equation = text[text.index('id="1.1.1"') :].partition("</article>")[0]
+    scan, formula = equation.split("</details>")
+    assert "poo Poi PO 2 P0 3" in scan.partition("<details>")[2]
+    assert "<mtable>" in formula
+
+
+def test_a_paper_page_does_not_print_a_part_of_a_quote_twice(site):
+    assert site["rhodos1990/index.html"].count("(1.1.1) contains 15 Independent parameters") == 1
 
 
 def test_a_symbol_explains_itself_where_it_stands(site):
@@ -724,7 +776,7 @@ def test_the_index_has_every_entry_of_the_catalogue():
     section = demonstration()
     source = Derivation("demo", section, Path("demo.py"))
     whole = catalogue([judge(claim) for claim in section.claims], [source] * len(section.claims))
-    assert len(search_index(whole, symbols_in(whole))) == len(section.claims)
+    assert len(search_index(whole, symbols_in(whole))) == len(section.claims) + len(whole.papers)
     assert isinstance(section.claims[9].printed, Decimal)
     assert Path("demo/1.8.html").as_posix() in {entry[0] for entry in search_index(whole, symbols_in(whole))}
     assert entries(section.claims[4].printed)[1] == -y

@@ -56,6 +56,7 @@ def test_what_is_seen_stays():
     assert visible(text) == text
 
 
+@pytest.mark.usefixtures("decided_here")
 @pytest.mark.parametrize("form", ["text", "json"])
 @pytest.mark.parametrize("key", ["lhs", "rhs", "constraints", "expected", "variables"])
 def test_a_file_of_identities(tmp_path, key, form):

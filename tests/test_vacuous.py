@@ -87,6 +87,7 @@ def test_what_is_not_zero_is_refused_where_nothing_looks_at_it(kind):
         getattr(section, kind)("1.1", "a title", **parts[kind], nonzero=[x])
 
 
+@pytest.mark.usefixtures("decided_here")
 def test_files(tmp_path):
     items = [
         {"name": f"{name}, {kind}", "lhs": str(lhs), "rhs": str(rhs), "expected": "open"}

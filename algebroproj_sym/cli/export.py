@@ -39,7 +39,6 @@ from algebroproj_sym.replaying import Rejected, Replayed, replay
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.tables import table_of
 from algebroproj_sym.verifying.shipped import load_package
-from algebroproj_sym.verifying.straight_line import is_rational
 
 
 @click.group(name="export")
@@ -121,7 +120,7 @@ def bounds(functions: tuple[str, ...], out: Path, compiling: bool, jobs: int) ->
         _require_compiler()
     package = load_package()
     lowered = lowered_kernels(kernels(functions), (), jobs)
-    found = [accuracy_of(low, package) for low in lowered if is_rational(low) and is_compiled(low)]
+    found = [accuracy_of(low, package) for low in lowered if low.kernel.is_rational and is_compiled(low)]
     files = render_bounds(found)
     write_texts(files, out)
     table = table_of("function", numbers=("results", "bounds", "lines"))

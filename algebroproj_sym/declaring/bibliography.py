@@ -33,10 +33,10 @@ class Publication:
     published: str = ""
 
     @property
-    def signed(self) -> str:
-        """The author, given name first."""
+    def origin(self) -> str:
+        """The author, given name first, the year, and where it was published, as far as they are known."""
         family, _, given = self.author.partition(", ")
-        return f"{given} {family}".strip()
+        return ", ".join(filter(None, (f"{given} {family}".strip(), str(self.year or ""), self.published)))
 
 
 @cache

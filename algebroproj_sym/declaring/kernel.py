@@ -188,6 +188,11 @@ class Kernel:
         return any(stage.primitive in LINEAR for stage in self.stages)
 
     @property
+    def is_rational(self) -> bool:
+        """Whether no stage solves a linear system or calls an elementary function."""
+        return all(stage.primitive == "let" for stage in self.stages)
+
+    @property
     def derived(self) -> Expression:
         """The derived form of the result, or of all results in one column."""
         return _joined([result.derived for result in self.results])
@@ -231,7 +236,8 @@ def declared_kernel(
     """Return a kernel, after checking that its declaration is complete.
 
     Arguments can be letters, as ``MatrixSymbol("S", 3, 3)``, and forms can speak of these.  They are then written out
-    here, once.  A letter can be symmetric, skew or diagonal by ``properties={S: "symmetric"}``.
+    here, once.  By ``properties={S: "symmetric"}`` a letter is symmetric, skew, diagonal, positive definite,
+    orthogonal, a rotation, or a unit vector.
 
     Raises
     ------

@@ -83,6 +83,8 @@ class Kind:
         and returns the printed form that the quote has.
     takes : tuple of str
         Which fields of a claim it uses, of those that not every kind uses.
+    of_entries : bool
+        Whether letters in its forms are written out, because it is about entries.
     one_shape : bool
         Whether both forms have the same shape.
     require : callable or None
@@ -113,6 +115,7 @@ class Kind:
     says: str | Callable[[Claim], str]
     transcribe: Callable[..., Any] = transcribed
     takes: tuple[Field, ...] = ()
+    of_entries: bool = False
     one_shape: bool = False
     require: Callable[[Claim, str], None] | None = None
     is_notation: bool = False

@@ -404,6 +404,36 @@ Proof.
   rewrite sin_plus, cos_PI2, sin_PI2; ring.
 Qed.
 
+Lemma range_of_sine_weakly F s : s = sin F -> 0 <= s -> 0 < F + PI -> 0 < 2 * PI - F -> 0 <= F /\ 0 <= PI - F.
+Proof.
+  intros -> positive low high; split.
+  - destruct (Rle_dec 0 F); [assumption|].
+    pose proof (sin_gt_0 (- F)); rewrite sin_neg in *; lra.
+  - destruct (Rle_dec 0 (PI - F)); [assumption|].
+    pose proof (sin_gt_0 (F - PI)) as shifted.
+    rewrite sin_minus, cos_PI, sin_PI in shifted; lra.
+Qed.
+
+Lemma range_of_cosine_weakly F c : c = cos F -> 0 <= c -> 0 < 3 * PI - 2 * F -> 0 < 3 * PI + 2 * F ->
+  0 <= PI - 2 * F /\ 0 <= PI + 2 * F.
+Proof.
+  intros -> positive high low.
+  destruct (range_of_sine_weakly (F + PI / 2) (cos F)); try lra.
+  rewrite sin_plus, cos_PI2, sin_PI2; ring.
+Qed.
+
+Lemma order_of_sines A a B b : a = sin A -> b = sin B -> 0 <= PI - 2 * A -> 0 <= PI + 2 * A ->
+  0 <= PI - 2 * B -> 0 <= PI + 2 * B -> 0 <= a - b -> 0 <= A - B.
+Proof. intros -> ->; intros; pose proof (sin_incr_0 B A); lra. Qed.
+
+Lemma order_of_sines_strictly A a B b : a = sin A -> b = sin B -> 0 <= PI - 2 * A -> 0 <= PI + 2 * A ->
+  0 <= PI - 2 * B -> 0 <= PI + 2 * B -> 0 < a - b -> 0 < A - B.
+Proof. intros -> ->; intros; pose proof (sin_increasing_0 B A); lra. Qed.
+
+Lemma equal_sines A a B b : a = sin A -> b = sin B -> 0 <= PI - 2 * A -> 0 <= PI + 2 * A ->
+  0 <= PI - 2 * B -> 0 <= PI + 2 * B -> a - b = 0 -> A - B = 0.
+Proof. intros -> ->; intros; pose proof (sin_incr_0 B A); pose proof (sin_incr_0 A B); lra. Qed.
+
 (** ** Exponentials, logarithms and powers *)
 
 Lemma no_exponent : exp 0 * 1 = 1.
@@ -441,15 +471,23 @@ Proof. intros ->; now rewrite ln_exp. Qed.
 Lemma logarithms A L a v : L = ln A -> 0 < a /\ ln a = v -> A - a = 0 -> L - v = 0.
 Proof. intros -> [_ <-] zero; replace A with a by lra; ring. Qed.
 
+Lemma increasing_power n x y : 0 <= x < y -> x ^ S n < y ^ S n.
+Proof.
+  intros [X Y]; induction n as [|n IH]; [lra|].
+  change (x * x ^ S n < y * y ^ S n); pose proof (pow_le x (S n) X); nra.
+Qed.
+
+Lemma order_of_powers a b n : 0 <= a -> 0 <= a ^ S n - b ^ S n -> 0 <= a - b.
+Proof. intros A D; destruct (Rle_dec b a); [lra|]; pose proof (increasing_power n a b); lra. Qed.
+
+Lemma order_of_powers_strictly a b n : 0 <= a -> 0 < a ^ S n - b ^ S n -> 0 < a - b.
+Proof. intros A D; destruct (Rlt_dec b a); [lra|]; pose proof (pow_incr a b (S n)); lra. Qed.
+
 Lemma equal_powers a b n : 0 <= a -> 0 <= b -> a ^ S n - b ^ S n = 0 -> a - b = 0.
 Proof.
-  intros A B E.
-  assert (forall x y, 0 <= x < y -> x ^ S n < y ^ S n) as increasing.
-  { intros x y [X Y]; clear E; induction n as [|n IH]; [lra|].
-    change (x * x ^ S n < y * y ^ S n); pose proof (pow_le x (S n) X); nra. }
-  destruct (Rtotal_order a b) as [less|[|more]]; [| lra |].
-  - pose proof (increasing a b); lra.
-  - pose proof (increasing b a); lra.
+  intros A B E; destruct (Rtotal_order a b) as [less|[|more]]; [| lra |].
+  - pose proof (increasing_power n a b); lra.
+  - pose proof (increasing_power n b a); lra.
 Qed.
 
 (** ** Enclosures of numbers *)

@@ -94,7 +94,7 @@ def _stated(record: Mapping[str, Any], form: str) -> Statement:
     setting = record["setting"]
     conditional = {name: setting.get(name, []) for name in ("constraints", "nonzero")}
     question = {"letters": setting["letters"], "lhs": record[form], "rhs": record["derived"], **conditional}
-    statement = without_derivatives(without_definitions(without_lengths(stated(question))))
+    statement = without_definitions(without_derivatives(without_lengths(stated(question))))
     if statement.sizes or has_functions(statement):
         raise Silent("no theorem is written yet for letters of any size, or with functions of angles")
     return statement

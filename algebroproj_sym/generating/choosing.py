@@ -69,7 +69,7 @@ def lower(kernel: Kernel) -> Lowered:
         If a program, run on rational functions, does not give the derived expression, or an entry is a constant
         fraction, which integers cannot give.
     """
-    if any(stage.primitive != "let" for stage in kernel.stages):
+    if not kernel.is_rational:
         return lowered_form(mirrored(kernel)[0])
     lowered = list(_distinct(kernel))
     if len(lowered) == 1:

@@ -151,7 +151,7 @@ def _near(factor: Scalar, stratum: str, symbols: Sequence[sympy.Symbol], generat
 def _near_results(lowered: Lowered, generator: random.Random) -> Iterator[Sample]:
     """Yield samples near the zeros of each entry of the results in turn; none of functions that are not rational."""
     kernel, program = lowered.kernel, lowered.plain
-    if any(stage.primitive != "let" for stage in kernel.stages):
+    if not kernel.is_rational:
         return
     computed = [output for output in program.outputs if isinstance(output, str)]
     values = [partial(_value_of_program, without_unused(replace(program, outputs=(entry,)))) for entry in computed]

@@ -6,6 +6,7 @@ import hashlib
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import product
 from typing import Any, TypeAlias
 
 import sympy
@@ -55,19 +56,43 @@ def rational_zeros(
 ) -> Iterator[Point]:
     """Yield rational points on which all expressions vanish, also where that takes a rational root or a resultant.
 
+    Expressions that have no symbols in common are solved apart.
+
     Examples
     --------
-    >>> x, y = sympy.symbols("x y")
-    >>> point = next(rational_zeros([x**2 + y**2 - 25], [x, y], 1, 50))
-    >>> point[x]**2 + point[y]**2
-    Fraction(25, 1)
+    >>> x, y, z, t = sympy.symbols("x y z t")
+    >>> point = next(rational_zeros([x**2 + y**2 - 25, z**2 + t**2 - 169], [x, y, z, t], 1, 50))
+    >>> point[x]**2 + point[y]**2, point[z]**2 + point[t]**2
+    (Fraction(25, 1), Fraction(169, 1))
     """
     field = RationalFunctionField(symbols, "flint")
     polynomials = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
-    for values in real_points(polynomials, polynomials[0].context(), seed, tries, work=work):
+    context = polynomials[0].context()
+    parts = [
+        (places, real_points(group, context, seed + part, tries, work=work))
+        for part, (places, group) in enumerate(_apart(polynomials))
+    ]
+    for found in product(*(points for _, points in parts)):
+        values = [*found[0]]
+        for (places, _), other in zip(parts, found, strict=True):
+            for place in places:
+                values[place] = other[place]
         point: Point = dict(zip(symbols, values, strict=True))  # type: ignore[arg-type]
         if vanish(expressions, point):
             yield point
+
+
+def _apart(polynomials: Sequence[Any]) -> list[tuple[set[int], list[Any]]]:
+    """Return polynomials in groups that have no variables in common, with the places of their variables."""
+    groups: list[tuple[set[int], list[Any]]] = []
+    for polynomial in polynomials:
+        places = {place for place, degree in enumerate(polynomial.degrees()) if degree > 0}
+        joined = [group for group in groups if group[0] & places]
+        groups = [group for group in groups if not group[0] & places]
+        groups.append(
+            (places.union(*(other for other, _ in joined)), [*(p for _, each in joined for p in each), polynomial])
+        )
+    return groups
 
 
 def vanish(constraints: Sequence[sympy.Expr], point: Point) -> bool:

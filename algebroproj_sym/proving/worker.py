@@ -206,6 +206,7 @@ def _decided(question: Question, engine: str) -> Outcome:
     from algebroproj_sym.proving.points import point_record
     from algebroproj_sym.proving.proof import UndefinedError
     from algebroproj_sym.proving.statements import prove
+    from algebroproj_sym.replaying.reals import METHODS
 
     start = monotonic()
     try:
@@ -227,7 +228,7 @@ def _decided(question: Question, engine: str) -> Outcome:
     except (ValueError, TypeError) as error:
         return Outcome("error", "none", monotonic() - start, str(error), unreadable=True)
     certificate = dict(proof.certificate or {})
-    is_whole = question.letters is not None or certificate.get("method") in ("real laws", "enclosures")
+    is_whole = question.letters is not None or certificate.get("method") in METHODS
     if not is_whole and "witness" in certificate:
         certificate["witness"] = _whole(certificate["witness"], question)
     point = certificate.pop("point", None) or (proof.counterexample and point_record(proof.counterexample))

@@ -17,7 +17,7 @@ from algebroproj_sym.replaying.entry import require_seconds
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Field
 from algebroproj_sym.replaying.letters import require_in_letters
-from algebroproj_sym.replaying.reals import require_real_form
+from algebroproj_sym.replaying.reals import METHODS, require_real_form
 from algebroproj_sym.replaying.rejection import NotReplayable, require, require_keys
 from algebroproj_sym.replaying.text import parse_statement, texts
 
@@ -63,7 +63,7 @@ def require_identity(record: Mapping[str, Any]) -> None:
         require(not record.keys() & _OF_REALS, "assumptions and relations are used by real laws alone")
         require_in_letters(record)
         return
-    if certificate["method"] in ("real laws", "enclosures"):
+    if certificate["method"] in METHODS:
         require_real_form({"relation": "=", "assumptions": [], **record})
         return
     require(not record.keys() & _OF_REALS, "assumptions and relations are used by real laws alone")

@@ -55,7 +55,7 @@ def run_notebook(derivation: Derivation) -> Notebook:
         resources={"metadata": {"path": str(derivation.path.parent)}},
     )
     try:
-        client.execute(env=_environment(derivation.path))
+        client.execute(env=_environment(derivation.path), cleanup_kc=True)
     except CellExecutionError as error:
         place, cell = _failing(notebook.cells)
         first = cell.source.strip().partition("\n")[0]

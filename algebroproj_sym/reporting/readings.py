@@ -121,10 +121,11 @@ def _whole(reading: Reading) -> Iterator[str]:
     if link.rests_on:
         yield f"    rests on {'; '.join(link.rests_on)}"
     if link.hypotheses:
-        conditions = (each if re.search("[<>=]", each) else f"{each} != 0" for each in link.hypotheses)
+        conditions = (each if re.search("[<>=]| is ", each) else f"{each} != 0" for each in link.hypotheses)
         yield folded(f"    holds where {', '.join(conditions)}", 400)
     if link.counterexample:
-        yield f"    fails at {', '.join(f'{name} = {value}' for name, value in link.counterexample.items())}"
+        point = (name + " = " + str(value).replace("'", "") for name, value in link.counterexample.items())
+        yield f"    fails at {', '.join(point)}"
     elif link.verdict == "contradicts":
         yield "    the two sides are different numbers"
     if link.suggestion:

@@ -9,7 +9,7 @@ from itertools import accumulate
 
 import sympy
 
-from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement, Verdict
+from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import Expression, TextForm, assumption, decimals, evaluate, leading, size
@@ -49,7 +49,7 @@ def markdown(judgement: Judgement) -> str:
     claim = judgement.claim
     paragraphs = [
         f"**({_escaped(claim.number)})** {_escaped(claim.title)}: **{_verdict(judgement)}**",
-        f"$${_formula(claim, judgement.verdict)}$$",
+        f"$${formula(judgement)}$$",
     ]
     if claim.corrected is not None:
         label = "reconstructed" if claim.printed is None else "corrected"
@@ -178,7 +178,18 @@ def _verdict(judgement: Judgement) -> str:
     return f"{judgement.verdict}{declared}"
 
 
-def _formula(claim: Claim, verdict: Verdict) -> str:
+def formula(judgement: Judgement) -> str:
+    r"""Return what is printed and what is derived as LaTeX, and how they compare.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.declaring import Section, judge
+    >>> x = sympy.Symbol("x")
+    >>> claim = Section("demo", "1", "Squares").identity("1.1", "square", printed=2 * x, derived=x * x)
+    >>> print(formula(judge(claim)))
+    2 x \neq x^{2}
+    """
+    claim = judgement.claim
     if claim.derived is None:
         return _side(claim, "printed")
     kind = KINDS[claim.kind]
@@ -186,7 +197,7 @@ def _formula(claim: Claim, verdict: Verdict) -> str:
     derived = kind.applied % {"derived": _side(claim, "derived"), "variable": variable}
     if claim.printed is None:
         return derived
-    holds = verdict not in (*CORRECTED, "false")
+    holds = judgement.verdict not in (*CORRECTED, "false")
     relation = kind.relation if holds else kind.negated
     if claim.relation != "=":
         relation = (RELATIONS if holds else NEGATED)[claim.relation]

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.verifying.a_priori import ONE, Analysis, analysis
-from algebroproj_sym.verifying.straight_line import StraightLine, is_rational, straight_line
+from algebroproj_sym.verifying.straight_line import StraightLine, straight_line
 
 _Node: TypeAlias = "tuple[str, int]"
 """The exact value of an operation, or its magnitude."""
@@ -70,7 +70,7 @@ def as_record(found: Analysis) -> dict[str, Any]:
 
 def a_priori_record(lowered: Lowered) -> dict[str, Any] | None:
     """Return the bounds of a kernel as plain data; None if it is no rational function."""
-    return as_record(analysis(straight_line(lowered))) if is_rational(lowered) else None
+    return as_record(analysis(straight_line(lowered))) if lowered.kernel.is_rational else None
 
 
 def _children(line: StraightLine, node: _Node) -> list[_Node]:

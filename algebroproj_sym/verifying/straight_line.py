@@ -59,11 +59,6 @@ def numbered(program: Program) -> StraightLine:
     return StraightLine(program.inputs, operations, tuple(numbers[output] for output in program.outputs))
 
 
-def is_rational(lowered: Lowered) -> bool:
-    """Whether a kernel is computed from + - * / alone."""
-    return all(stage.primitive == "let" for stage in lowered.kernel.stages)
-
-
 def straight_line(lowered: Lowered) -> StraightLine:
     """Return what the generated function of a rational kernel computes."""
     program = expanded(lowered.program)
@@ -87,7 +82,7 @@ def straight_line_of_c(lowered: Lowered, package: ModuleType) -> StraightLine:
 def executed(lowered: Lowered, source: Source) -> StraightLine:
     """Return what a kernel of a C source computes."""
     assert is_compiled(lowered)
-    assert is_rational(lowered)
+    assert lowered.kernel.is_rational
     recorder = Recorder([symbol.name for symbol in lowered.kernel.symbols])
     meaning = Meaning(product_error=lambda left, right, product: recorder.step("product_error", left, right, product))
     return numbered(recorder.program(kernel_outputs(source, c_name(lowered.kernel), recorder.inputs, meaning)))

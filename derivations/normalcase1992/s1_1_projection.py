@@ -7,13 +7,14 @@
 
 # %%
 import sympy
-from sympy import Eq, MatrixSymbol
+from sympy import BlockMatrix, Eq, Identity, ImmutableMatrix, MatrixSymbol
 
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import dot, over, vector
+from algebroproj_sym.expressions.letters import Dot
 
 section = Section("normalcase1992", "1.1", "Condition of intersection and projective transformation")
 
@@ -103,13 +104,20 @@ IN_NORMAL_CASE = given((xn, yn), image_of(E3 * (point - X0)))
 IN_NORMAL_CASE |= {lam_n: over((X0 - point)[2], c)}
 IN_NORMAL_CASE |= {tau: over(IN_NORMAL_CASE[lam_n], lam)}
 
+normal_bold = MatrixSymbol("xN", 3, 1)
+INSERTED = [Eq(X_bold, X0_bold + lam * R * x_bold), Eq(normal_bold, Identity(3) * (X_bold - X0_bold) / lam_n)]
 section.identity(
     "1.1/insertion",
     "a point of the original bundle in the normal case",
-    printed=columns(E3 * (point - X0), lam * projector),
-    derived=columns(*(lam_n * x_normal,) * 2).xreplace(IN_NORMAL_CASE),
+    constraints=INSERTED,
+    derived=BlockMatrix([[lam_n * normal_bold, lam_n * normal_bold]]),
 )
-section.identity("1.1.4", "projective transformation to the normal case", where=IN_NORMAL_CASE, derived=projector)
+section.identity(
+    "1.1.4",
+    "projective transformation to the normal case",
+    constraints=[*INSERTED, Eq(lam_n, tau * lam)],
+    derived=R * x_bold,
+)
 
 # %% [markdown]
 # **Print.**  Without the factor: quotients with the third component.  The rows of $\mathbf R$ are $\mathbf e_1, \mathbf
@@ -189,9 +197,9 @@ length_n, length = dot(x_normal, x_normal), dot(x_vector, x_vector)
 section.identity(
     "1.1/tau",
     "square of the factor",
-    printed=vector(tau**2 * length_n, dot(rotated, rotated)),
-    where=AFTER_ROTATION,
-    derived=vector(length, length),
+    constraints=[Eq(normal_bold, R * x_bold / tau)],
+    properties={R: "rotation"},
+    derived=ImmutableMatrix([[Dot(x_bold, x_bold)] * 3]),
 )
 section.identity("1.1/length", "length of the projector", derived=vector(dot(rotated, rotated), length))
 

@@ -6,12 +6,14 @@
 
 # %%
 import sympy
+from sympy import Eq, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import columns, cross, dot, linear_system, over, solve, vector
+from algebroproj_sym.expressions.letters import Cross, Dot
 
 section = Section("normalcase1992", "1.3", "Reconstruction of the model")
 
@@ -44,8 +46,9 @@ difference = (X0_left + lam_p * x_left) - (X0_right + lam_pp * x_right)
 # %% [markdown]
 # ## What are the factors?
 #
-# **Definition.**  A vector $\mathbf y_N = (c, 0, x_N)^T$ is perpendicular to $\mathbf x_N$.  The factors are derived
-# without it, from the first and third component.
+# **Definition.**  A vector $\mathbf y_N = (c, 0, x_N)^T$ is $\mathbf x_N \times \mathbf e_2$, and
+# perpendicular to $\mathbf x_N$.  The printed factors hold for any vector in the place of $\mathbf e_2$.  The factors
+# follow without it as well, from the first and third component.
 
 # %%
 y_left, y_right = vector(c, 0, xp), vector(c, 0, xpp)
@@ -63,17 +66,23 @@ factor_left
 # **Print.**
 
 # %%
+xp_bold, xpp_bold, yp_bold, ypp_bold, b_bold, e2_bold = (
+    MatrixSymbol(name, 3, 1) for name in ("xN_p", "xN_pp", "yN_p", "yN_pp", "b", "e2")
+)
+ON_BOTH = Eq(b_bold, lam_p * xp_bold - lam_pp * xpp_bold)
 section.identity(
     "1.3.1#left",
     "factor of the left image",
-    printed=over(dot(b, y_right), dot(x_left, y_right)),
-    derived=factor_left,
+    printed=Dot(b_bold, ypp_bold) / Dot(xp_bold, ypp_bold),
+    constraints=[ON_BOTH, Eq(ypp_bold, Cross(xpp_bold, e2_bold))],
+    derived=lam_p,
 )
 section.identity(
     "1.3.1#right",
     "factor of the right image",
-    printed=-over(dot(b, y_left), dot(x_right, y_left)),
-    derived=factor_right,
+    printed=-Dot(b_bold, yp_bold) / Dot(xpp_bold, yp_bold),
+    constraints=[ON_BOTH, Eq(yp_bold, Cross(xp_bold, e2_bold))],
+    derived=lam_pp,
 )
 
 # %% [markdown]

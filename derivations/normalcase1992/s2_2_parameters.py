@@ -7,13 +7,15 @@
 
 # %%
 import sympy
+from sympy import BlockMatrix, Eq, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_derivations.normalcase1992.s2_1_rotations import R_p, R_pp
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, dot, over, vector
+from algebroproj_sym.expressions import Matrix, dot, over, vector
+from algebroproj_sym.expressions.letters import Skew
 
 section = Section("normalcase1992", "2.2", "Computation of the parameters")
 
@@ -29,18 +31,24 @@ X0_right = X0_left + unit_base
 b_symbols = vector(*sympy.symbols("b1:4"))
 base_left, base_right = R_p.T * (X0_right - X0_left), R_pp.T * (X0_left - X0_right)
 
+Rp, Rpp, Z_bold = (MatrixSymbol(name, 3, 3) for name in ("Rp", "Rpp", "Z"))
+xp_o, xpp_o, b_bold, X0p, X0pp = (MatrixSymbol(name, 3, 1) for name in ("xp_o", "xpp_o", "b", "X0p", "X0pp"))
+lam_p, lam_pp, z = sympy.symbols("lam_p lam_pp z")
+EPIPOLES = [Eq(b_bold, X0pp - X0p), Eq(xp_o, Rp.T * (X0pp - X0p) / lam_p), Eq(xpp_o, Rpp.T * (X0p - X0pp) / lam_pp)]
 section.identity(
     "2.2/zero",
-    "the matrix of correlation takes the epipole to zero",
-    printed=vector(0, 0, 0),
-    derived=in_angles(correlation(R_p, R_right, unit_base).T * base_left),
+    "the matrix of correlation takes the epipoles to zero",
+    printed=BlockMatrix([[Z_bold.T * xp_o, Z_bold * xpp_o]]),
+    constraints=[*EPIPOLES, Eq(Z_bold, Rp.T * Skew(b_bold) * Rpp / z)],
+    properties={Rp: "rotation", Rpp: "rotation"},
+    derived=sympy.ZeroMatrix(3, 2),
 )
 section.identity(
     "2.2/base",
     "the epipoles are the images of the base",
-    printed=columns(R_p.T * b_symbols, -R_pp.T * b_symbols),
-    where=given(b_symbols, unit_base),
-    derived=columns(base_left, base_right),
+    printed=BlockMatrix([[Rp.T * b_bold, -Rpp.T * b_bold]]),
+    constraints=EPIPOLES,
+    derived=BlockMatrix([[lam_p * xp_o, lam_pp * xpp_o]]),
 )
 base_left
 

@@ -6,6 +6,7 @@
 
 # %%
 import sympy
+from sympy import Eq, MatrixSymbol
 
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.inserting import given
@@ -74,12 +75,17 @@ xn, yn = sympy.symbols("xN yN")
 normal = image_vector(xn, yn)
 projector = R_rotation * x_vector
 FROM_IMAGE = given((xn, yn), image_of(projector))
+R, x_bold, normal_bold, tau = (
+    MatrixSymbol("R", 3, 3),
+    *(MatrixSymbol(name, 3, 1) for name in ("x", "xN")),
+    sympy.Symbol("tau"),
+)
 section.identity(
     "3.1/inverse",
     "inverse transformation with its factor",
-    printed=over(-projector[2], c) * (R_rotation.T * normal),
-    where=FROM_IMAGE,
-    derived=x_vector,
+    constraints=[Eq(normal_bold, R * x_bold / tau)],
+    properties={R: "rotation"},
+    derived=x_bold,
 )
 i, j, k = (R_rotation.col(n) for n in range(3))
 section.identity(

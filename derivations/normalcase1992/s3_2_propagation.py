@@ -8,12 +8,14 @@
 
 # %%
 import sympy
+from sympy import BlockMatrix, Eq, MatrixSymbol, ZeroMatrix
 
 from algebroproj_derivations.figures import ImageDrawing
 from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, diff, dot, linear_system, over, vector
+from algebroproj_sym.expressions.letters import Directional, LeftPerturbed, Skew
 
 section = Section("normalcase1992", "3.2", "Propagation of errors concerning transformation")
 
@@ -36,7 +38,6 @@ def rate(expression):
 
 
 xn, yn, tau, dtau, dxn, dyn = sympy.symbols("xN yN tau dtau dxN dyN")
-normal, d_normal = image_vector(xn, yn), vector(dxn, dyn, 0)
 coordinates, factor = image_of(projector), over(-projector[2], c)
 d_coordinates, d_factor = rate(image_of(moved)), rate(over(-moved[2], c))
 OF_IMAGE = given((xn, yn, tau), (*coordinates, factor))
@@ -46,12 +47,22 @@ DIFFERENTIALS = OF_IMAGE | given((dxn, dyn, dtau), (*d_coordinates, d_factor))
 # **Print.**  First the differential of the projective transformation (1.1.4), as vectors.
 
 # %%
+R, turn_of_axes = MatrixSymbol("R", 3, 3), MatrixSymbol("dA", 3, 3)
+a_bold, x_bold, dx_bold, normal_bold, d_normal_bold = (
+    MatrixSymbol(name, 3, 1) for name in ("a", "x", "dx", "xN", "dxN")
+)
+changes = (
+    LeftPerturbed(normal_bold, R, a_bold)
+    + Directional(normal_bold, x_bold, dx_bold)
+    + Directional(normal_bold, tau, dtau)
+)
 section.identity(
     "3.2/implicit",
     "small variations of the projective transformation",
-    printed=dtau * normal + tau * d_normal,
-    where=DIFFERENTIALS,
-    derived=(tau * small_turn * normal + R_any * d_image).xreplace(OF_IMAGE),
+    printed=dtau * normal_bold + tau * d_normal_bold,
+    constraints=[Eq(normal_bold, R * x_bold / tau), Eq(d_normal_bold, changes), Eq(turn_of_axes, Skew(a_bold))],
+    properties={R: "rotation"},
+    derived=tau * turn_of_axes * normal_bold + R * dx_bold,
 )
 
 # %% [markdown]
@@ -187,15 +198,23 @@ S_N = jacobian * joint * jacobian.T
 B_a_any = Matrix(2, 3, lambda r, s: sympy.Symbol(f"Ba{r + 1}{s + 1}"))
 B_x_any = Matrix(2, 2, lambda r, s: sympy.Symbol(f"Bx{r + 1}{s + 1}"))
 COEFFICIENTS = given((*B_a_any, *B_x_any), (*B_a, *B_x))
+B_A, B_X, S_A, Q_A = (MatrixSymbol(*of) for of in (("B_a", 2, 3), ("B_x", 2, 2), ("S_a", 3, 3), ("Q_a", 3, 3)))
+of_image_coordinates = sigma**2 * sympy.Identity(2)
+of_both = BlockMatrix([[S_A, ZeroMatrix(3, 2)], [ZeroMatrix(2, 3), of_image_coordinates]])
+dispersion = BlockMatrix([[B_A, B_X]]) * of_both * BlockMatrix([[B_A, B_X]]).T
 section.identity(
     "3.2.2",
     "dispersion of the normal case coordinates",
-    printed=Matrix.hstack(
-        B_a_any * (sigma**2 * Q_a) * B_a_any.T + B_x_any * (sigma**2 * Matrix.eye(2)) * B_x_any.T,
-        sigma**2 * (B_a_any * Q_a * B_a_any.T + B_x_any * B_x_any.T),
+    printed=BlockMatrix(
+        [
+            [
+                B_A * S_A * B_A.T + B_X * of_image_coordinates * B_X.T,
+                sigma**2 * (B_A * Q_A * B_A.T + B_X * B_X.T),
+            ]
+        ]
     ),
-    where=COEFFICIENTS,
-    derived=Matrix.hstack(S_N, S_N),
+    constraints=[Eq(S_A, sigma**2 * Q_A)],
+    derived=BlockMatrix([[dispersion, dispersion]]),
 )
 
 # %% [markdown]

@@ -6,12 +6,14 @@
 
 # %%
 import sympy
+from sympy import BlockMatrix, Eq, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_derivations.normalcase1992.s3_2_propagation import estimator, parallax_rows
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, columns, diff, dot, linear_system, solve, vector
+from algebroproj_sym.expressions.letters import Directional
 
 section = Section("normalcase1992", "3.3", "Propagation of errors concerning reconstruction")
 
@@ -48,12 +50,13 @@ def differential(expression):
 # **Print.**  The factor decreases with $x'$.
 
 # %%
+X_bold, X0_bold, normal_bold, d_normal_bold = (MatrixSymbol(name, 3, 1) for name in ("X", "X0", "xN", "dxN"))
 section.identity(
     "3.3.1",
     "differential of a model point",
-    printed=dlam * x_left + lam_n * vector(dxp, dyp, 0),
-    where={dlam: differential(factor), lam_n: factor},
-    derived=differential(point),
+    printed=dlam * normal_bold + lam_n * d_normal_bold,
+    constraints=[Eq(X_bold, X0_bold + lam_n * normal_bold)],
+    derived=Directional(X_bold, lam_n, dlam) + Directional(X_bold, normal_bold, d_normal_bold),
 )
 section.identity(
     "3.3.2",
@@ -100,14 +103,17 @@ WITH_FACTOR = {lam_n: factor}
 # **Print.**  The dispersion of a point is made of four expectations, which follow one by one.
 
 # %%
+v_factor, r_mixed, S_image = sympy.Symbol("v"), MatrixSymbol("r", 3, 1), MatrixSymbol("S", 3, 3)
+of_factor_and_image_point = BlockMatrix([[sympy.ImmutableMatrix([[v_factor]]), r_mixed.T], [r_mixed, S_image]])
+differential_of_point = BlockMatrix([[normal_bold, lam_n * sympy.Identity(3)]])
 section.identity(
     "3.3/dispersion",
     "dispersion of a model point, by expectations",
-    printed=of_factor * x_left * x_left.T
-    + lam_n * (x_left * of_factor_and_image.T + of_factor_and_image * x_left.T)
-    + lam_n**2 * of_image,
-    where=WITH_FACTOR,
-    derived=S_M,
+    printed=v_factor * normal_bold * normal_bold.T
+    + lam_n * (normal_bold * r_mixed.T + r_mixed * normal_bold.T)
+    + lam_n**2 * S_image,
+    properties={S_image: "symmetric"},
+    derived=differential_of_point * of_factor_and_image_point * differential_of_point.T,
 )
 section.identity(
     "3.3/E#dlambda2",

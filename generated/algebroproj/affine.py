@@ -79,7 +79,7 @@ def _plane_frame(
     return 1, 0, 0, g00, g10 - g00, g20 - g00, g01, g11 - g01, g21 - g01
 
 
-_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),), twin=ufunc("affine_plane_frame"), plain_twin=ufunc("plain_affine_plane_frame"))
+_PLANE_FRAME_SIGNATURE = Signature("plane_frame", (("g", (3, 2)),), ((3, 3),), twin=ufunc("affine_plane_frame"), plain_twin=ufunc("plain_affine_plane_frame"), reach=1022)
 
 
 def plane_coordinates(v: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -153,7 +153,7 @@ def _plane_coordinates(
     return rounded_twice(c22 * d1 - c21 * d2) * t12, rounded_twice(c11 * d2 - c12 * d1) * t12
 
 
-_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"), plain_twin=ufunc("plain_affine_plane_coordinates"))
+_PLANE_COORDINATES_SIGNATURE = Signature("plane_coordinates", (("v", (2,)), ("g", (3, 2))), ((2,),), twin=ufunc("affine_plane_coordinates"), plain_twin=ufunc("plain_affine_plane_coordinates"), reach=227)
 
 
 def _plane_coordinates_factors(
@@ -237,7 +237,7 @@ def _space_frame(
     )
 
 
-_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),), twin=ufunc("affine_space_frame"), plain_twin=ufunc("plain_affine_space_frame"))
+_SPACE_FRAME_SIGNATURE = Signature("space_frame", (("g", (4, 3)),), ((4, 4),), twin=ufunc("affine_space_frame"), plain_twin=ufunc("plain_affine_space_frame"), reach=1022)
 
 
 def space_coordinates(x: ArrayLike, g: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -339,7 +339,7 @@ def _space_coordinates(
     )
 
 
-_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"), plain_twin=ufunc("plain_affine_space_coordinates"))
+_SPACE_COORDINATES_SIGNATURE = Signature("space_coordinates", (("x", (3,)), ("g", (4, 3))), ((3,),), twin=ufunc("affine_space_coordinates"), plain_twin=ufunc("plain_affine_space_coordinates"), reach=141)
 
 
 def _space_coordinates_factors(

@@ -228,7 +228,7 @@ def _project(
     )
 
 
-_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),), twin=ufunc("collinearity_project"), plain_twin=ufunc("plain_collinearity_project"))
+_PROJECT_SIGNATURE = Signature("project", (("A", (11,)), ("X", (3,))), ((2,),), twin=ufunc("collinearity_project"), plain_twin=ufunc("plain_collinearity_project"), reach=226)
 
 
 def _project_factors(
@@ -332,7 +332,7 @@ def _project_jacobian_parameters(
     )
 
 
-_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),), twin=ufunc("collinearity_project_jacobian_parameters"), plain_twin=ufunc("plain_collinearity_project_jacobian_parameters"))
+_PROJECT_JACOBIAN_PARAMETERS_SIGNATURE = Signature("project_jacobian_parameters", (("A", (11,)), ("X", (3,))), ((2, 11),), twin=ufunc("collinearity_project_jacobian_parameters"), plain_twin=ufunc("plain_collinearity_project_jacobian_parameters"), reach=114)
 
 
 def _project_jacobian_parameters_factors(
@@ -424,7 +424,7 @@ def _project_jacobian_point(
     )
 
 
-_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),), twin=ufunc("collinearity_project_jacobian_point"), plain_twin=ufunc("plain_collinearity_project_jacobian_point"))
+_PROJECT_JACOBIAN_POINT_SIGNATURE = Signature("project_jacobian_point", (("A", (11,)), ("X", (3,))), ((2, 3),), twin=ufunc("collinearity_project_jacobian_point"), plain_twin=ufunc("plain_collinearity_project_jacobian_point"), reach=38)
 
 
 def _project_jacobian_point_factors(
@@ -502,7 +502,7 @@ def _space_map(
     )
 
 
-_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),), twin=ufunc("collinearity_space_map"), plain_twin=ufunc("plain_collinearity_space_map"))
+_SPACE_MAP_SIGNATURE = Signature("space_map", (("B", (15,)), ("X", (3,))), ((3,),), twin=ufunc("collinearity_space_map"), plain_twin=ufunc("plain_collinearity_space_map"), reach=226)
 
 
 def _space_map_factors(
@@ -613,7 +613,7 @@ def _coplanarity_determinant(
     return (rounded(t203),)
 
 
-_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("collinearity_coplanarity_determinant"), plain_twin=ufunc("plain_collinearity_coplanarity_determinant"))
+_COPLANARITY_DETERMINANT_SIGNATURE = Signature("coplanarity_determinant", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("collinearity_coplanarity_determinant"), plain_twin=ufunc("plain_collinearity_coplanarity_determinant"), reach=126)
 
 
 def intersect_three(A_left: ArrayLike, A_right: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -707,7 +707,7 @@ def _intersect_three(
     )
 
 
-_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect_three"), plain_twin=ufunc("plain_collinearity_intersect_three"))
+_INTERSECT_THREE_SIGNATURE = Signature("intersect_three", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect_three"), plain_twin=ufunc("plain_collinearity_intersect_three"), reach=73)
 
 
 def _intersect_three_factors(
@@ -899,7 +899,7 @@ def _intersect(
     )
 
 
-_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect"), plain_twin=ufunc("plain_collinearity_intersect"))
+_INTERSECT_SIGNATURE = Signature("intersect", (("A_left", (11,)), ("A_right", (11,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("collinearity_intersect"), plain_twin=ufunc("plain_collinearity_intersect"), reach=-1)
 
 
 def _intersect_factors(
@@ -1023,7 +1023,7 @@ def _model_point(
     return t5 * Xbar1, t5 * Ybar1, t5 * Zbar1
 
 
-_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),), twin=ufunc("collinearity_model_point"), plain_twin=ufunc("plain_collinearity_model_point"))
+_MODEL_POINT_SIGNATURE = Signature("model_point", (("reduced_left", (3,)), ("reduced_right", (3,)), ("base", ())), ((3,),), twin=ufunc("collinearity_model_point"), plain_twin=ufunc("plain_collinearity_model_point"), reach=183)
 
 
 def _model_point_factors(

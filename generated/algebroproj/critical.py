@@ -119,7 +119,7 @@ def _determinant(
     return (rounded(t148 - wide(up32) * upp31 * (t73 * t30 + t50 * t118 - t33 * t139 - t62 * t105)),)
 
 
-_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),), twin=ufunc("critical_determinant"), plain_twin=ufunc("plain_critical_determinant"))
+_DETERMINANT_SIGNATURE = Signature("determinant", (("u_left", (5, 2)), ("u_right", (5, 2))), ((),), twin=ufunc("critical_determinant"), plain_twin=ufunc("plain_critical_determinant"), reach=73)
 
 
 def algebraic_distance(Q: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -178,7 +178,7 @@ def _algebraic_distance(
     return (rounded(t42),)
 
 
-_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),), twin=ufunc("critical_algebraic_distance"), plain_twin=ufunc("plain_critical_algebraic_distance"))
+_ALGEBRAIC_DISTANCE_SIGNATURE = Signature("algebraic_distance", (("Q", (4, 4)), ("y", (3,))), ((),), twin=ufunc("critical_algebraic_distance"), plain_twin=ufunc("plain_critical_algebraic_distance"), reach=305)
 
 
 def quadric(mu_left: ArrayLike, u3_left: ArrayLike, mu_right: ArrayLike, u3_right: ArrayLike, y: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -458,7 +458,7 @@ def _quadric(
     )
 
 
-_QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,)), ("y", (4, 3))), ((4, 4),), plain_twin=ufunc("plain_critical_quadric"))
+_QUADRIC_SIGNATURE = Signature("quadric", (("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,)), ("y", (4, 3))), ((4, 4),), plain_twin=ufunc("plain_critical_quadric"), reach=3)
 
 
 def invariants(Q: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -550,7 +550,7 @@ def _invariants(
     )
 
 
-_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)), twin=ufunc("critical_invariants"), plain_twin=ufunc("plain_critical_invariants"))
+_INVARIANTS_SIGNATURE = Signature("invariants", (("Q", (4, 4)),), ((4,), (3,)), twin=ufunc("critical_invariants"), plain_twin=ufunc("plain_critical_invariants"), reach=216)
 
 
 def __dir__() -> list[str]:

@@ -93,7 +93,7 @@ def _reconstruct(
     return xp * t1, yp * t1, -(c * t1)
 
 
-_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"), plain_twin=ufunc("plain_metric_reconstruct"))
+_RECONSTRUCT_SIGNATURE = Signature("reconstruct", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3,),), twin=ufunc("metric_reconstruct"), plain_twin=ufunc("plain_metric_reconstruct"), reach=485)
 
 
 def _reconstruct_factors(
@@ -181,7 +181,7 @@ def _reconstruct_jacobian(
     return xpp * (1 / ((xpp - xp) * t1)), 0, xp * t6, 0, 0, -t8, t10, t8, 0, 0, t11, 0, -t11, 0, -t10
 
 
-_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"), plain_twin=ufunc("plain_metric_reconstruct_jacobian"))
+_RECONSTRUCT_JACOBIAN_SIGNATURE = Signature("reconstruct_jacobian", (("x_left", (2,)), ("x_right", (2,)), ("c", ())), ((3, 5),), twin=ufunc("metric_reconstruct_jacobian"), plain_twin=ufunc("plain_metric_reconstruct_jacobian"), reach=306)
 
 
 def _reconstruct_jacobian_factors(
@@ -431,7 +431,7 @@ def _correlation_matrix(
     )
 
 
-_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"), plain_twin=ufunc("plain_metric_correlation_matrix"))
+_CORRELATION_MATRIX_SIGNATURE = Signature("correlation_matrix", (("R_left", (3, 3)), ("R_right", (3, 3)), ("b", (3,))), ((3, 3),), twin=ufunc("metric_correlation_matrix"), plain_twin=ufunc("plain_metric_correlation_matrix"), reach=305)
 
 
 def rotations_from_correlation(C: ArrayLike, c: ArrayLike, *, out: tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]] | None = None) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -633,7 +633,7 @@ def _coplanarity_row(
     return p1p * p2pp, p1p * p3pp, rounded(t40 * t52 + t44 * t56), -(p1pp * p2p), -(p1pp * p3p)
 
 
-_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"), plain_twin=ufunc("plain_metric_coplanarity_row"))
+_COPLANARITY_ROW_SIGNATURE = Signature("coplanarity_row", (("x_left", (2,)), ("x_right", (2,)), ("R_left", (3, 3)), ("R_right", (3, 3)), ("c", ())), ((5,),), twin=ufunc("metric_coplanarity_row"), plain_twin=ufunc("plain_metric_coplanarity_row"), reach=216)
 
 
 def to_normal(R: ArrayLike, x: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -699,7 +699,7 @@ def _to_normal(
     )
 
 
-_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"), plain_twin=ufunc("plain_metric_to_normal"))
+_TO_NORMAL_SIGNATURE = Signature("to_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_to_normal"), plain_twin=ufunc("plain_metric_to_normal"), reach=181)
 
 
 def _to_normal_factors(
@@ -816,7 +816,7 @@ def _to_normal_jacobian(
     )
 
 
-_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"), plain_twin=ufunc("plain_metric_to_normal_jacobian"))
+_TO_NORMAL_JACOBIAN_SIGNATURE = Signature("to_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_to_normal_jacobian"), plain_twin=ufunc("plain_metric_to_normal_jacobian"), reach=29)
 
 
 def _to_normal_jacobian_factors(
@@ -894,7 +894,7 @@ def _from_normal(
     )
 
 
-_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"), plain_twin=ufunc("plain_metric_from_normal"))
+_FROM_NORMAL_SIGNATURE = Signature("from_normal", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2,),), twin=ufunc("metric_from_normal"), plain_twin=ufunc("plain_metric_from_normal"), reach=181)
 
 
 def _from_normal_factors(
@@ -1010,7 +1010,7 @@ def _from_normal_jacobian(
     )
 
 
-_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"), plain_twin=ufunc("plain_metric_from_normal_jacobian"))
+_FROM_NORMAL_JACOBIAN_SIGNATURE = Signature("from_normal_jacobian", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 12),), twin=ufunc("metric_from_normal_jacobian"), plain_twin=ufunc("plain_metric_from_normal_jacobian"), reach=29)
 
 
 def _from_normal_jacobian_factors(
@@ -1086,7 +1086,7 @@ def _jacobian_angles(
     return t2, -((t3 + xN * xN) * t1), -yN, (t3 + yN * yN) * t1, -t2, xN
 
 
-_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"), plain_twin=ufunc("plain_metric_jacobian_angles"))
+_JACOBIAN_ANGLES_SIGNATURE = Signature("jacobian_angles", (("x_n", (2,)), ("c", ())), ((2, 3),), twin=ufunc("metric_jacobian_angles"), plain_twin=ufunc("plain_metric_jacobian_angles"), reach=323)
 
 
 def _jacobian_angles_factors(
@@ -1173,7 +1173,7 @@ def _jacobian_image(
     )
 
 
-_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"), plain_twin=ufunc("plain_metric_jacobian_image"))
+_JACOBIAN_IMAGE_SIGNATURE = Signature("jacobian_image", (("R", (3, 3)), ("x", (2,)), ("c", ())), ((2, 2),), twin=ufunc("metric_jacobian_image"), plain_twin=ufunc("plain_metric_jacobian_image"), reach=36)
 
 
 def _jacobian_image_factors(
@@ -1295,7 +1295,7 @@ def _normal_covariance(
     )
 
 
-_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"), plain_twin=ufunc("plain_metric_normal_covariance"))
+_NORMAL_COVARIANCE_SIGNATURE = Signature("normal_covariance", (("R", (3, 3)), ("x", (2,)), ("c", ()), ("S_a", (3, 3)), ("variance", ())), ((2, 2),), twin=ufunc("metric_normal_covariance"), plain_twin=ufunc("plain_metric_normal_covariance"), reach=-1)
 
 
 def _normal_covariance_factors(
@@ -1403,7 +1403,7 @@ def _model_covariance(
     )
 
 
-_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"), plain_twin=ufunc("plain_metric_model_covariance"))
+_MODEL_COVARIANCE_SIGNATURE = Signature("model_covariance", (("x_left", (2,)), ("x_right", (2,)), ("c", ()), ("S_left", (2, 2)), ("S_right", (2, 2)), ("S_mixed", (2, 2))), ((3, 3),), twin=ufunc("metric_model_covariance"), plain_twin=ufunc("plain_metric_model_covariance"), reach=78)
 
 
 def _model_covariance_factors(

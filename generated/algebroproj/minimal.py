@@ -121,7 +121,7 @@ def _essential_matrix(
     )
 
 
-_ESSENTIAL_MATRIX_SIGNATURE = Signature("essential_matrix", (("b", (3,)), ("q", (4,))), ((3, 3),), twin=ufunc("minimal_essential_matrix"), plain_twin=ufunc("plain_minimal_essential_matrix"))
+_ESSENTIAL_MATRIX_SIGNATURE = Signature("essential_matrix", (("b", (3,)), ("q", (4,))), ((3, 3),), twin=ufunc("minimal_essential_matrix"), plain_twin=ufunc("plain_minimal_essential_matrix"), reach=305)
 
 
 def cubic(A: ArrayLike, B: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -197,7 +197,7 @@ def _cubic(
     )
 
 
-_CUBIC_SIGNATURE = Signature("cubic", (("A", (3, 3)), ("B", (3, 3))), ((4,),), twin=ufunc("minimal_cubic"), plain_twin=ufunc("plain_minimal_cubic"))
+_CUBIC_SIGNATURE = Signature("cubic", (("A", (3, 3)), ("B", (3, 3))), ((4,),), twin=ufunc("minimal_cubic"), plain_twin=ufunc("plain_minimal_cubic"), reach=305)
 
 
 def discriminant(c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -256,7 +256,7 @@ def _discriminant(
     return (rounded(t0 * t1 + t3 * 18 * c1 * c2 - t3 * t3 * 27 - t0 * 4 * c0 * c2 - t1 * 4 * c3 * c1),)
 
 
-_DISCRIMINANT_SIGNATURE = Signature("discriminant", (("c", (4,)),), ((),), twin=ufunc("minimal_discriminant"), plain_twin=ufunc("plain_minimal_discriminant"))
+_DISCRIMINANT_SIGNATURE = Signature("discriminant", (("c", (4,)),), ((),), twin=ufunc("minimal_discriminant"), plain_twin=ufunc("plain_minimal_discriminant"), reach=216)
 
 
 def hessian(c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -318,7 +318,7 @@ def _hessian(
     )
 
 
-_HESSIAN_SIGNATURE = Signature("hessian", (("c", (4,)),), ((3,),), twin=ufunc("minimal_hessian"), plain_twin=ufunc("plain_minimal_hessian"))
+_HESSIAN_SIGNATURE = Signature("hessian", (("c", (4,)),), ((3,),), twin=ufunc("minimal_hessian"), plain_twin=ufunc("plain_minimal_hessian"), reach=484)
 
 
 def model_depth(F: ArrayLike, epipole: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -403,7 +403,7 @@ def _model_depth(
     return (-(rounded(p0 * t81 + p1 * t83 + p2 * t86) / t63) + 0 * t63,)
 
 
-_MODEL_DEPTH_SIGNATURE = Signature("model_depth", (("F", (3, 3)), ("epipole", (3,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("minimal_model_depth"), plain_twin=ufunc("plain_minimal_model_depth"))
+_MODEL_DEPTH_SIGNATURE = Signature("model_depth", (("F", (3, 3)), ("epipole", (3,)), ("x_left", (2,)), ("x_right", (2,))), ((),), twin=ufunc("minimal_model_depth"), plain_twin=ufunc("plain_minimal_model_depth"), reach=69)
 
 
 def _model_depth_factors(
@@ -721,7 +721,7 @@ def _photographs(
     )
 
 
-_PHOTOGRAPHS_SIGNATURE = Signature("photographs", (("F", (3, 3)), ("epipole", (3,)), ("H", (4, 4))), ((11,), (11,)), twin=ufunc("minimal_photographs"), plain_twin=ufunc("plain_minimal_photographs"))
+_PHOTOGRAPHS_SIGNATURE = Signature("photographs", (("F", (3, 3)), ("epipole", (3,)), ("H", (4, 4))), ((11,), (11,)), twin=ufunc("minimal_photographs"), plain_twin=ufunc("plain_minimal_photographs"), reach=142)
 
 
 def _photographs_factors(

@@ -86,7 +86,7 @@ def _tau(
     return u30 * uN31 / (u31 * uN30), u30 * uN32 / (u32 * uN30)
 
 
-_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"), plain_twin=ufunc("plain_normal_case_tau"))
+_TAU_SIGNATURE = Signature("tau", (("u3", (2,)), ("u3_normal", (2,))), ((2,),), twin=ufunc("normal_case_tau"), plain_twin=ufunc("plain_normal_case_tau"), reach=240)
 
 
 def _tau_factors(
@@ -175,7 +175,7 @@ def _tau_jacobian(
     )
 
 
-_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),), twin=ufunc("normal_case_tau_jacobian"), plain_twin=ufunc("plain_normal_case_tau_jacobian"))
+_TAU_JACOBIAN_SIGNATURE = Signature("tau_jacobian", (("u3", (2,)), ("u3_normal", (2,))), ((2, 4),), twin=ufunc("normal_case_tau_jacobian"), plain_twin=ufunc("plain_normal_case_tau_jacobian"), reach=61)
 
 
 def _tau_jacobian_factors(
@@ -247,7 +247,7 @@ def _transform(
     return 1, tau1 - 1, tau2 - 1, 0, tau1, 0, 0, 0, tau2
 
 
-_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),), twin=ufunc("normal_case_transform"), plain_twin=ufunc("plain_normal_case_transform"))
+_TRANSFORM_SIGNATURE = Signature("transform", (("tau", (2,)),), ((3, 3),), twin=ufunc("normal_case_transform"), plain_twin=ufunc("plain_normal_case_transform"), reach=1022)
 
 
 def map_points(tau: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -309,7 +309,7 @@ def _map_points(
     return tau1 * u1 * t7, tau2 * u2 * t7
 
 
-_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"), plain_twin=ufunc("plain_normal_case_map_points"))
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("tau", (2,)), ("u", (2,))), ((2,),), twin=ufunc("normal_case_map_points"), plain_twin=ufunc("plain_normal_case_map_points"), reach=229)
 
 
 def _map_points_factors(
@@ -415,7 +415,7 @@ def _from_orientation(
     )
 
 
-_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"), plain_twin=ufunc("plain_normal_case_from_orientation"))
+_FROM_ORIENTATION_SIGNATURE = Signature("from_orientation", (("y_a", (3,)), ("y0_left", (3,)), ("y0_right", (3,)), ("u3_left", (2,))), ((), (2,), (2,)), twin=ufunc("normal_case_from_orientation"), plain_twin=ufunc("plain_normal_case_from_orientation"), reach=57)
 
 
 def _from_orientation_factors(
@@ -510,7 +510,7 @@ def _mu_left(
     return t11, t11, yA0 * rounded(t17) / (difference * yA3)
 
 
-_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"), plain_twin=ufunc("plain_normal_case_mu_left"))
+_MU_LEFT_SIGNATURE = Signature("mu_left", (("y_a", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_left"), plain_twin=ufunc("plain_normal_case_mu_left"), reach=121)
 
 
 def _mu_left_factors(
@@ -607,7 +607,7 @@ def _mu_right(
     )
 
 
-_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"), plain_twin=ufunc("plain_normal_case_mu_right"))
+_MU_RIGHT_SIGNATURE = Signature("mu_right", (("y_a", (3,)), ("y0", (3,)), ("u3", (2,)), ("z_n", ())), ((3,),), twin=ufunc("normal_case_mu_right"), plain_twin=ufunc("plain_normal_case_mu_right"), reach=58)
 
 
 def _mu_right_factors(
@@ -685,7 +685,7 @@ def _from_correlation(
     return -(z02 / t0), 1, -(z20 * t0 / (z02 * z10)), -(z01 * t7), t0 * t7
 
 
-_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"), plain_twin=ufunc("plain_normal_case_from_correlation"))
+_FROM_CORRELATION_SIGNATURE = Signature("from_correlation", (("Z", (3, 3)),), ((), (2,), (2,)), twin=ufunc("normal_case_from_correlation"), plain_twin=ufunc("plain_normal_case_from_correlation"), reach=242)
 
 
 def _from_correlation_factors(
@@ -760,7 +760,7 @@ def _frame(
     return 1, 0, 0, 0, 1, z_n, 0, (tau1 - 1) / (tau2 - 1), 1
 
 
-_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"), plain_twin=ufunc("plain_normal_case_frame"))
+_FRAME_SIGNATURE = Signature("frame", (("z_n", ()), ("tau", (2,))), ((3, 3),), twin=ufunc("normal_case_frame"), plain_twin=ufunc("plain_normal_case_frame"), reach=484)
 
 
 def _frame_factors(

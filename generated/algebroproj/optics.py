@@ -89,7 +89,7 @@ def _lens_matrix(
     return f, 0, 0, 1, 0, f, 0, 0, 0, 0, f, 0, 0, 0, 0, f
 
 
-_LENS_MATRIX_SIGNATURE = Signature("lens_matrix", (("f", ()),), ((4, 4),), twin=ufunc("optics_lens_matrix"), plain_twin=ufunc("plain_optics_lens_matrix"))
+_LENS_MATRIX_SIGNATURE = Signature("lens_matrix", (("f", ()),), ((4, 4),), twin=ufunc("optics_lens_matrix"), plain_twin=ufunc("plain_optics_lens_matrix"), reach=1022)
 
 
 def image_point(f: ArrayLike, x: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -149,7 +149,7 @@ def _image_point(
     return magnification * xi1, magnification * xi2, magnification * xi3
 
 
-_IMAGE_POINT_SIGNATURE = Signature("image_point", (("f", ()), ("x", (3,))), ((3,),), twin=ufunc("optics_image_point"), plain_twin=ufunc("plain_optics_image_point"))
+_IMAGE_POINT_SIGNATURE = Signature("image_point", (("f", ()), ("x", (3,))), ((3,),), twin=ufunc("optics_image_point"), plain_twin=ufunc("plain_optics_image_point"), reach=323)
 
 
 def _image_point_factors(
@@ -220,7 +220,7 @@ def _object_point(
     return magnification * xip1, magnification * xip2, magnification * xip3
 
 
-_OBJECT_POINT_SIGNATURE = Signature("object_point", (("f", ()), ("x", (3,))), ((3,),), twin=ufunc("optics_object_point"), plain_twin=ufunc("plain_optics_object_point"))
+_OBJECT_POINT_SIGNATURE = Signature("object_point", (("f", ()), ("x", (3,))), ((3,),), twin=ufunc("optics_object_point"), plain_twin=ufunc("plain_optics_object_point"), reach=323)
 
 
 def _object_point_factors(
@@ -287,7 +287,7 @@ def _scale(
     return (f / (f + x3),)
 
 
-_SCALE_SIGNATURE = Signature("scale", (("f", ()), ("x3", ())), ((),), twin=ufunc("optics_scale"), plain_twin=ufunc("plain_optics_scale"))
+_SCALE_SIGNATURE = Signature("scale", (("f", ()), ("x3", ())), ((),), twin=ufunc("optics_scale"), plain_twin=ufunc("plain_optics_scale"), reach=485)
 
 
 def _scale_factors(
@@ -359,7 +359,7 @@ def _plane_homography(
     return mu0, mu1 - mu0, mu2 - mu0, 0, mu1, 0, 0, 0, mu2
 
 
-_PLANE_HOMOGRAPHY_SIGNATURE = Signature("plane_homography", (("mu", (3,)),), ((3, 3),), twin=ufunc("optics_plane_homography"), plain_twin=ufunc("plain_optics_plane_homography"))
+_PLANE_HOMOGRAPHY_SIGNATURE = Signature("plane_homography", (("mu", (3,)),), ((3, 3),), twin=ufunc("optics_plane_homography"), plain_twin=ufunc("plain_optics_plane_homography"), reach=1022)
 
 
 def map_plane_points(mu: ArrayLike, u: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -423,7 +423,7 @@ def _map_plane_points(
     return rounded(t6) * t7, rounded(t11) * t7
 
 
-_MAP_PLANE_POINTS_SIGNATURE = Signature("map_plane_points", (("mu", (3,)), ("u", (2,))), ((2,),), twin=ufunc("optics_map_plane_points"), plain_twin=ufunc("plain_optics_map_plane_points"))
+_MAP_PLANE_POINTS_SIGNATURE = Signature("map_plane_points", (("mu", (3,)), ("u", (2,))), ((2,),), twin=ufunc("optics_map_plane_points"), plain_twin=ufunc("plain_optics_map_plane_points"), reach=229)
 
 
 def _map_plane_points_factors(
@@ -489,7 +489,7 @@ def _vanishing_line(
     return mu0, mu1 - mu0, mu2 - mu0
 
 
-_VANISHING_LINE_SIGNATURE = Signature("vanishing_line", (("mu", (3,)),), ((3,),), twin=ufunc("optics_vanishing_line"), plain_twin=ufunc("plain_optics_vanishing_line"))
+_VANISHING_LINE_SIGNATURE = Signature("vanishing_line", (("mu", (3,)),), ((3,),), twin=ufunc("optics_vanishing_line"), plain_twin=ufunc("plain_optics_vanishing_line"), reach=1022)
 
 
 def __dir__() -> list[str]:

@@ -89,7 +89,7 @@ def _left_bundle(
     return t20, t20, yA0 * rounded_twice(wide(u02) * yA1 - wide(u01) * yA2) / (D * yA3)
 
 
-_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_left_bundle"), plain_twin=ufunc("plain_orientation_left_bundle"))
+_LEFT_BUNDLE_SIGNATURE = Signature("left_bundle", (("y_a", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_left_bundle"), plain_twin=ufunc("plain_orientation_left_bundle"), reach=122)
 
 
 def _left_bundle_factors(
@@ -183,7 +183,7 @@ def _right_bundle(
     return p03 * u01 / (p13 * u00), p03 * u02 / (p23 * u00), p02 * u02 / (n2 * p23)
 
 
-_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_right_bundle"), plain_twin=ufunc("plain_orientation_right_bundle"))
+_RIGHT_BUNDLE_SIGNATURE = Signature("right_bundle", (("y_a", (3,)), ("y0_left", (3,)), ("epipole", (2,)), ("u3", (2,))), ((3,),), twin=ufunc("orientation_right_bundle"), plain_twin=ufunc("plain_orientation_right_bundle"), reach=114)
 
 
 def _right_bundle_factors(
@@ -358,7 +358,7 @@ def _intersect(
     )
 
 
-_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),), twin=ufunc("orientation_intersect"), plain_twin=ufunc("plain_orientation_intersect"))
+_INTERSECT_SIGNATURE = Signature("intersect", (("u_left", (2,)), ("u_right", (2,)), ("mu_left", (3,)), ("u3_left", (2,)), ("mu_right", (3,)), ("u3_right", (2,))), ((3,),), twin=ufunc("orientation_intersect"), plain_twin=ufunc("plain_orientation_intersect"), reach=19)
 
 
 def _intersect_factors(

@@ -444,7 +444,7 @@ def _camera_matrix(
     return 1, mu1 - 1, mu2 - 1, mu3 - 1, 0, mu1, 0, mu3 * u31, 0, 0, mu2, mu3 * u32
 
 
-_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"), plain_twin=ufunc("plain_projection_camera_matrix"))
+_CAMERA_MATRIX_SIGNATURE = Signature("camera_matrix", (("mu", (3,)), ("u3", (2,))), ((3, 4),), twin=ufunc("projection_camera_matrix"), plain_twin=ufunc("plain_projection_camera_matrix"), reach=511)
 
 
 def mu_from_center(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -508,7 +508,7 @@ def _mu_from_center(
     return u31 * y00 / (u30 * y01), u32 * y00 / (u30 * y02), -(y00 / (u30 * y03))
 
 
-_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"), plain_twin=ufunc("plain_projection_mu_from_center"))
+_MU_FROM_CENTER_SIGNATURE = Signature("mu_from_center", (("y0", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_mu_from_center"), plain_twin=ufunc("plain_projection_mu_from_center"), reach=240)
 
 
 def _mu_from_center_factors(
@@ -610,7 +610,7 @@ def _mu_from_center_jacobian(
     )
 
 
-_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"), plain_twin=ufunc("plain_projection_mu_from_center_jacobian"))
+_MU_FROM_CENTER_JACOBIAN_SIGNATURE = Signature("mu_from_center_jacobian", (("y0", (3,)), ("u3", (2,))), ((3, 5),), twin=ufunc("projection_mu_from_center_jacobian"), plain_twin=ufunc("plain_projection_mu_from_center_jacobian"), reach=180)
 
 
 def _mu_from_center_jacobian_factors(
@@ -689,7 +689,7 @@ def _center_from_mu(
     return t13 * rounded(t23), t13 * rounded(t20), -(rounded(t11) * t12)
 
 
-_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"), plain_twin=ufunc("plain_projection_center_from_mu"))
+_CENTER_FROM_MU_SIGNATURE = Signature("center_from_mu", (("mu", (3,)), ("u3", (2,))), ((3,),), twin=ufunc("projection_center_from_mu"), plain_twin=ufunc("plain_projection_center_from_mu"), reach=116)
 
 
 def _center_from_mu_factors(
@@ -785,7 +785,7 @@ def _projection_matrix(
     )
 
 
-_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"), plain_twin=ufunc("plain_projection_projection_matrix"))
+_PROJECTION_MATRIX_SIGNATURE = Signature("projection_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix"), plain_twin=ufunc("plain_projection_projection_matrix"), reach=227)
 
 
 def _projection_matrix_factors(
@@ -944,7 +944,7 @@ def _projection_matrix_jacobian(
     )
 
 
-_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"), plain_twin=ufunc("plain_projection_projection_matrix_jacobian"))
+_PROJECTION_MATRIX_JACOBIAN_SIGNATURE = Signature("projection_matrix_jacobian", (("y0", (3,)), ("u3", (2,))), ((9, 5),), twin=ufunc("projection_projection_matrix_jacobian"), plain_twin=ufunc("plain_projection_projection_matrix_jacobian"), reach=61)
 
 
 def _projection_matrix_jacobian_factors(
@@ -1018,7 +1018,7 @@ def _projection_matrix_from_mu(
     return mu1 - 1, mu2 - 1, mu3 - 1, mu1, 0, mu3 * u31, 0, mu2, mu3 * u32
 
 
-_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"), plain_twin=ufunc("plain_projection_projection_matrix_from_mu"))
+_PROJECTION_MATRIX_FROM_MU_SIGNATURE = Signature("projection_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_projection_matrix_from_mu"), plain_twin=ufunc("plain_projection_projection_matrix_from_mu"), reach=511)
 
 
 def projection_determinant(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -1080,7 +1080,7 @@ def _projection_determinant(
     return (rounded(-(wide(u31) * u32 * y00 * y00 / (u30 * u30 * y01 * y02 * y03))),)
 
 
-_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"), plain_twin=ufunc("plain_projection_projection_determinant"))
+_PROJECTION_DETERMINANT_SIGNATURE = Signature("projection_determinant", (("y0", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant"), plain_twin=ufunc("plain_projection_projection_determinant"), reach=24)
 
 
 def _projection_determinant_factors(
@@ -1149,7 +1149,7 @@ def _projection_determinant_from_mu(
     return (rounded(t18),)
 
 
-_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"), plain_twin=ufunc("plain_projection_projection_determinant_from_mu"))
+_PROJECTION_DETERMINANT_FROM_MU_SIGNATURE = Signature("projection_determinant_from_mu", (("mu", (3,)), ("u3", (2,))), ((),), twin=ufunc("projection_projection_determinant_from_mu"), plain_twin=ufunc("plain_projection_projection_determinant_from_mu"), reach=216)
 
 
 def reconstruction_matrix(y0: ArrayLike, u3: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -1240,7 +1240,7 @@ def _reconstruction_matrix(
     )
 
 
-_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"), plain_twin=ufunc("plain_projection_reconstruction_matrix"))
+_RECONSTRUCTION_MATRIX_SIGNATURE = Signature("reconstruction_matrix", (("y0", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix"), plain_twin=ufunc("plain_projection_reconstruction_matrix"), reach=181)
 
 
 def _reconstruction_matrix_factors(
@@ -1339,7 +1339,7 @@ def _reconstruction_matrix_from_mu(
     )
 
 
-_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"), plain_twin=ufunc("plain_projection_reconstruction_matrix_from_mu"))
+_RECONSTRUCTION_MATRIX_FROM_MU_SIGNATURE = Signature("reconstruction_matrix_from_mu", (("mu", (3,)), ("u3", (2,))), ((3, 3),), twin=ufunc("projection_reconstruction_matrix_from_mu"), plain_twin=ufunc("plain_projection_reconstruction_matrix_from_mu"), reach=115)
 
 
 def _reconstruction_matrix_from_mu_factors(
@@ -1417,7 +1417,7 @@ def _project(
     return rounded_twice(wide(mu1) * y1 + t10 * u31) * t13, rounded_twice(wide(mu2) * y2 + t10 * u32) * t13
 
 
-_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), plain_twin=ufunc("plain_projection_project"))
+_PROJECT_SIGNATURE = Signature("project", (("y", (3,)), ("mu", (3,)), ("u3", (2,))), ((2,),), twin=ufunc("projection_project"), plain_twin=ufunc("plain_projection_project"), reach=170)
 
 
 def _project_factors(

@@ -86,7 +86,7 @@ def _homography(
     return mu0, mu1 - mu0, mu2 - mu0, mu3 - mu0, 0, mu1, 0, 0, 0, 0, mu2, 0, 0, 0, 0, mu3
 
 
-_HOMOGRAPHY_SIGNATURE = Signature("homography", (("mu", (4,)),), ((4, 4),), twin=ufunc("space_homography"), plain_twin=ufunc("plain_space_homography"))
+_HOMOGRAPHY_SIGNATURE = Signature("homography", (("mu", (4,)),), ((4, 4),), twin=ufunc("space_homography"), plain_twin=ufunc("plain_space_homography"), reach=1022)
 
 
 def mu_from_fifth_point(y4: ArrayLike, u4: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -151,7 +151,7 @@ def _mu_from_fifth_point(
     return u0 / y0, u41 / y41, u42 / y42, u43 / y43
 
 
-_MU_FROM_FIFTH_POINT_SIGNATURE = Signature("mu_from_fifth_point", (("y4", (3,)), ("u4", (3,))), ((4,),), twin=ufunc("space_mu_from_fifth_point"), plain_twin=ufunc("plain_space_mu_from_fifth_point"))
+_MU_FROM_FIFTH_POINT_SIGNATURE = Signature("mu_from_fifth_point", (("y4", (3,)), ("u4", (3,))), ((4,),), twin=ufunc("space_mu_from_fifth_point"), plain_twin=ufunc("plain_space_mu_from_fifth_point"), reach=480)
 
 
 def _mu_from_fifth_point_factors(
@@ -228,7 +228,7 @@ def _map_points(
     return rounded(t9) * t10, rounded(t15) * t10, rounded(t17) * t10
 
 
-_MAP_POINTS_SIGNATURE = Signature("map_points", (("mu", (4,)), ("y", (3,))), ((3,),), twin=ufunc("space_map_points"), plain_twin=ufunc("plain_space_map_points"))
+_MAP_POINTS_SIGNATURE = Signature("map_points", (("mu", (4,)), ("y", (3,))), ((3,),), twin=ufunc("space_map_points"), plain_twin=ufunc("plain_space_map_points"), reach=229)
 
 
 def _map_points_factors(
@@ -306,7 +306,7 @@ def _map_plane(
     )
 
 
-_MAP_PLANE_SIGNATURE = Signature("map_plane", (("mu", (4,)), ("a", (4,))), ((4,),), twin=ufunc("space_map_plane"), plain_twin=ufunc("plain_space_map_plane"))
+_MAP_PLANE_SIGNATURE = Signature("map_plane", (("mu", (4,)), ("a", (4,))), ((4,),), twin=ufunc("space_map_plane"), plain_twin=ufunc("plain_space_map_plane"), reach=229)
 
 
 def _map_plane_factors(

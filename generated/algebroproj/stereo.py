@@ -111,7 +111,7 @@ def _depths(
     return rounded(t59) * t38 + t53, rounded(t64) * t38 + t53
 
 
-_DEPTHS_SIGNATURE = Signature("depths", (("R", (3, 3)), ("b", (3,)), ("x_left", (2,)), ("x_right", (2,))), ((), ()), twin=ufunc("stereo_depths"), plain_twin=ufunc("plain_stereo_depths"))
+_DEPTHS_SIGNATURE = Signature("depths", (("R", (3, 3)), ("b", (3,)), ("x_left", (2,)), ("x_right", (2,))), ((), ()), twin=ufunc("stereo_depths"), plain_twin=ufunc("plain_stereo_depths"), reach=56)
 
 
 def _depths_factors(
@@ -217,7 +217,7 @@ def _triangulate(
     )
 
 
-_TRIANGULATE_SIGNATURE = Signature("triangulate", (("R", (3, 3)), ("b", (3,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("stereo_triangulate"), plain_twin=ufunc("plain_stereo_triangulate"))
+_TRIANGULATE_SIGNATURE = Signature("triangulate", (("R", (3, 3)), ("b", (3,)), ("x_left", (2,)), ("x_right", (2,))), ((3,),), twin=ufunc("stereo_triangulate"), plain_twin=ufunc("plain_stereo_triangulate"), reach=11)
 
 
 def _triangulate_factors(
@@ -314,7 +314,7 @@ def _residuals(
     )
 
 
-_RESIDUALS_SIGNATURE = Signature("residuals", (("X", (3,)), ("R", (3, 3)), ("b", (3,)), ("x_left", (2,)), ("x_right", (2,))), ((2,), (2,)), twin=ufunc("stereo_residuals"), plain_twin=ufunc("plain_stereo_residuals"))
+_RESIDUALS_SIGNATURE = Signature("residuals", (("X", (3,)), ("R", (3, 3)), ("b", (3,)), ("x_left", (2,)), ("x_right", (2,))), ((2,), (2,)), twin=ufunc("stereo_residuals"), plain_twin=ufunc("plain_stereo_residuals"), reach=92)
 
 
 def _residuals_factors(
@@ -409,7 +409,7 @@ def _sampson(
     )
 
 
-_SAMPSON_SIGNATURE = Signature("sampson", (("C", (3, 3)), ("x_left", (2,)), ("x_right", (2,))), ((), (4,)), twin=ufunc("stereo_sampson"), plain_twin=ufunc("plain_stereo_sampson"))
+_SAMPSON_SIGNATURE = Signature("sampson", (("C", (3, 3)), ("x_left", (2,)), ("x_right", (2,))), ((), (4,)), twin=ufunc("stereo_sampson"), plain_twin=ufunc("plain_stereo_sampson"), reach=25)
 
 
 def _sampson_factors(

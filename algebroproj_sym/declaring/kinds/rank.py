@@ -187,6 +187,7 @@ RANK = Kind(
     compare,
     "The generic rank of the matrix.",
     takes=("kernel",),
+    of_entries=True,
     is_reduced=False,
     printed="Printed: the rank",
     derived="Derived: the matrix",

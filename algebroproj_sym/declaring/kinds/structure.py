@@ -67,5 +67,6 @@ STRUCTURE = Kind(
     compare,
     "The pattern says which entries are zero, equal or opposite.",
     one_shape=True,
+    of_entries=True,
     printed="Printed: the pattern",
 )

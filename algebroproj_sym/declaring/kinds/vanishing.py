@@ -137,6 +137,7 @@ VANISHING = Kind(
     "The expression is zero exactly where one of the printed factors is.",
     transcribe=transcribed_factors,
     takes=("nonzero",),
+    of_entries=True,
     printed="Printed: where it is zero",
     derived="Derived: the expression",
     relation=r"= 0 \iff",

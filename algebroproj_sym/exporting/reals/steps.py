@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -256,20 +256,41 @@ def _cosine_in_range(theory: Written, step: Step) -> str:
 
 
 def _range_of_sine(theory: Written, step: Step) -> str:
-    angle, text, sin = _angle(theory, step, "sin")
-    positive = theory.proof(">", theory.field.symbol(_plain(theory, "sin", angle)), sin)
-    low = theory.proof(">=", angle + theory.pi, f"({text} + PI)")
-    high = theory.proof(">=", theory.number(2) * theory.pi - angle, f"(2 * PI - {text})")
-    return f"range_of_sine {text} {sin} d{sin} {positive} {low} {high}"
+    angle, text, _ = _angle(theory, step, "sin")
+    sides = ((angle + theory.pi, f"({text} + PI)"), (theory.number(2) * theory.pi - angle, f"(2 * PI - {text})"))
+    return _in_range(theory, "sine", angle, sides)
 
 
 def _range_of_cosine(theory: Written, step: Step) -> str:
-    angle, text, cos = _angle(theory, step, "cos")
-    positive = theory.proof(">", theory.field.symbol(_plain(theory, "cos", angle)), cos)
+    angle, text, _ = _angle(theory, step, "cos")
     double, three = theory.number(2) * angle, theory.number(3) * theory.pi
-    high = theory.proof(">=", three - double, f"(3 * PI - 2 * {text})")
-    low = theory.proof(">=", three + double, f"(3 * PI + 2 * {text})")
-    return f"range_of_cosine {text} {cos} d{cos} {positive} {high} {low}"
+    sides = ((three - double, f"(3 * PI - 2 * {text})"), (three + double, f"(3 * PI + 2 * {text})"))
+    return _in_range(theory, "cosine", angle, sides)
+
+
+def _in_range(theory: Written, function: str, angle: Element, sides: Iterable[tuple[Element, str]]) -> str:
+    short = {"sine": "sin", "cosine": "cos"}[function]
+    value, name = theory.field.symbol(_plain(theory, short, angle)), theory.name(short, angle)
+    strict = theory.holds(">", value)
+    proofs = " ".join(theory.proof(">=" if strict else ">", side, shown) for side, shown in sides)
+    sign = theory.proof(">" if strict else ">=", value, name)
+    return f"range_of_{function}{'_weakly' * (not strict)} {theory.shown(angle)} {name} d{name} {sign} {proofs}"
+
+
+def _order_of_sines(theory: Written, step: Step) -> str:
+    given, proofs, sines, names = "", "", list[Element](), list[str]()
+    for angle in (theory.read(step[key]) for key in ("larger", "smaller")):
+        text, double = theory.shown(angle), theory.number(2) * angle
+        pairs = ((theory.pi - double, f"(PI - 2 * {text})"), (theory.pi + double, f"(PI + 2 * {text})"))
+        proofs += "".join(f" {theory.proof('>=', side, shown)}" for side, shown in pairs)
+        names.append(theory.name("sin", angle))
+        sines.append(theory.field.symbol(_plain(theory, "sin", angle)))
+        given += f" {text} {names[-1]}"
+    rise = sines[0] - sines[1]
+    relation = next(relation for relation in ("=", ">", ">=") if theory.holds(relation, rise))
+    lemma = {"=": "equal_sines", ">": "order_of_sines_strictly", ">=": "order_of_sines"}[relation]
+    shown = theory.proof(relation, rise, f"({names[0]} - {names[1]})")
+    return f"{lemma}{given} d{names[0]} d{names[1]}{proofs} {shown}"
 
 
 # -- exponentials, logarithms, powers, signs
@@ -324,6 +345,15 @@ def _equal_powers(theory: Written, step: Step) -> str:
     return f"equal_powers {texts[0]} {texts[1]} {degree - 1} {signs} {powers}"
 
 
+def _order_of_powers(theory: Written, step: Step) -> str:
+    larger, smaller, degree = theory.read(step["larger"]), theory.read(step["smaller"]), step["degree"]
+    texts, rise = (theory.shown(larger), theory.shown(smaller)), larger**degree - smaller**degree
+    strict = theory.holds(">", rise)
+    shown = theory.proof(">" if strict else ">=", rise, f"({texts[0]} ^ {degree} - {texts[1]} ^ {degree})")
+    lemma = f"order_of_powers{'_strictly' * strict}"
+    return f"{lemma} {texts[0]} {texts[1]} {degree - 1} {theory.proof('>=', larger)} {shown}"
+
+
 def _sign_function(theory: Written, step: Step) -> str:
     value, argument = called(step["target"]), theory.applications[step["target"]].args[0]
     text = theory.shown(argument)
@@ -360,12 +390,14 @@ _LEMMAS: Mapping[str, Callable[[Written, Step], str]] = {
     "exponents": _exponents,
     "logarithms": _logarithms,
     "equal powers": _equal_powers,
+    "order of powers": _order_of_powers,
     "zero of sine": _zero_of_sine,
     "full turn": _full_turn,
     "sine in range": _sine_in_range,
     "cosine in range": _cosine_in_range,
     "range of sine": _range_of_sine,
     "range of cosine": _range_of_cosine,
+    "order of sines": _order_of_sines,
     "strict bounds": _strict_bounds,
     "sign function": _sign_function,
 }

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 import sympy
+from sympy.printing.pretty.stringpict import prettyForm
 
 from algebroproj_sym.expressions.letters.terms import LetterError, Shape, Size, shape_of
 
@@ -30,18 +31,31 @@ def shape_in(matrix: Any) -> Shape:
     return 1, 1
 
 
-def _arguments(kind: str, given: tuple[Any, ...]) -> tuple[list[Any], Shape]:
+def _arguments(kind: str, given: tuple[Any, ...], *, numbers: bool = False) -> tuple[list[Any], Shape]:
     arguments = [sympy.ImmutableMatrix(part) if isinstance(part, sympy.MatrixBase) else part for part in given]
+    if numbers:
+        arguments = [sympy.Integer(part) if type(part) is int else part for part in arguments]
     for part in arguments:
-        if not isinstance(part, sympy.MatrixBase | sympy.MatrixExpr):
+        if not isinstance(part, sympy.MatrixBase | sympy.MatrixExpr | (sympy.Expr if numbers else sympy.MatrixExpr)):
             raise LetterError(f"{kind}: expected matrices of SymPy, got {part!r} ({type(part).__name__})")
     return arguments, shape_of(kind, [shape_in(part) for part in arguments])
 
 
-class _OfMatrices(sympy.MatrixExpr):  # type: ignore[misc]
-    """A matrix that is a function of matrices."""
+class _Shown:
+    """What the printers of SymPy need, which take the names of some of these functions for others."""
 
     kind: ClassVar[str]
+    args: tuple[Any, ...]
+
+    def _latex(self, printer: Any) -> str:
+        return rf"\operatorname{{{self.kind}}}\left({', '.join(map(printer._print, self.args))}\right)"
+
+    def _pretty(self, printer: Any) -> prettyForm:
+        return prettyForm(str(self))
+
+
+class _OfMatrices(_Shown, sympy.MatrixExpr):  # type: ignore[misc]
+    """A matrix that is a function of matrices."""
 
     def __new__(cls, *given: Any) -> Any:
         arguments, _ = _arguments(cls.kind, given)
@@ -50,18 +64,18 @@ class _OfMatrices(sympy.MatrixExpr):  # type: ignore[misc]
     @property
     def shape(self) -> tuple[Any, Any]:
         """Rows and columns."""
-        rows, columns = _arguments(self.kind, self.args)[1]
+        rows, columns = _arguments(self.kind, self.args, numbers=True)[1]
         return sympy.sympify(rows), sympy.sympify(columns)
 
 
-class _Scalar(sympy.Expr):  # type: ignore[misc]
+class _Scalar(_Shown, sympy.Expr):  # type: ignore[misc]
     """A number that is a function of matrices."""
 
-    kind: ClassVar[str]
+    takes_numbers: ClassVar[bool] = False
     is_commutative = True
 
     def __new__(cls, *given: Any) -> Any:
-        arguments, _ = _arguments(cls.kind, given)
+        arguments, _ = _arguments(cls.kind, given, numbers=cls.takes_numbers)
         return sympy.Basic.__new__(cls, *arguments)
 
 
@@ -172,22 +186,65 @@ class RightJacobian(_OfMatrices):
     kind = "jr"
 
 
-class Directional(_OfMatrices):
-    """The derivative of a matrix by e, where a letter v is ``v + e*d``: of the matrix, the letter and d."""
+class _Derivative(_OfMatrices):
+    """A derivative, of a matrix or of a number."""
+
+    of_number: ClassVar[type[_Scalar]]
+
+    def __new__(cls, *given: Any) -> Any:
+        arguments, _ = _arguments(cls.kind, given, numbers=True)
+        is_matrix = isinstance(arguments[0], sympy.MatrixBase | sympy.MatrixExpr)
+        return sympy.Basic.__new__(cls if is_matrix else cls.of_number, *arguments)
+
+
+class DirectionalNumber(_Scalar):
+    """The derivative of a number along a letter."""
 
     kind = "diff"
+    takes_numbers = True
 
 
-class LeftPerturbed(_OfMatrices):
-    """The derivative of a matrix by e, where a rotation R is ``exp(skew(e*d))*R``: of the matrix, R and d."""
+class LeftPerturbedNumber(_Scalar):
+    """The derivative of a number at a rotation that is perturbed on the left."""
 
     kind = "ldiff"
+    takes_numbers = True
 
 
-class RightPerturbed(_OfMatrices):
-    """The derivative of a matrix by e, where a rotation R is ``R*exp(skew(e*d))``: of the matrix, R and d."""
+class RightPerturbedNumber(_Scalar):
+    """The derivative of a number at a rotation that is perturbed on the right."""
 
     kind = "rdiff"
+    takes_numbers = True
+
+
+class Directional(_Derivative):
+    """The derivative of a matrix or a number by e, where a letter v is ``v + e*d``: of the form, the letter and d.
+
+    Examples
+    --------
+    >>> from sympy import MatrixSymbol, Symbol
+    >>> x, d, s = MatrixSymbol("x", 3, 1), MatrixSymbol("d", 3, 1), Symbol("s")
+    >>> Directional(s * x, x, d).shape, Directional(Dot(x, x) * s, x, d).is_Matrix, Directional(s * x, s, 1).shape
+    ((3, 1), False, (3, 1))
+    """
+
+    kind = "diff"
+    of_number = DirectionalNumber
+
+
+class LeftPerturbed(_Derivative):
+    """The derivative of a form by e, where a rotation R is ``exp(skew(e*d))*R``: of the form, R and d."""
+
+    kind = "ldiff"
+    of_number = LeftPerturbedNumber
+
+
+class RightPerturbed(_Derivative):
+    """The derivative of a form by e, where a rotation R is ``R*exp(skew(e*d))``: of the form, R and d."""
+
+    kind = "rdiff"
+    of_number = RightPerturbedNumber
 
 
 class Hat(_OfMatrices):

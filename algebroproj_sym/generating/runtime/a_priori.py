@@ -20,8 +20,9 @@ RECORD = "accuracy.json"
 class AprioriBound:
     """A bound of the relative error of one entry of a result in float64, for every input.
 
-    Let u = 2**-53, and let nothing overflow or underflow.  The error is at most t/(1 - t) times the exact result, where
-    t is less than 1: u for each rounding, and for each term its coefficient times u**2 times its condition number.
+    Let u = 2**-53, and let the result not overflow or underflow.  The error is at most t/(1 - t) times the exact
+    result, where t is less than 1: u for each rounding, and for each term its coefficient times u**2 times its
+    condition number.
 
     Attributes
     ----------

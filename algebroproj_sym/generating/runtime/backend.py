@@ -12,7 +12,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any, Literal
 
-__all__ = ["backend", "calls", "ufunc"]
+__all__ = ["backend", "calls", "exceeded", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
 DIGEST = "DIGEST_OF_THE_SOURCE"
@@ -56,3 +56,7 @@ _COMPILED = _chosen()
 
 calls: Mapping[Any, Callable[..., Any]] = getattr(_COMPILED, "calls", {})
 """For each ufunc what does the same for arrays of one dtype and one leading shape, sooner; for others it gives None."""
+
+exceeded: Callable[[], bool] = getattr(_COMPILED, "exceeded", bool)
+"""Whether an intermediate result of a compiled function overflowed or underflowed since this was asked last, in this
+thread."""

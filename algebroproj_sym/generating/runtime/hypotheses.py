@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from .evaluation import Body, Signature, evaluate, parts_of, placed
+from .evaluation import Body, Signature, evaluate, parts_of, placed, without_range
 from .wrapping import Wrapped
 
 __all__ = ["hypotheses"]
@@ -53,7 +53,9 @@ def hypotheses(function: Callable[..., Any]) -> Callable[..., dict[str, Any]]:
     body = names.get(f"_{function.__name__}_factors", lambda *entries: ())
     if not {*SYSTEMS}.isdisjoint(whole.__code__.co_names):
         factors, body = (*factors, "least pivot"), _with_least_pivot(body, whole)
-    wanted = Signature(signature.name, signature.arguments, ((),) * len(factors), signature.block)
+    wanted = Signature(
+        signature.name, signature.arguments, ((),) * len(factors), signature.block, reach=without_range(signature)
+    )
 
     def values(*arguments: Any, **named: Any) -> dict[str, Any]:
         given = placed(signature, arguments, named)

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .evaluation import Body, batch_of, parts_of, placed, reals
-from .pairs import DIGITS, DoubleDouble
+from .evaluation import Body, batch_of, elementary, parts_of, placed, reals
+from .pairs import DoubleDouble
 from .precision import on_bounded
 from .wrapping import Wrapped
 
@@ -55,8 +55,7 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
     (0.3333333333333333, 0.9995061728395062)
     """
     signature, body = parts_of(function, "rounded")
-    called = sorted({*body.__code__.co_names} - {"solve", "null_vector", *DIGITS})
-    if called:
+    if called := elementary(body):
         raise TypeError(f"rounded: expected a rational function, got {signature.name}, which calls {called[0]}")
 
     def correctly_rounded(*arguments: Any, **named: Any) -> Any:

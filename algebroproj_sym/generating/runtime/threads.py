@@ -12,6 +12,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from .backend import exceeded
+
 __all__ = ["is_large", "shared"]
 
 POINTS = 2**17
@@ -30,7 +32,7 @@ def shared(
     batch: Shape,
     arguments: Sequence[tuple[NDArray[Any], Shape]],
     results: Sequence[tuple[NDArray[Any], Shape]],
-) -> None:
+) -> bool:
     """Fill results: each core takes a share of the longest leading dimension.
 
     Parameters
@@ -42,6 +44,11 @@ def shared(
     arguments, results : sequence of (ndarray, shape)
         Arrays with their core shapes.  The leading dimensions of arguments broadcast.  Results share no memory with
         arguments.
+
+    Returns
+    -------
+    bool
+        Whether an intermediate result overflowed or underflowed.
     """
     longest = max(batch)
     dimension = batch.index(longest) - len(batch)
@@ -54,9 +61,14 @@ def shared(
                 tuple(_share(array, dimension - len(core), slice(start, stop)) for array, core in arrays)
                 for arrays in (arguments, results)
             )
-            running.append(pool.submit(copy_context().run, compute, *given, out=out))
-    for share in running:
-        share.result()
+            running.append(pool.submit(copy_context().run, _watched, compute, given, out))
+    noticed = [share.result() for share in running]
+    return any(noticed)
+
+
+def _watched(compute: Callable[..., Any], given: Sequence[Any], out: Any) -> bool:
+    compute(*given, out=out)
+    return exceeded()
 
 
 def _share(array: NDArray[Any], dimension: int, share: slice) -> NDArray[Any]:

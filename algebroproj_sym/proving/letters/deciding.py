@@ -44,7 +44,7 @@ from algebroproj_sym.proving.prove import prove as decided
 from algebroproj_sym.proving.rational_function import RationalFunctionField
 
 LARGEST_TURN = 3
-MOST_DEGREE = 15
+MOST_DEGREE = 20
 FIRST_TRIES = 40
 ENOUGH_POINTS = 4
 MORE_TRIES = 200
@@ -165,8 +165,9 @@ class _Question:
     def __init__(self, statement: Statement, engine: str) -> None:
         self.letters = statement.letters
         self.size_names = statement.size_names
-        self.definitions, statement = without_definitions(without_lengths(statement))
-        stated, statement = statement.terms, without_derivatives(statement)
+        statement = without_lengths(statement)
+        _, stated = without_definitions(statement)
+        self.definitions, statement = without_definitions(without_derivatives(statement))
         parts = {part.value for term in statement.terms for part in factors_of(term) if part.kind == "letter"}
         statement = replace(
             statement, letters={name: statement.letters[name] for name in statement.letters if name in parts}
@@ -176,7 +177,7 @@ class _Question:
         self.witness: Point | None = None
         self.search = Work(MOST_OF_SEARCH)
         self.angles, self.plain = without_series(statement) if speaks_of_angles(statement) else ([], statement)
-        self.terms = statement.terms if self.angles else stated
+        self.terms = statement.terms if self.angles else stated.terms
         self.hypotheses = hypotheses_of(statement.terms, statement.letters)
 
     def found(self) -> Found:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from algebroproj_sym.expressions.letters import ONE, LetterError, Term, factors_of, letters_text, made, number
-from algebroproj_sym.proving.letters.statements import Statement
+from algebroproj_sym.proving.letters.statements import Statement, replaced, without_definitions
 
 KINDS = ("diff", "ldiff", "rdiff")
 _LINEAR = ("transpose", "trace", "skew", "vee", "vec", "diag", "conj", "pure", "imag", "hat", "ad", "entry")
@@ -17,7 +17,7 @@ _BILINEAR = ("product", "dot", "outer", "cross", "qmul", "kron")
 
 
 def without_derivatives(statement: Statement) -> Statement:
-    """Return a statement in which derivatives are worked out.
+    """Return a statement in which derivatives are worked out; what a constraint defines changes with its letters.
 
     Raises
     ------
@@ -34,9 +34,21 @@ def without_derivatives(statement: Statement) -> Statement:
     >>> letters_text(without_derivatives(statement).left)
     '(skew(d)*R)*v'
     """
-    if not any(part.kind in KINDS for term in statement.terms for part in factors_of(term)):
+    if not any(map(_has_derivative, statement.terms)):
         return statement
-    return statement.every(lambda term: _worked_out(term, statement))
+    definitions, rest = without_definitions(statement)
+
+    def worked_out(term: Term) -> Term | None:
+        return _worked_out(replaced(term, defined), rest) if term.kind in KINDS else None
+
+    def defined(part: Term) -> Term | None:
+        return definitions.get(part.value) if part.kind in ("letter", "symbol") else None
+
+    return statement.every(lambda term: replaced(term, worked_out))
+
+
+def _has_derivative(term: Term) -> bool:
+    return any(part.kind in KINDS for part in factors_of(term))
 
 
 def _worked_out(term: Term, statement: Statement) -> Term:

@@ -16,6 +16,7 @@ from algebroproj_sym.expressions.letters import ONE, letters_text
 from algebroproj_sym.proving.letters.rules import Rule
 from algebroproj_sym.proving.letters.words import (
     Algebra,
+    Atom,
     Monomial,
     NotWordsError,
     Poly,
@@ -26,6 +27,7 @@ from algebroproj_sym.proving.letters.words import (
     of_key,
     of_scalar,
     order,
+    weight,
 )
 
 MOST_STEPS = 400
@@ -91,7 +93,7 @@ def proof_in_words(algebra: Algebra, claim: Poly, rules: Sequence[Rule]) -> dict
     >>> proof_in_words(algebra, claim, rules_for(algebra, [claim], []))
     {'rules': [{'rule': 'orthogonal columns', 'of': ['R']}], 'sums': [[{'of': 0, 'right': 'R'}]]}
     """
-    return _Search(algebra, rules).proof(claim)
+    return _Search(algebra, rules).record(claim)
 
 
 @dataclass(frozen=True)
@@ -115,7 +117,9 @@ class _Search:
         self.algebra = algebra
         self.rules = rules
         self.leads = [max(rule.poly.terms, key=order) for rule in rules]
-        self.longest_first = sorted(range(len(rules)), key=lambda place: -len(self.leads[place][1]))
+        self.longest_first = sorted(
+            range(len(rules)), key=lambda place: (-len(self.leads[place][1]), -len(self.leads[place][0]))
+        )
         self.places = {
             (rule.name, rule.of[0].key): place
             for place, rule in enumerate(rules)
@@ -123,7 +127,12 @@ class _Search:
         }
         self.left = MOST_STEPS
 
-    def proof(self, claim: Poly) -> dict[str, Any] | None:
+    def record(self, claim: Poly) -> dict[str, Any] | None:
+        sums = self.proof(claim) or self._proof_of_forms(claim)
+        return None if sums is None else self._record(sums)
+
+    def proof(self, claim: Poly) -> list[list[Part]] | None:
+        """Return sums of multiples of the rules and of earlier sums, which have places from -1 on downwards."""
         waiting, seen = [self._state(claim)], set[object]()
         for _ in range(MOST_STATES):
             if not waiting:
@@ -131,7 +140,7 @@ class _Search:
             waiting.sort(key=lambda state: (len(state.rest.terms) + 2 * state.depth, str(state.rest.key)))
             state = waiting.pop(0)
             if not state.rest:
-                return self._record(state)
+                return self._sums(state)
             if state.depth < MOST_MULTIPLICATIONS:
                 for following in self._multiplied(state):
                     if following.rest.key not in seen:
@@ -260,14 +269,53 @@ class _Search:
         except NotWordsError:
             return
 
+    # -- forms
+
+    def _proof_of_forms(self, claim: Poly) -> list[list[Part]] | None:
+        """Return why forms ``u.T*A*v`` add up to zero: for each u and v, what is between them does."""
+        groups: dict[tuple[Atom, Atom], Poly] = {}
+        for (scalars, _), value in claim.terms.items():
+            forms = [scalar for scalar in scalars if scalar.kind == "form"]
+            if claim.shape != ONE or not forms:
+                return None
+            longest = max(forms, key=weight)
+            others = [*scalars]
+            others.remove(longest)
+            sign, first, inner, last = self._cut(longest)
+            middle = Poly((first.columns, last.rows), {((*others,), inner): value * sign})
+            groups[first, last] = groups.get((first, last), Poly(middle.shape, {})) + middle
+        sums, whole, rest = list[list[Part]](), list[Part](), claim
+        for (first, last), middle in groups.items():
+            if self.algebra.transposed_word((first,)) == (1, (last,)):
+                middle = (middle + self.algebra.transposed(middle)).times(Fraction(1, 2))
+            found = self.proof(middle)
+            if found is None:
+                return None
+            moved = len(sums)
+            for parts in found:
+                sums.append([replace(part, place=part.place - moved * (part.place < 0)) for part in parts])
+            whole.append(self._part(-len(sums), (), (first,), (last,), middle))
+            rest = rest - whole[-1].value(self.algebra, middle)
+        return None if rest else [*sums, whole]
+
+    def _cut(self, form: Scalar) -> tuple[int, Atom, Word, Atom]:
+        """Return a form, or its transpose with a sign, as its first factor, those between, and its last one."""
+        key: Word = form.key  # type: ignore[assignment]
+        forms = [(1, key), self.algebra.transposed_word(key)]
+        sign, word = min(forms, key=lambda each: (str(each[1][0]), str(each[1][-1])))
+        return sign, word[0], word[1:-1], word[-1]
+
     # -- the record
 
-    def _record(self, state: _State) -> dict[str, Any]:
+    def _sums(self, state: _State) -> list[list[Part]]:
         sums = [state.parts]
         while state.before is not None and state.undo is not None and state.rule is not None:
             last = replace(state.undo, place=-len(sums))
             sums.append([*state.before.parts, last, state.rule])
             state = state.before
+        return sums
+
+    def _record(self, sums: list[list[Part]]) -> dict[str, Any]:
         used = sorted({part.place for parts in sums for part in parts if part.place >= 0})
         places = {place: k for k, place in enumerate(used)} | {-k: len(used) + k - 1 for k in range(1, len(sums))}
         return {

@@ -18,6 +18,7 @@ from algebroproj_sym.expressions.letters import ONE, Shape, Size, Term, made, nu
 from algebroproj_sym.proving.letters.properties import Letter
 
 MOST_TERMS = 3_000
+LONG = 10
 
 
 class NotWordsError(ValueError):
@@ -112,12 +113,22 @@ def of_key(key: Any) -> Poly:
 
 
 def weight(part: object) -> int:
-    """Return the length of a monomial, an atom or a number."""
-    if isinstance(part, Atom):
-        return 1 if part.kind != "skew" else 1 + weight(part.key)
-    if isinstance(part, Scalar):
-        return sum(map(weight, part.key)) if part.kind in ("form", "trace") else 1  # type: ignore[call-overload]
+    """Return the length of a monomial, an atom or a number; a determinant or adjugate of a sum is long."""
+    if isinstance(part, Atom | Scalar):
+        if part.kind in ("det", "adj"):
+            return _long(part.kind, of_key(part.key))
+        if part.kind in ("form", "trace"):
+            return sum(map(weight, part.key))  # type: ignore[call-overload]
+        return 1 + weight(part.key) if part.kind == "skew" else 1
     return sum(map(weight, part))  # type: ignore[call-overload]
+
+
+def _long(kind: str, base: Poly) -> int:
+    length = sum(map(weight, base.terms))
+    if len(base.terms) == length == 1:
+        (((_, word), _),) = base.terms.items()
+        return LONG if kind == "adj" and any(atom.kind == "inverse" for atom in word) else 1
+    return LONG * length + sum(atom.kind == "inverse" for _, word in base.terms for atom in word)
 
 
 def order(monomial: Monomial) -> tuple[object, ...]:
@@ -355,8 +366,20 @@ class Algebra:
         return of_scalar(Scalar("reciprocal", of_scalar(scalar).key))
 
     def adjugate(self, poly: Poly) -> Poly:
-        """Return the adjugate, as an atom."""
-        return poly if not poly else self._opaque("adj", poly)
+        """Return the adjugate: the product of those of square factors, in reverse; of a number, it is one."""
+        if poly.shape == ONE:
+            return constant(1)
+        if not poly:
+            if not isinstance(poly.shape[0], int):
+                raise NotWordsError("the adjugate of zero, which is one for a matrix of one row")
+            self.is_sized = True
+            return poly
+        if len(poly.terms) == 1:
+            (((scalars, word), value),) = poly.terms.items()
+            if not scalars and value == 1 and all(atom.rows == atom.columns for atom in word):
+                parts = (self._opaque("adj", self.of_word(poly.shape, (atom,))) for atom in reversed(word))
+                return reduce(self.product, parts, constant(1, poly.shape))
+        return self._opaque("adj", poly)
 
     def skew(self, poly: Poly) -> Poly:
         """Return the matrix of the cross product, which is linear in the vector."""

@@ -11,7 +11,7 @@ from sympy.integrals.manualintegrate import manualintegrate
 
 from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError
 from algebroproj_sym.proving.polynomials import EffortExceededError
-from algebroproj_sym.proving.reals.reading import term_of
+from algebroproj_sym.proving.reals.reading import expression_of, term_of
 from algebroproj_sym.proving.reals.samples import samples_at
 from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.reals.comparisons import comparisons
@@ -35,8 +35,6 @@ Point = Mapping[str, Fraction]
 
 BITS = 64
 PARTS = (Fraction(1, 7), Fraction(1, 2), Fraction(6, 7))
-_OPERATIONS: Mapping[str, Any] = {"+": sympy.Add, "*": sympy.Mul, "-": lambda u: -u, "/": lambda u, v: u / v}
-_NAMES = {"abs": "Abs"}
 
 
 def candidates(integral: Term) -> Iterator[str]:
@@ -50,7 +48,7 @@ def candidates(integral: Term) -> Iterator[str]:
     """
     variable, positive = (sympy.Symbol(integral.value, **{kind: True}) for kind in ("real", "positive"))
     try:
-        found = manualintegrate(_expression(integral.args[0]).subs(positive, variable), variable)
+        found = manualintegrate(expression_of(integral.args[0]).subs(positive, variable), variable)
     except Exception:  # whatever fails in SymPy proposes nothing
         return
     forms = [found.replace(lambda e: isinstance(e, sympy.Piecewise), branch) for branch in (_first, _last)]
@@ -78,20 +76,6 @@ def _first(cases: sympy.Piecewise) -> sympy.Expr:
 
 def _last(cases: sympy.Piecewise) -> sympy.Expr:
     return cases.args[-1][0]
-
-
-def _expression(term: Term) -> sympy.Expr:
-    kind, value, args = term
-    if kind == "number":
-        return sympy.Rational(value.numerator, value.denominator)
-    if kind == "symbol":
-        return sympy.Symbol(value, positive=True)
-    if kind == "pi":
-        return sympy.pi
-    parts = [*map(_expression, args)]
-    if kind == "^":
-        return parts[0] ** sympy.Rational(value.numerator, value.denominator)
-    return _OPERATIONS[kind](*parts) if kind in _OPERATIONS else getattr(sympy, _NAMES.get(kind, kind))(*parts)
 
 
 def integrated(

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations, combinations_with_replacement
+from itertools import combinations, combinations_with_replacement, pairwise
 from math import gcd, lcm
 from typing import Any
 
@@ -27,6 +27,7 @@ from algebroproj_sym.replaying.reals.proofs import apply, assume
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
+STRIDE = 8
 MOST_COLUMNS = 160
 MOST_ROWS = 60
 MOST_TERMS = 400
@@ -64,15 +65,16 @@ class Knowledge:
     def case(self, relation: str, text: str) -> Knowledge:
         """Return the same knowledge, without its steps, where something more is assumed."""
         wanted = {">": (1,), "=": (0,), "<": (-1,), ">=": (0, 1)}[relation]
-        element = self.theory.polynomial(text)
-        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, element) in wanted]
+        polynomial = self.theory.signed(self.theory.polynomial(text))
+        kept = [sample.branch() for sample in self.samples if sample.sign(self.theory, polynomial) in wanted]
         found = Knowledge(self.theory.branch(), kept, self.effort)
         assume(found.theory, relation, text)
         return found
 
     def seen(self, element: Element) -> set[int]:
         """Return the signs of something at the samples, as far as they are known."""
-        signs = {sample.sign(self.theory, element) for sample in self.samples or [Sample({})]}
+        polynomial = self.theory.signed(element)
+        signs = {sample.sign(self.theory, polynomial) for sample in self.samples or [Sample({})]}
         return {sign for sign in signs if sign is not None}
 
     def step(self, law: str, **entries: Any) -> bool:
@@ -89,17 +91,21 @@ class Knowledge:
             self.steps.append(step)
         return True
 
-    # -- polynomials of FLINT, whose last variable is spare
+    # -- polynomials of FLINT, whose last variables are spare
+
+    @property
+    def _size(self) -> int:
+        """How many variables polynomials have: it changes seldom, as what was found is kept for the same variables."""
+        return (len(self.theory.field.places) // STRIDE + 1) * STRIDE
 
     @property
     def context(self) -> Any:
         """The ring in all symbols of the theory."""
-        names = tuple(f"v{place}" for place in range(len(self.theory.field.places)))
-        return flint.fmpq_mpoly_ctx.get((*names, "spare"), flint.Ordering.degrevlex)
+        return flint.fmpq_mpoly_ctx.get(tuple(f"v{place}" for place in range(self._size)), flint.Ordering.degrevlex)
 
     def into(self, polynomial: Polynomial) -> Any:
         """Return a polynomial of the theory as one of FLINT."""
-        size = len(self.theory.field.places) + 1
+        size = self._size
         kept = self._made.get(id(polynomial))
         if kept is not None and kept[0] is polynomial and kept[1] == size:
             return kept[2]
@@ -177,6 +183,15 @@ class Knowledge:
             self.nonzero(self.into(self.theory.field.powers(below)))
         return self.theory.text(element)
 
+    def ends(self, place: int) -> tuple[Any, Any]:
+        """Return the rational numbers between which facts say that a variable is; None where there is none."""
+        low, high = list[Any](), list[Any]()
+        for _, fact in self.facts(">", ">="):
+            if self.names(fact) == {place} and int(fact.total_degree()) == 1:
+                slope, rest = (fact.coefficient(n) for n in (0, 1)) if len(fact) > 1 else (fact.coefficient(0), 0)
+                (low if slope > 0 else high).append(-rest / slope)
+        return max(low, default=None), min(high, default=None)
+
     def names(self, polynomial: Any) -> set[int]:
         """Return the places of the variables that occur."""
         kept = self._names.get(id(polynomial))
@@ -205,9 +220,9 @@ class Knowledge:
     def rules(self, polynomial: Any) -> list[Rule]:
         """Return the rules that zeros connected with a polynomial give."""
         zeros = self.connected(polynomial)
-        key = (tuple(place for place, _ in zeros), len(self.theory.field.places))
+        key = (tuple(place for place, _ in zeros), self._size)
         if key not in self._rules:
-            self._rules[key] = rules(zeros)
+            self._rules[key] = rules(zeros, self.theory.field.places.get("pi", -1))
         return self._rules[key]
 
     # -- zeros
@@ -257,7 +272,7 @@ class Knowledge:
             return None
         polynomials = [zero for _, zero in zeros]
         units = self._units([goal, *polynomials])
-        key = (tuple(place for place, _ in zeros), len(self.theory.field.places), tuple(map(str, units)))
+        key = (tuple(place for place, _ in zeros), self._size, tuple(map(str, units)))
         self.spend(4)
         try:
             if key not in self._systems:
@@ -425,6 +440,8 @@ class Knowledge:
         if (len(factors) > 1 or factors[0][1] > 1) and self._by_factors(content, factors, polynomial):
             if self._is_positive(element, strict):
                 return True
+        elif self._square_of_turns(polynomial) and self._is_positive(element, strict):
+            return True
         elif self._combined(polynomial):
             if self._is_positive(element, strict):
                 return True
@@ -449,6 +466,46 @@ class Knowledge:
                 place, _ = self._place(rest / content_of(rest), (">" if self.theory.holds(">", element) else ">=",))
                 powers, weight = {place: 1}, content_of(rest)
         return found and self.has_sign(self.text(polynomial), [(weight, rest**0, powers)], cofactors)
+
+    def _square_of_turns(self, polynomial: Any) -> bool:
+        """Show that a polynomial is a square, or squares, if s**2 + c**2 takes the place of 1 for sines and cosines."""
+        form, cofactors = polynomial, dict[int, Any]()
+        for place, sin, cos in self._circles():
+            counts = [int(powers[sin]) + int(powers[cos]) for powers in polynomial.to_dict()]
+            most = max(counts)
+            if not most or any((most - count) % 2 for count in counts):
+                continue
+            gens = self.context.gens()
+            square, filled, cofactor = gens[sin] ** 2 + gens[cos] ** 2, form * 0, form * 0
+            for powers, value in form.to_dict().items():
+                term, missing = self.context.from_dict({powers: value}), (most - powers[sin] - powers[cos]) // 2
+                filled += term * square**missing
+                cofactor -= term * sum((square**k for k in range(missing)), form * 0)
+            form, cofactors[place] = filled, cofactor
+        if form == polynomial or len(form) > MOST_TERMS or not (squares := self._squares(form)):
+            return False
+        return self.has_sign(self.text(polynomial), [(weight, root, {}) for weight, root in squares], cofactors)
+
+    def _circles(self) -> list[tuple[int, int, int]]:
+        """Return the places of the facts that squares of a sine and a cosine add up to 1, and those of the two."""
+        places, found = self.theory.field.places, list[tuple[int, int, int]]()
+        for name, other in pairwise(self.theory.applications):  # a cosine is always made with its sine
+            if self.theory.applications[name].function == "sin":
+                fact = self.theory.fact("=", self.theory.polynomial(f"{name}**2 + {other}**2 - 1"))
+                found.append((self.theory.facts.index(fact), places[name], places[other]))
+        return found
+
+    def _squares(self, polynomial: Any) -> list[tuple[Any, Any]]:
+        """Return positive numbers and polynomials: the sum of the squares of these, so weighted, is a polynomial."""
+        content, factors = polynomial.factor()
+        if content > 0 and all(power % 2 == 0 for _, power in factors):
+            root = polynomial**0
+            for factor, power in factors:
+                root *= factor ** (power // 2)
+            return [(content, root)]
+        columns: list[tuple[str, Any, Any]] = [("+", root * root, (root, {})) for root in self._roots(polynomial)]
+        found = self._weights(columns, polynomial, strict=False)
+        return [(weight, columns[place][2][0]) for place, weight in (found or {}).items()]
 
     def has_sign(
         self,
@@ -480,26 +537,6 @@ class Knowledge:
             ],
             cofactors={str(place): self.text(part * number) for place, part in cofactors.items() if part != 0},
         )
-
-    def signed_by(
-        self, polynomial: Any, multiplier: Element, scale: int, value: Element, cofactors: Mapping[int, Any]
-    ) -> bool:
-        """Show the sign of a polynomial: times what is positive, and a scale, it is a value plus what is zero."""
-        total, one = list[tuple[Any, Any, Mapping[int, int]]](), self.context.constant(1)
-        fact = self.theory.fact(">", multiplier)
-        if fact not in self.theory.known:
-            return False
-        if not value.is_zero:
-            weight, powers = Fraction(abs(value.numerator.content()), value.denominator), dict[int, int]()
-            if not value.numerator.is_constant():
-                own = self.theory.fact(">" if self.theory.holds(">", value) else ">=", value)
-                if own not in self.theory.known:
-                    return False
-                powers[self.theory.facts.index(own)] = 1
-            total.append((weight, one, powers))
-        content = content_of(self.into(multiplier.numerator))
-        place = self.theory.facts.index(fact)
-        return self.has_sign(self.text(polynomial), total, cofactors, int(abs(content).p) * scale, [place])
 
     def is_number(self, polynomial: Any) -> bool:
         """Whether no symbol of the statement occurs, also within applications."""
@@ -576,11 +613,13 @@ class Knowledge:
         signs = sorted(signs, key=lambda fact: (not self.names(fact[1]) <= names, len(fact[1])))[:40]
         multipliers: list[tuple[int | None, Any]] = [(None, self.context.constant(1))]
         if about is None and zeros:
-            multipliers += [
+            slopes = [zero.derivative(place) for _, zero in zeros for place in names if place in self.names(zero)]
+            shorter = [
                 (place, fact)
                 for place, fact in self.facts(">")
                 if len(fact) <= 2 and self.names(fact) and self.names(fact) <= around
-            ][:4]
+            ]
+            multipliers += sorted(shorter, key=lambda pair: not {str(pair[1]), str(-pair[1])} & {*map(str, slopes)})[:4]
         return any(self._combination(polynomial, names, zeros, signs, *m, about is not None) for m in multipliers)
 
     def _combination(

@@ -173,12 +173,21 @@ def exponentials(knowledge: Knowledge) -> None:
                 if log := knowledge.called("exp", whole):
                     knowledge.step("exponents", target=log, parts=[[1, logs[key[0]]]])
                     knowledge.step("exponents", target=log, parts=[[int(1 / base), names[key]]])
+                    _exponential_is_root(knowledge, names[key], logs[key[0]], int(1 / base))
     for name, exponent in targets:
         counts = {key: value / bases[key] for key, value in _monomials(knowledge, exponent).items()}
         if (max(map(abs, counts.values()), default=0) <= MOST_MULTIPLES and [*counts.values()] != [1]) or any(
             theory.applications[names[key]].function == "log" for key in counts
         ):
             knowledge.step("exponents", target=name, parts=[[int(n), names[key]] for key, n in counts.items()])
+
+
+def _exponential_is_root(knowledge: Knowledge, exponential: str, log: str, degree: int) -> None:
+    """Find that exp of a part of log p is a root of p."""
+    theory = knowledge.theory
+    argument, value = theory.applications[log].args[0], theory.field.symbol(exponential)
+    if degree > 1 and knowledge.zero(value**degree - argument) and (root := _root_of(knowledge, argument, degree)):
+        knowledge.step("equal powers", left=exponential, right=knowledge.said(root), degree=degree)
 
 
 def factors(knowledge: Knowledge, element: Element) -> tuple[Fraction, list[tuple[Any, int]]]:
@@ -313,7 +322,7 @@ def _forms(knowledge: Knowledge, radicand: Element) -> list[Element]:
     )
     divisor = theory.field.element(below.scaled(radicand.denominator))
     found = [radicand]
-    rules = [_squares(knowledge, main) for main in ("none", "sin", "cos")]
+    rules = [_squares(knowledge, main) for main in ("none", "sin", "cos")] + [_radicands(knowledge)]
     for rule in rules:
         form = numerator
         for _ in range(6):
@@ -326,7 +335,7 @@ def _forms(knowledge: Knowledge, radicand: Element) -> list[Element]:
             candidate = knowledge.back(form) / divisor
             if not any((candidate - other).is_zero for other in found):
                 found.append(candidate)
-    return found
+    return sorted(found, key=lambda form: len(form.numerator.terms))
 
 
 def _squares(knowledge: Knowledge, main: str) -> list[tuple[tuple[int, int], Any]]:
@@ -344,6 +353,25 @@ def _squares(knowledge: Knowledge, main: str) -> list[tuple[tuple[int, int], Any
     for _, zero in knowledge.facts("=") if main != "none" else ():
         found += _linear(knowledge, zero)
     return found
+
+
+def _radicands(knowledge: Knowledge) -> list[tuple[tuple[int, int], Any]]:
+    """Return what symbols are in terms of roots whose radicands are of first degree in them."""
+    theory, found = knowledge.theory, dict[int, Any]()
+    for name, known in theory.applications.items():
+        if known.function == "root" and not known.args[0].exponents:
+            radicand, power = known.args[0], theory.field.symbol(name) ** known.degree
+            for symbol in sorted(theory.symbols()):
+                place = theory.field.places[symbol]
+                polynomial = knowledge.into(radicand.numerator)
+                slope = polynomial.derivative(place)
+                if slope != 0 and slope.is_constant():
+                    zero = knowledge.into((power - radicand).numerator)
+                    found.setdefault(
+                        place, knowledge.context.gens()[place] - zero / zero.derivative(place).leading_coefficient()
+                    )
+                    break
+    return [((place, 1), value) for place, value in found.items()]
 
 
 def _linear(knowledge: Knowledge, polynomial: Any) -> list[tuple[tuple[int, int], Any]]:

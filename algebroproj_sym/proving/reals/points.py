@@ -1,4 +1,4 @@
-"""Rational points at which a statement says something, and whether its sides differ there."""
+"""Points at which a statement says something, and whether it fails there: rational ones, and those of exact numbers."""
 
 from __future__ import annotations
 
@@ -6,16 +6,26 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import islice
+from typing import Any
 
 import flint
 
+from algebroproj_sym.expressions import NotRationalError
 from algebroproj_sym.proving.points import seed_of
+from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.reals.balls import Balls
+from algebroproj_sym.proving.reals.exact_points import exact_points
+from algebroproj_sym.proving.reals.reading import settled
+from algebroproj_sym.proving.reals.samples import FLOATS, UNKNOWN, nearly
+from algebroproj_sym.proving.reals.search import Search
 from algebroproj_sym.replaying.reals import Statement
 from algebroproj_sym.replaying.reals.integrals import with_ends
 from algebroproj_sym.replaying.reals.intervals import Intervals
-from algebroproj_sym.replaying.reals.terms import written
+from algebroproj_sym.replaying.reals.terms import Term, written
+from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError
+from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 Point = Mapping[str, Fraction]
 
@@ -26,12 +36,28 @@ SMALL = [Fraction(p, q) for p, q in ((1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (3,
 FURTHER = [Fraction(p, q) for p, q in ((1, 10), (9, 10), (9, 2), (7, 1), (10, 1), (1, 100), (40, 1), (19, 20), (8, 5))]
 
 
+MOST_SEEMING = 12
+MOST_PROOFS = 5
+"""How often it is tried to show that a statement fails at a point where it seems to."""
+
+
 @dataclass(frozen=True)
 class Place:
-    """A point where a statement says something, and whether it is seen to fail there."""
+    """A point where a statement says something, and whether it is seen to fail there.
 
-    point: Point
+    The coordinates are fractions, or terms if a proof shows this.
+    """
+
+    point: Mapping[str, Any]
     fails: bool
+    proof: Mapping[str, Any] | None = None
+
+    def texts(self) -> dict[str, str]:
+        """Return the coordinates as text."""
+        return {
+            name: written(value) if isinstance(value, Term) else str(value)
+            for name, value in sorted(self.point.items())
+        }
 
 
 def places(statement: Statement, tries: int, precisions: Sequence[int] = FIRST) -> Iterator[Place]:
@@ -43,6 +69,48 @@ def places(statement: Statement, tries: int, precisions: Sequence[int] = FIRST) 
         place = judged(statement, point, precisions)
         if place is not None:
             yield place
+
+
+def refuting(statement: Statement, tries: int, closely: int) -> Place | None:
+    """Return a rational point at which a statement fails; None if none was found.
+
+    The first points are judged closely, and of the others those that seem to refute.
+    """
+    names = sorted(statement.symbols())
+    points = _points(names, seed_of(written(statement.left), written(statement.right)))
+    for number, point in zip(range(tries if names else 1), points, strict=False):
+        if number < closely or seems_to_fail(statement, point):
+            place = judged(statement, point, ALL)
+            if place is not None and place.fails:
+                return place
+    return None
+
+
+def exact_places(statement: Statement, tries: int, *, fails: bool) -> Iterator[Place]:
+    """Yield points of exact numbers where a statement says something; if so asked, only those where it fails."""
+    seeming = (point for point in exact_points(statement, tries) if _seems_to_fail_at(statement, point, fails))
+    plain_first = sorted(islice(seeming, MOST_SEEMING), key=lambda point: sum(value.size() for value in point.values()))
+    for seen in plain_first[:MOST_PROOFS]:
+        try:
+            point = {name: settled(value) for name, value in seen.items()}
+            proof = Search(Theory(()), statement.at(point, fails=fails)).proof()
+        except (EffortExceededError, NotReplayable, Rejected, NotRationalError):
+            continue
+        if proof is not None:
+            yield Place(point, fails, proof)
+
+
+def _seems_to_fail_at(statement: Statement, point: Mapping[str, Term], fails: bool) -> bool:
+    values = {name: nearly(value) for name, value in point.items()}
+    return None not in values.values() and seems_to_fail(statement, values, fails=fails)
+
+
+def seems_to_fail(statement: Statement, point: Mapping[str, Any], *, fails: bool = True) -> bool:
+    """Whether a statement seems to say something at a point, and to fail there, unless that is not asked."""
+    try:
+        return statement.fails_at(point, FLOATS) or not fails
+    except UNKNOWN:
+        return False
 
 
 def _points(names: list[str], seed: int) -> Iterator[Point]:
@@ -82,14 +150,13 @@ def judged(statement: Statement, point: Point, precisions: Sequence[int] = FIRST
         flint.ctx.prec = kept
 
 
-def bits_for(statement: Statement, place: Place) -> int | None:
+def bits_for(statement: Statement, point: Mapping[str, Any], *, fails: bool) -> int | None:
     """Return how many bits intervals need to show the same; None if too many."""
     for bits in (128, 512, 2048, 4096):
         numbers = Intervals(bits)
         try:
-            fails = statement.fails_at(place.point, numbers)
+            if statement.fails_at(point, numbers) or not fails:
+                return bits
         except (UndecidedError, UndefinedError):
             continue
-        if fails or not place.fails:
-            return bits
     return None

@@ -14,10 +14,19 @@ from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.proof import Proof
 from algebroproj_sym.proving.reals.integrals import integrated
 from algebroproj_sym.proving.reals.matrices import in_part, together
-from algebroproj_sym.proving.reals.points import ALL, Place, bits_for, judged, places
+from algebroproj_sym.proving.reals.points import (
+    ALL,
+    Place,
+    bits_for,
+    exact_places,
+    judged,
+    places,
+    refuting,
+)
 from algebroproj_sym.proving.reals.reading import (
     assumed_of,
     condition_of,
+    number_of,
     symbols_in,
     term_of,
     witness_of,
@@ -30,18 +39,21 @@ from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.complex_numbers import real_statements
 from algebroproj_sym.replaying.reals.integrals import with_ends
 from algebroproj_sym.replaying.reals.statement import Statement, TiedError, functions_of, statement_of
-from algebroproj_sym.replaying.reals.terms import written
+from algebroproj_sym.replaying.reals.terms import read, written
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 FIRST_TRIES = 60
 ENOUGH = 12
 FEW = 4
+QUICK_TRIES = 80
+EXACT_TRIES = 600
 ALL_TRIES = 1_500
+CLOSELY = 30
 ON_CUT, OFF_CUT = (Fraction(-2), Fraction(0)), (Fraction(1, 3), Fraction(2, 5))
 MOST_ON_CUTS = 3
 
 NOWHERE = "no point was found at which both sides are defined and real and the assumptions hold"
-UNDECIDED = "no proof was found, and no rational point at which it fails"
+UNDECIDED = "no proof was found, and no point at which it is shown to fail"
 
 
 def proof_of(
@@ -133,7 +145,9 @@ def _proof(record: Mapping[str, Any], witness: Mapping[Any, Any] | None) -> Proo
         verdict=found["verdict"],
         hypotheses=tuple(found["hypotheses"]),
         certificate=found["certificate"],
-        counterexample=None if point is None else {sympy.Symbol(name): Fraction(point[name]) for name in point},
+        counterexample=None
+        if point is None
+        else {sympy.Symbol(name): number_of(read(text)) for name, text in point.items()},
         engine="flint",
         assumptions=tuple(record["assumptions"]),
     )
@@ -164,10 +178,14 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
         if place.fails:
             return _refuted(record, statement, place)
         met.append(place)
+    if not met and not has_integrals:
+        met += islice(exact_places(statement, EXACT_TRIES, fails=False), FEW)
     if not met:
         met += islice(places(statement, FIRST_TRIES if has_integrals else ALL_TRIES, ALL), 1)
         if met and met[0].fails:
             return _refuted(record, statement, met[0])
+    elif not has_integrals and (refuted := _failing(statement, QUICK_TRIES, QUICK_TRIES, 0)):
+        return _refuted(record, statement, refuted)
     reason = UNDECIDED if met else NOWHERE
     if has_integrals:
         found = _integrated(record, statement, met)
@@ -175,9 +193,14 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
         found = _proved(record, statement, met, statement.hypotheses())
     if isinstance(found, dict):
         return found
-    tries = 0 if not met or has_integrals else ALL_TRIES
-    refuting = next((place for place in places(statement, tries, ALL) if place.fails), None)
-    return _open(record, found or reason) if refuting is None else _refuted(record, statement, refuting)
+    if met and not has_integrals and (refuted := _failing(statement, ALL_TRIES, EXACT_TRIES, CLOSELY)):
+        return _refuted(record, statement, refuted)
+    return _open(record, found or reason)
+
+
+def _failing(statement: Statement, tries: int, exact: int, closely: int) -> Place | None:
+    """Return a point, a rational one if there is one, at which a statement is shown to fail."""
+    return refuting(statement, tries, closely) or next(exact_places(statement, exact, fails=True), None)
 
 
 def _integrated(record: Mapping[str, Any], statement: Statement, met: Sequence[Place]) -> dict[str, Any] | str | None:
@@ -236,8 +259,12 @@ def _proved(
         proof = Search(statement.theory(), [statement.goal], samples_at(place.point for place in met)).proof()
     except (EffortExceededError, NotReplayable, Rejected):
         return None
-    bits = None if proof is None else bits_for(statement, met[0])
-    if proof is None or bits is None:
+    if proof is None:
+        return None
+    shown: dict[str, Any] = {"at witness": met[0].proof}
+    if met[0].proof is None:
+        shown = {"bits": bits_for(statement, met[0].point, fails=False)}
+    if None in shown.values():
         return None
     found = {
         **record,
@@ -248,8 +275,8 @@ def _proved(
             "method": "real laws",
             "functions": functions_of(statement.theory()),
             "proof": proof,
-            "witness": _texts(met[0]),
-            "bits": bits,
+            "witness": met[0].texts(),
+            **shown,
             **({"integrals": integrals} if integrals else {}),
         },
     }
@@ -261,16 +288,18 @@ def _proved(
     return found
 
 
-def _refuted(record: Mapping[str, Any], statement: Any, place: Place) -> dict[str, Any]:
-    bits = bits_for(statement, place)
-    if bits is None:
-        return _open(record, UNDECIDED)
-    certificate = {"method": "enclosures", "bits": bits}
+def _refuted(record: Mapping[str, Any], statement: Statement, place: Place) -> dict[str, Any]:
+    certificate: dict[str, Any] = {"method": "exact point", "proof": place.proof}
+    if place.proof is None:
+        bits = bits_for(statement, place.point, fails=True)
+        if bits is None:
+            return _open(record, UNDECIDED)
+        certificate = {"method": "enclosures", "bits": bits}
     return {
         **record,
         "verdict": "refuted",
         "hypotheses": [],
-        "counterexample": _texts(place),
+        "counterexample": place.texts(),
         "certificate": certificate,
     }
 
@@ -278,7 +307,3 @@ def _refuted(record: Mapping[str, Any], statement: Any, place: Place) -> dict[st
 def _open(record: Mapping[str, Any], reason: str) -> dict[str, Any]:
     certificate = {"method": "none", "reason": reason}
     return {**record, "verdict": "open", "hypotheses": [], "counterexample": None, "certificate": certificate}
-
-
-def _texts(place: Place) -> dict[str, str]:
-    return {name: str(value) for name, value in sorted(place.point.items())}

@@ -49,6 +49,8 @@ from algebroproj_sym.replaying.reals.values import value_of
 from algebroproj_sym.replaying.rejection import Rejected
 
 MOST_PARTS = 4_000
+EULER = function("exp", constant(1))
+"""The number e, for which the letter is a symbol."""
 
 _RELATIONS: dict[Any, str] = {
     sympy.Gt: ">",
@@ -328,3 +330,64 @@ def witness_of(given: Any, names: Collection[str]) -> dict[str, Fraction]:
             raise ValueError(f"witness, {name}: expected a rational number, got {number!s:.80}")
         found[name] = value
     return found
+
+
+def expression_of(term: Term) -> sympy.Expr:
+    """Return a term as SymPy has it, in positive symbols.
+
+    Examples
+    --------
+    >>> expression_of(_read("abs(sin(x))/sqrt(2)", "lhs"))
+    sqrt(2)*Abs(sin(x))/2
+    """
+    kind, value, args = term
+    if kind == "number":
+        return sympy.Rational(value.numerator, value.denominator)
+    if kind == "symbol":
+        return sympy.Symbol(value, positive=True)
+    if kind == "pi":
+        return sympy.pi
+    parts = [*map(expression_of, args)]
+    if kind == "^":
+        return parts[0] ** sympy.Rational(value.numerator, value.denominator)
+    return _OPERATIONS[kind](*parts) if kind in _OPERATIONS else getattr(sympy, _NAMES.get(kind, kind))(*parts)
+
+
+_OPERATIONS: Mapping[str, Any] = {"+": sympy.Add, "*": sympy.Mul, "-": lambda u: -u, "/": lambda u, v: u / v}
+_NAMES = {"abs": "Abs"}
+
+
+def number_of(term: Term) -> Any:
+    """Return a number that a term is, as a fraction if it is one, else as SymPy has it.
+
+    Examples
+    --------
+    >>> number_of(_read("1/2", "x")), number_of(_read("pi/4", "x"))
+    (Fraction(1, 2), pi/4)
+    """
+    if term == EULER:
+        return sympy.exp(1, evaluate=False)
+    found = expression_of(term)
+    return Fraction(int(found.p), int(found.q)) if isinstance(found, sympy.Rational) else found
+
+
+def settled(term: Term) -> Term:
+    """Return a number in the form in which SymPy writes it.
+
+    Raises
+    ------
+    NotRationalError
+        If that form is not read as the same number.
+
+    Examples
+    --------
+    >>> written(settled(_read("2*pi/4 - 0", "x")))
+    'pi/2'
+    """
+    if term == EULER:
+        return term
+    found = expression_of(term)
+    text = str(found)
+    if found.is_real is not True or found.has(sympy.E) or has_complex_parts(found):
+        raise NotRationalError(f"expected a real number, got {text[:80]}")
+    return _read(text, "a coordinate")

@@ -20,32 +20,35 @@ class Rule:
     combination: Mapping[int, Any]
 
 
-def rules(zeros: Iterable[tuple[int, Any]]) -> list[Rule]:
-    """Return rules from zeros, given with their places: linear ones, then others, in which those have been used."""
+def rules(zeros: Iterable[tuple[int, Any]], last: int = -1) -> list[Rule]:
+    """Return rules from zeros, given with their places: linear ones, then others, in which those have been used.
+
+    One variable gives way only where no other does.
+    """
     found: dict[int, Rule] = {}
     ordered = sorted(zeros, key=lambda fact: (len(fact[1]), fact[0]))
-    rest = [(place, zero) for place, zero in ordered if not _entered(found, place, zero, 1)]
+    rest = [(place, zero) for place, zero in ordered if not _entered(found, place, zero, 1, last)]
     rest.sort(key=lambda fact: (sum(map(bool, fact[1].degrees())), int(fact[1].total_degree())))
     for place, zero in rest:
-        _entered(found, place, zero, LONGEST)
+        _entered(found, place, zero, LONGEST, last)
     return [found[variable] for variable in sorted(found, reverse=True)]
 
 
-def _entered(found: dict[int, Rule], place: int, zero: Any, highest: int) -> bool:
+def _entered(found: dict[int, Rule], place: int, zero: Any, highest: int, last: int) -> bool:
     """Enter the rule that a zero gives after the rules before it; whether it gives one."""
     reduced = reduced_by(zero, [*found.values()])
     if reduced is None or reduced[0] == 0:
         return reduced is not None
     combination = {place: zero**0} | {other: -part for other, part in reduced[1].items()}
-    rule = _rule(reduced[0], combination, found, highest)
+    rule = _rule(reduced[0], combination, found, highest, last)
     if rule is not None:
         found[rule.variable] = rule
     return rule is not None
 
 
-def _rule(zero: Any, combination: Mapping[int, Any], known: Mapping[int, Rule], highest: int) -> Rule | None:
+def _rule(zero: Any, combination: Mapping[int, Any], known: Mapping[int, Rule], highest: int, last: int) -> Rule | None:
     degrees = [int(degree) for degree in zero.degrees()]
-    for variable in sorted((v for v, n in enumerate(degrees) if n), key=lambda v: (degrees[v], -v)):
+    for variable in sorted((v for v, n in enumerate(degrees) if n), key=lambda v: (degrees[v], v == last, -v)):
         lead = None if degrees[variable] > highest or variable in known else _lead(zero, variable, degrees[variable])
         if lead is not None:
             scaled = {place: part / lead for place, part in combination.items()}

@@ -7,6 +7,13 @@ from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.proving.reals.analysis import Analysis
+from algebroproj_sym.proving.reals.arcs import (
+    arc_decided,
+    by_angle,
+    by_order,
+    turn_decided,
+    turned_by_an_eighth,
+)
 from algebroproj_sym.proving.reals.constants import constant_zero
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised
@@ -18,7 +25,6 @@ from algebroproj_sym.replaying.reals.theory import Theory
 
 DEEPEST = 3
 MOST_CASES = 30
-MOST_ANGLES = 8
 MOST_NUMBERS = 12
 
 Node = dict[str, Any]
@@ -109,6 +115,9 @@ class Search:
         return all(self._shown(knowledge, *goal) for goal in self.goals) or knowledge.theory.contradictory
 
     def _shown(self, knowledge: Knowledge, relation: str, term: Term) -> bool:
+        for part in term.parts():
+            if part.kind == "abs" and knowledge.step("defined", term=written(part.args[0])):
+                knowledge.positive(knowledge.theory.term(part.args[0]) ** 2)
         if not knowledge.step("defined", term=written(term)):
             return False
         if relation == "=":
@@ -123,11 +132,88 @@ class Search:
         _bounds_strict(knowledge)
         _signs_decided(knowledge)
         _unified(knowledge)
+        return knowledge.theory.contradictory or self._signed(knowledge, relation, goal)
+
+    def _signed(self, knowledge: Knowledge, relation: str, goal: Element, depth: int = 0) -> bool:
+        """Show a relation to zero from what is known, by orders of arcs, by squares, or by where functions rise."""
         return (
-            knowledge.theory.contradictory
-            or knowledge.related(relation, goal)
-            or _by_conjugates(knowledge, relation, goal)
+            knowledge.related(relation, goal)
+            or (relation == ">=" and knowledge.seen(goal) == {0} and _are_equal(knowledge, goal, goal - goal))
+            or by_order(knowledge, relation, goal)
+            or self._by_conjugates(knowledge, relation, goal, depth)
+            or self._by_ends(knowledge, relation, goal, depth)
             or Analysis(self._nested, _are_equal, knowledge, self.level).related(relation, goal)
+        )
+
+    def _by_ends(self, knowledge: Knowledge, relation: str, goal: Element, depth: int) -> bool:
+        """Show the sign of what is of first degree in a symbol by those at the ends of its range, or by its slope."""
+        polynomial = knowledge.signed(goal)
+        if depth > 1 or relation not in (">", ">=") or polynomial == 0:
+            return False
+        for name in sorted(knowledge.theory.symbols()):
+            place = knowledge.theory.field.places[name]
+            slope = polynomial.derivative(place)
+            if int(polynomial.degrees()[place]) != 1 or slope.is_constant():
+                continue
+            rest = polynomial - slope * knowledge.context.gens()[place]
+            ends, low, high = list[Any](), *knowledge.ends(place)
+            ends += [rest + slope * end for end in (low, high) if end is not None]
+            others = [slope] if high is None else [-slope] if low is None else []
+            if (
+                ends
+                and not any(-1 in knowledge.seen(knowledge.back(end)) for end in (*ends, *others))
+                and all(self._signed(knowledge, relation, knowledge.back(end), depth + 1) for end in ends)
+                and all(self._signed(knowledge, ">=", knowledge.back(other), depth + 1) for other in others)
+                and knowledge.positive(goal, relation == ">")
+            ):
+                return True
+        return False
+
+    def _by_conjugates(self, knowledge: Knowledge, relation: str, goal: Element, depth: int) -> bool:
+        """Show a sign by squares, for factors a*r + b with a square root r: by that of ``(a*r)**2 - b**2``."""
+        roots = {
+            knowledge.theory.field.places[name]: known.args[0]
+            for name, known in knowledge.theory.applications.items()
+            if known.function == "root" and known.degree == 2 and not known.args[0].exponents
+        }
+        if not roots or depth > 2:
+            return False
+        for factor, _ in knowledge.signed(goal).factor()[1]:
+            element = knowledge.back(factor)
+            seen = knowledge.seen(element) - {0}
+            if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
+                own = factor * max(seen)
+                found = (
+                    self._by_square(knowledge, relation, own, place, roots[place], depth)
+                    for place, degree in enumerate(own.degrees())
+                    if place in roots and degree == 1
+                )
+                if not any(found):
+                    return False
+        return knowledge.related(relation, goal)
+
+    def _by_square(
+        self, knowledge: Knowledge, relation: str, polynomial: Any, place: int, radicand: Element, depth: int
+    ) -> bool:
+        slope = polynomial.derivative(place)
+        part = slope * knowledge.context.gens()[place]
+        rest = polynomial - part
+        larger, smaller, sign = (part, -rest, 1) if knowledge.positive(knowledge.back(slope)) else (rest, -part, -1)
+        if not knowledge.positive(knowledge.back(larger)):
+            knowledge.want(slope, rest)
+            return False
+        strict = relation != ">="
+        product = (slope**2 * knowledge.into(radicand.numerator) - rest**2 * radicand.denominator) * sign
+        value, rise = knowledge.back(product), knowledge.back(larger**2 - smaller**2)
+        return (
+            ((product == 0 and not strict) or self._signed(knowledge, relation, value, depth + 1))
+            and knowledge.positive(rise, strict)
+            and knowledge.step(
+                "order of powers",
+                larger=knowledge.said(knowledge.back(larger)),
+                smaller=knowledge.said(knowledge.back(smaller)),
+                degree=2,
+            )
         )
 
     def _nested(
@@ -143,16 +229,22 @@ def _are_equal(knowledge: Knowledge, left: Element, right: Element) -> bool:
     normalised(knowledge)
     if knowledge.theory.contradictory or knowledge.zero(goal):
         return True
-    _signs_decided(knowledge)
-    _unified(knowledge)
+    _related(knowledge)
     if knowledge.zero(goal):
         return True
     return (
         constant_zero(knowledge, goal)
         or _by_powers(knowledge, left, right)
-        or _by_angle(knowledge, goal)
+        or by_angle(knowledge, goal, _related)
         or _by_logarithms(knowledge, goal)
     )
+
+
+def _related(knowledge: Knowledge) -> None:
+    """Relate all functions, and decide their signs."""
+    normalised(knowledge)
+    _signs_decided(knowledge)
+    _unified(knowledge)
 
 
 def _contradicts(knowledge: Knowledge, depth: int) -> bool:
@@ -177,9 +269,9 @@ def _signs_decided(knowledge: Knowledge) -> None:
             else:
                 knowledge.want(*(factor for factor, _ in knowledge.signed(known.args[0]).factor()[1]))
         elif known.function in ("atan", "asin", "atan2"):
-            _arc_decided(knowledge, name, symbol)
+            arc_decided(knowledge, name, symbol)
         elif known.function == "sin":
-            _turn_decided(knowledge, symbol, known.args[0])
+            turn_decided(knowledge, symbol, known.args[0])
 
 
 def _turns_bounded(knowledge: Knowledge) -> None:
@@ -212,104 +304,6 @@ def _bounds_strict(knowledge: Knowledge) -> None:
             )
             if strict:
                 knowledge.step("strict bounds", target=name)
-
-
-def _by_conjugates(knowledge: Knowledge, relation: str, goal: Element, depth: int = 0) -> bool:
-    """Show a sign by those of a*r - b and of their product, for factors a*r + b with a square root r."""
-    roots = {
-        knowledge.theory.field.places[name]: known.args[0]
-        for name, known in knowledge.theory.applications.items()
-        if known.function == "root" and known.degree == 2 and not known.args[0].exponents
-    }
-    if not roots or depth > 2:
-        return False
-    for factor, _ in knowledge.signed(goal).factor()[1]:
-        element = knowledge.back(factor)
-        seen = knowledge.seen(element) - {0}
-        if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
-            own = factor * max(seen)
-            found = (
-                _by_conjugate(knowledge, relation, own, place, roots[place], depth)
-                for place, degree in enumerate(own.degrees())
-                if place in roots and degree == 1
-            )
-            if not any(found):
-                return False
-    return knowledge.related(relation, goal)
-
-
-def _by_conjugate(
-    knowledge: Knowledge, relation: str, polynomial: Any, place: int, radicand: Element, depth: int
-) -> bool:
-    theory, root = knowledge.theory, knowledge.context.gens()[place]
-    slope = polynomial.derivative(place)
-    rest = polynomial - slope * root
-    above = knowledge.into(radicand.numerator)
-    product = slope**2 * above - rest**2 * radicand.denominator
-    other = slope * root - rest
-    side = knowledge.back(other)
-    if not knowledge.positive(side, True):
-        side, other, product = -side, -other, -product
-        if not knowledge.positive(side, True):
-            knowledge.want(rest, other)
-            return False
-    sign = 1 if other == slope * root - rest else -1
-    value = knowledge.back(product)
-    strict = relation != ">="
-    if (
-        product != 0
-        and not knowledge.positive(value, strict)
-        and not _by_conjugates(knowledge, relation, value, depth + 1)
-    ):
-        return False
-    zero = root**2 * radicand.denominator - above
-    fact = theory.fact("=", knowledge.back(zero))
-    if fact not in theory.known:
-        return False
-    cofactor = divmod(zero * slope**2 * sign, knowledge.into(fact.polynomial))[0]
-    return knowledge.signed_by(polynomial, side, radicand.denominator, value, {theory.facts.index(fact): cofactor})
-
-
-def _turn_decided(knowledge: Knowledge, sin: Element, angle: Element) -> None:
-    """Give sine and cosine their signs where the range of the angle gives them."""
-    theory = knowledge.theory
-    knowledge.step("defined", term="pi")
-    cos, pi, two = theory.named("cos", angle), theory.pi, theory.number(2)
-    if cos is None or not knowledge.samples or not knowledge.bounded(angle):
-        return
-    if not theory.holds(">=", cos) and knowledge.positive(pi - two * angle) and knowledge.positive(pi + two * angle):
-        knowledge.step("cosine in range", angle=knowledge.said(angle))
-    elif knowledge.positive(two * angle - pi) and knowledge.positive(pi + two * (pi - angle)):
-        _opposite(knowledge, angle)
-    if theory.holds(">=", sin):
-        return
-    if knowledge.positive(angle) and knowledge.positive(pi - angle):
-        knowledge.step("sine in range", angle=knowledge.said(angle))
-    elif knowledge.positive(-angle) and knowledge.positive(pi + angle) and _opposite_sine(knowledge, angle) is not None:
-        knowledge.step("sine in range", angle=f"-({knowledge.said(angle)})")
-        knowledge.positive(-sin)
-
-
-def _opposite_sine(knowledge: Knowledge, angle: Element) -> Element | None:
-    """Return the sine of the opposite angle, after relating both."""
-    text = knowledge.said(angle)
-    if not knowledge.step("defined", term=f"sin(-({text}))"):
-        return None
-    name = knowledge.called("sin", -angle)
-    knowledge.step("addition", target=name, parts=[[-1, text]])
-    return knowledge.theory.field.symbol(name)
-
-
-def _opposite(knowledge: Knowledge, angle: Element) -> None:
-    """Find the sign of a cosine from that of half a turn less."""
-    theory = knowledge.theory
-    text = f"{knowledge.said(angle)} - pi"
-    if knowledge.step("defined", term=f"sin({text})"):
-        turned = angle - theory.pi
-        parts = [[1, knowledge.said(angle)], [-2, "pi/2"]]
-        knowledge.step("addition", target=knowledge.called("sin", turned), parts=parts)
-        if knowledge.positive(theory.pi - turned - turned) and knowledge.positive(theory.pi + turned + turned):
-            knowledge.step("cosine in range", angle=text)
 
 
 def _unified(knowledge: Knowledge) -> None:
@@ -386,36 +380,6 @@ def _proportional(knowledge: Knowledge) -> None:
                 knowledge.step("equal powers", left=knowledge.said(left), right=knowledge.said(right), degree=2)
 
 
-def _arc_decided(knowledge: Knowledge, name: str, arc: Element) -> None:
-    theory = knowledge.theory
-    sin, cos = theory.named("sin", arc), theory.named("cos", arc)
-    if sin is None or cos is None:
-        return
-    text, pi = theory.text(arc), theory.pi
-    sign = knowledge.sign(sin)
-    if sign == ">":
-        if knowledge.positive(arc + pi) and knowledge.positive(pi + pi - arc):
-            knowledge.step("range of sine", angle=text)
-    elif sign == "<":
-        opposite = _opposite_sine(knowledge, arc)
-        if (
-            opposite is not None
-            and knowledge.positive(opposite, True)
-            and knowledge.positive(pi - arc)
-            and knowledge.positive(pi + pi + arc)
-        ):
-            knowledge.step("range of sine", angle=f"-({text})")
-    elif sign == "=" or knowledge.zero(sin):
-        if knowledge.positive(pi - arc, True) and knowledge.positive(pi + arc, True):
-            knowledge.step("zero of sine", angle=text)
-    else:
-        knowledge.want(knowledge.signed(sin))
-        argument = knowledge.theory.applications[name].args[0]
-        knowledge.want(*(factor for factor, _ in knowledge.signed(argument).factor()[1]))
-    if knowledge.sign(cos) == ">" and knowledge.theory.applications[name].function == "atan2":
-        knowledge.step("range of cosine", angle=text)
-
-
 def _by_powers(knowledge: Knowledge, left: Element, right: Element) -> bool:
     """Compare powers of two sides that are not negative."""
     degrees = {known.degree for known in knowledge.theory.applications.values() if known.function == "root"}
@@ -424,64 +388,13 @@ def _by_powers(knowledge: Knowledge, left: Element, right: Element) -> bool:
     theory = knowledge.theory
     for sign in (1, -1):
         a, b = left * theory.number(sign), right * theory.number(sign)
-        if all(knowledge.positive(side) for side in (a, b)):
+        if all(knowledge.positive(side) or turned_by_an_eighth(knowledge, side, _related) for side in (a, b)):
             for degree in sorted(degrees):
                 if knowledge.zero(a**degree - b**degree):
                     texts = [knowledge.said(side) for side in (a, b)]
                     if knowledge.step("equal powers", left=texts[0], right=texts[1], degree=degree):
                         return knowledge.zero(left - right)
     return False
-
-
-def _by_angle(knowledge: Knowledge, goal: Element) -> bool:
-    """Show that an angle is zero by its cosine, or its sine, and its range."""
-    theory = knowledge.theory
-    if not {"asin", "atan", "atan2"} & {known.function for known in theory.applications.values()}:
-        return False
-    numerator = theory.signed(goal, parity=False)
-    if len(numerator.terms) > MOST_ANGLES or knowledge.seen(goal) - {0}:
-        return False
-    pi = theory.pi
-    values = sorted({abs(value) for value in numerator.terms.values()})
-    scales = dict.fromkeys([Fraction(1), *(Fraction(1, value) for value in values), Fraction(1, 2 * values[-1])])
-    for scale in scales:
-        angle = theory.field.element(numerator) * theory.number(scale)
-        half = knowledge.positive(pi - angle, True) and knowledge.positive(pi + angle, True)
-        if half or (knowledge.positive(pi + pi - angle, True) and knowledge.positive(pi + pi + angle, True)):
-            return _is_zero_angle(knowledge, angle, half) and knowledge.zero(goal)
-    return False
-
-
-def _is_zero_angle(knowledge: Knowledge, angle: Element, half: bool) -> bool:
-    text = knowledge.said(angle)
-    if not knowledge.step("defined", term=f"sin({text})"):
-        return False
-    for monomial, value in knowledge.theory.signed(angle).terms.items():
-        if abs(value) > 1:
-            knowledge.step("defined", term=f"sin({knowledge.said(knowledge.rational({monomial: abs(value)}))})")
-    normalised(knowledge)
-    _signs_decided(knowledge)
-    _unified(knowledge)
-    theory = knowledge.theory
-    sin, cos = theory.named("sin", angle), theory.named("cos", angle)
-    assert sin is not None
-    assert cos is not None
-    one = theory.number(1)
-    if half and _zero_number(knowledge, sin):
-        return knowledge.step("zero of sine", angle=text)
-    if not _zero_number(knowledge, cos - one):
-        if not _zero_number(knowledge, sin):
-            return False
-        knowledge.zero(cos * cos - one)
-        if not knowledge.positive(cos, True) or not knowledge.step(
-            "equal powers", left=knowledge.theory.text(cos), right="1", degree=2
-        ):
-            return False
-    return knowledge.step("full turn", angle=text)
-
-
-def _zero_number(knowledge: Knowledge, element: Element) -> bool:
-    return knowledge.zero(element) or constant_zero(knowledge, element)
 
 
 def _by_logarithms(knowledge: Knowledge, goal: Element) -> bool:

@@ -15,7 +15,7 @@ from lark import Token, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
@@ -162,7 +162,12 @@ class _Reader:
         if symbol in self._known:
             return self._known[symbol]
         vocabulary = self._vocabulary
-        if symbol in vocabulary.given.symbols or vocabulary.constant(symbol) is not None or symbol == r"\infty":
+        if (
+            symbol in vocabulary.given.symbols
+            or vocabulary.constant(symbol) is not None
+            or symbol == r"\infty"
+            or is_operator(symbol)
+        ):
             raise UnreadableError(f"{symbol} stands for no letter")
         part = self._letter(symbol)
         part.symbols = frozenset((symbol,))
@@ -342,6 +347,9 @@ class _Parts(_Gathering):
 
     opaque = symbol
 
+    def shown(self, token: Token) -> _Part:
+        raise _refused(str(token))
+
     def call(self, token: Token, arguments: Any) -> _Part:
         name = str(token)
         if self.reader.is_defined(name):
@@ -408,6 +416,10 @@ class _Parts(_Gathering):
         raise _refused("a root of another degree than two")
 
     def big(self, name: Token, body: _Part) -> _Part:
+        bound = re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", re.sub(r"^\\[a-z]+|\^.*$|\\(?:in|to)(?![a-z])", "", name))
+        bound += [each[2:] for each in body.symbols if each.startswith("d ")]
+        if defined := [each for each in bound if self.reader.is_defined(each)]:
+            raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")
         index = re.match(r"\\sum_\{([a-z])(?:=.*)?\}", name)
         if index is None or len(body.terms) > MOST_TERMS:
             return self.reader.whole(str(name), [body], body.shape)

@@ -3,7 +3,7 @@ r"""Phrases by which a document says what a letter is: its size, or a property s
 ::
 
     $\mathbf{x} \in \mathbb{R}^3$, $R \in SO(3)$             sizes, and a rotation
-    $R$ is a rotation matrix, the rotation matrix $R$        likewise orthogonal, symmetric, skew-symmetric,
+    $R$ is a rotation matrix, the rotation matrix $R$,       likewise orthogonal, symmetric, skew-symmetric,
     $n$ is a unit vector, the unit vector $n$                positive definite and diagonal matrices
     $I$ is the identity matrix, the identity matrix $I$
 
@@ -35,6 +35,8 @@ _KINDS = (
 )
 _ANY = "|".join(f"({kind})" for kind, _ in _KINDS)
 _AFTER = re.compile(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_BE = re.compile(rf"^\$?\s*be\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_LET = re.compile(r"\blet(?: the \w+)?\s*\$?$", re.IGNORECASE)
 _BEFORE = re.compile(rf"(?<![\w-])(?:{_ANY})\s*$")
 _OF = re.compile(r"\bof (?:the |an? )?[\w -]*$")
 _ADJECTIVES = ("skew", "symmetric", "diagonal", "positive definite")
@@ -59,6 +61,22 @@ def sizes_in(statements: Iterable[Statement]) -> dict[str, tuple[int, int]]:
 def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]:
     """Return symbols with what they are; without those of which a document says two things."""
     return _agreed(_properties(statements))
+
+
+def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the symbols that are said to be vectors, matrices, tensors or quaternions: their order matters."""
+    found = set[str]()
+    for each in statements:
+        if each.display.environment == "inline":
+            before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
+            if _THING_BEFORE.search(before[-200:]) or _THING_AFTER.match(after):
+                found |= {*_symbols(each.latex)}
+    return frozenset(found)
+
+
+_THINGS = r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?)"
+_THING_BEFORE = re.compile(rf"\b{_THINGS}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
+_THING_AFTER = re.compile(rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{_THINGS}\b")
 
 
 def _agreed(found: Iterable[tuple[str, Value]]) -> dict[str, Value]:
@@ -88,7 +106,7 @@ def _kind_of(statement: Statement) -> str:
     before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
     if _DOUBTS.search(before[-200:]):
         return ""
-    if match := _AFTER.match(after):
+    if match := _AFTER.match(after) or (_LET.search(before) and _BE.match(after)):
         return _KINDS[(match.lastindex or 1) - 1][1]
     match = _BEFORE.search(before)
     if match is None or _OF.search(before[: match.start()]):

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import sympy
@@ -56,6 +56,8 @@ class Premise:
         Whether words beside it speak of a case.
     words : frozenset of str
         The words beside it.
+    chained : bool
+        Whether it is part of a chain.
     """
 
     left: Formula
@@ -66,6 +68,7 @@ class Premise:
     names: frozenset[str]
     special: bool
     words: frozenset[str]
+    chained: bool
 
     @cached_property
     def gives(self) -> Definition | None:
@@ -185,12 +188,14 @@ def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: 
     """
     found: dict[str, Definition] = {}
     waiting = [symbol for tree in trees for symbol in symbols_in(tree)]
+    seen = set[str]()
     while waiting:
         symbol = waiting.pop()
-        if symbol in found:
+        if symbol in seen:
             continue
+        seen.add(symbol)
         if symbol in vocabulary.definitions:
-            waiting += [each for each in vocabulary.definitions[symbol].symbols if each != symbol]
+            waiting += vocabulary.definitions[symbol].symbols
         elif (made := _derivative(symbol, vocabulary, occurring)) is not None:
             found[symbol] = made
             waiting += made.symbols
@@ -249,7 +254,8 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
         return None if match is None else _of_quotient(symbol, match, vocabulary)
     if "'" in symbol:
         return _of_prime(symbol, vocabulary)
-    function = _by_bare(vocabulary.definitions).get(_without_dot(symbol))
+    bare = _without_dot(symbol)
+    function = _by_bare(vocabulary.definitions).get(bare) if bare else None
     return None if function is None else _rate(symbol, function, vocabulary, occurring)
 
 
@@ -334,6 +340,7 @@ def _by_bare(symbols: Iterable[str]) -> dict[str, str]:
     return {_bare(each): each for each in symbols}
 
 
+@cache
 def _bare(symbol: str) -> str:
     """Return a symbol without braces, and with its dots first."""
     return re.sub(r"\\mathbf\\(d*dot)", r"\\\1\\mathbf", re.sub(r"[{}\s]", "", symbol))

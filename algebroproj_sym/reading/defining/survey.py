@@ -10,7 +10,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.phrases import properties_in, sizes_in
+from algebroproj_sym.reading.defining.phrases import matrices_in, properties_in, sizes_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
@@ -136,7 +136,7 @@ class Survey:
                     found |= {*_factors(tree.children[0])}
                 elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                     found |= {*_factors(tree.children[1])}
-        return frozenset(found)
+        return frozenset(found) | matrices_in(self.statements)
 
     def _has_euler(self) -> bool:
         """Whether e is Euler's number: the base of powers with letters, and nothing else."""

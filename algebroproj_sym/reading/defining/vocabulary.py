@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
 import sympy
 
+from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
+from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, evaluated, symbols_in, text_of
@@ -18,6 +20,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula, evaluated, symbols_
 MOST_DEFINITIONS = 20_000
 Role = Literal["definition", "premise", "case"]
 
+_LIKE_IDENTITY = re.compile(r"I|\\math(?:bf|bb|rm)\{I\}")
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
 
@@ -101,6 +104,28 @@ class Vocabulary:
         copied._names, copied._taken = self._names, self._taken
         return copied
 
+    def with_identity(self, *trees: Formula) -> Vocabulary | None:
+        """Return the vocabulary in which a lone I is the identity matrix; None if there is none, or if it is given."""
+        letters = {symbol for tree in trees for symbol in self.letters_of(tree) if _LIKE_IDENTITY.fullmatch(symbol)}
+        given = {*self.definitions, *self._properties, *self._sizes}
+        if not letters or letters & given:
+            return None
+        found = self.copied()
+        found.forget()
+        shapes = {each for each in map(self._shape_of, trees) if each and each[0] == each[1]}
+        if len(shapes) == 1:
+            found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
+        else:
+            found._properties |= dict.fromkeys(letters, ("identity",))
+        return found
+
+    def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:
+        """Return the shape of what a formula stands for; None if it has no entries."""
+        try:
+            return shape(self.value(tree))
+        except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+            return None
+
     def forget(self) -> None:
         """Forget the values of all letters, so that they are computed again."""
         self._values.clear()
@@ -147,6 +172,8 @@ class Vocabulary:
             return constant
         if symbol == r"\infty":
             raise UnreadableError("infinity is no number")
+        if is_operator(symbol):
+            raise UnreadableError(f"{self.name(symbol)} is an operator, and not computed")
         size = self.size_of(symbol)
         if size is not None and not self.is_component(symbol):
             name = self.name(symbol)
@@ -159,7 +186,8 @@ class Vocabulary:
 
     def is_matrix(self, symbol: str) -> bool:
         """Whether a symbol is written as a vector or a matrix."""
-        return symbol in self._matrices or symbol in self._properties or _BOLD.search(symbol) is not None
+        bold = _BOLD.search(symbol) is not None or _is_accented(symbol)
+        return bold or symbol in self._matrices or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""
@@ -243,10 +271,27 @@ class Vocabulary:
 
         return names
 
+    def _are(self, arguments: Sequence[Any], parameters: Sequence[str]) -> bool:
+        """Whether a function is taken at the letters with which it was defined."""
+        return all(
+            isinstance(a, sympy.Symbol) and a.name == self.name(p) for a, p in zip(arguments, parameters, strict=True)
+        )
+
+    def _hidden_in(self, definition: Definition) -> str:
+        r"""Return a parameter that stands within another symbol, as in ``\frac{dy}{dx}`` and ``x_1``."""
+        inner = [each for used in self.used_in(definition.tree) for each in used.symbols if each not in used.parameters]
+        for parameter in definition.parameters:
+            within = (each for each in (*definition.symbols, *inner) if each != parameter)
+            if parameter in inner or any(_stands_in(parameter, each) for each in within):
+                return self.name(parameter)
+        return ""
+
     def _function(self, definition: Definition, values: Mapping[str, Any]) -> Callable[..., Any]:
         def function(*arguments: Any) -> Any:
             if len(arguments) != len(definition.parameters):
                 raise UnreadableError(f"{definition.symbol} is a function of {len(definition.parameters)} arguments")
+            if (hidden := self._hidden_in(definition)) and not self._are(arguments, definition.parameters):
+                raise UnreadableError(f"{definition.symbol} depends on {hidden} in a way that is not computed")
             if definition.tree.data == "slope":
                 letters = [sympy.Dummy(each) for each in definition.parameters]
                 inside = evaluated(
@@ -260,16 +305,38 @@ class Vocabulary:
         return function
 
 
+def is_operator(symbol: str) -> bool:
+    r"""Whether a symbol is an operator, such as ``\nabla`` and ``\partial_t``, and no letter."""
+    return re.match(r"(?:\\[a-z]+\{)?\\(?:nabla|partial)(?![a-zA-Z /])", symbol) is not None and "/" not in symbol
+
+
+def _is_accented(symbol: str) -> bool:
+    r"""Whether a letter has an accent that nothing defines, as in ``\uvec{v}``: it may be that of a vector."""
+    match = re.match(r"(\\[a-zA-Z]+)\{", symbol)
+    return match is not None and match[1] not in STYLES
+
+
+def _stands_in(letter: str, symbol: str) -> bool:
+    """Whether a letter is a part of a symbol."""
+    if "/" in symbol:
+        return re.sub(r"[{}]", "", letter) in re.sub(r"[{}]", "", symbol)
+    return re.search(rf"(?<![a-zA-Z\\]){re.escape(letter)}(?![a-zA-Z])", symbol) is not None
+
+
 _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
 
 
 def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
-    if " " in symbol or "/" in symbol:
+    if " " in symbol or re.match(r"(d|\\partial).*/\1", symbol):
         text = symbol
     else:
         letter, primes, below, above = split_symbol(symbol)
         accents = "".join(f"_{each}" for each in _ACCENTS.findall(letter))
-        plain = letters.get(letter) or re.sub(r"\\(?:math[a-z]+|mathbb)", "", _ACCENTS.sub("", letter)) + accents
+        letter = re.sub(r"^\\(?!math)([a-zA-Z]+)\{", r"\1_{", letter) if _is_accented(letter) else letter
+        plain = (
+            letters.get(letter)
+            or re.sub(r"\\math(?:bf|cal|rm|bb|frak|sf|it|tt|scr|ds)", "", _ACCENTS.sub("", letter)) + accents
+        )
         text = plain + (f"_{below}" if below else "") + "p" * primes + (f"_{above}" if above else "")
     text = text.replace(r"\lambda", "lam").replace("*", "star").replace("+", "plus").replace("-", "minus")
     name = re.sub(r"\W+", "_", re.sub(r"[\\{}]", "", text), flags=re.ASCII).strip("_") or "symbol"

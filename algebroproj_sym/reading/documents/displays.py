@@ -11,6 +11,7 @@ from itertools import islice
 from pathlib import Path
 
 from algebroproj_sym.reading.documents.macros import Macro, expanded, macros_in, redefinitions
+from algebroproj_sym.reading.documents.tidying import tidied
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
 
 MAX_CHARACTERS = 5_000_000
@@ -32,7 +33,9 @@ _CODE = re.compile(
     r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
 )
 _INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
-_FENCE = re.compile(r"^(```|~~~).*?^\1|`[^`\n]*`", re.DOTALL | re.MULTILINE)
+_CODE_IN_LINE = re.compile(r"`[^`\n]*`")
+_MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
+"""The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
@@ -183,7 +186,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     """
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbers = lines or tuple(range(1, len(starts) + 1))
-    plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _FENCE.sub(_blank, text)
+    plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _CODE_IN_LINE.sub(_blank, _without_blocks(text))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -222,6 +225,34 @@ class _Following:
 
 def _blank(found: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", found.group())
+
+
+def _without_blocks(text: str) -> str:
+    """Return Markdown without blocks of code; those that are formulas stand between dollars, at the same places."""
+    kept, place = list[str](), 0
+    opening: re.Match[str] | None = None
+    for mark in _MARK.finditer(text):
+        if opening is None and (mark[2] != ":::" or mark[3]):
+            kept.append(text[place : mark.start()])
+            place, opening = mark.start(), mark
+        elif opening is not None and mark[2] == opening[2] and not mark.group().strip(" \t`~:"):
+            block = text[place : mark.end()]
+            kept.append(_between_dollars(block, opening) if opening[3] else re.sub(r"[^\n]", " ", block))
+            place, opening = mark.end(), None
+    return "".join([*kept, text[place:]])
+
+
+def _between_dollars(block: str, opening: re.Match[str]) -> str:
+    first, _, rest = block.partition("\n")
+    inside = rest[: rest.rfind(opening[2])]
+    lines = inside.split("\n")
+    options = next((i for i, line in enumerate(lines) if not _OPTION.fullmatch(line.strip())), len(lines))
+    named = [_OPTION.sub(lambda each: rf"\label{{{each[1]}}}" if each[1] else _blank(each), x) for x in lines[:options]]
+    inside = "\n".join([*named, *lines[options:]])
+    return f"{'$$'.ljust(len(first))}\n{inside}$$".ljust(len(block))
+
+
+_OPTION = re.compile(r"(?::label: (\S+)|:\w+:)[^\n]*")
 
 
 def _formulas(
@@ -276,13 +307,15 @@ _PARTNERS = {r"\[": r"\]", "$$": "$$", r"\(": r"\)", "$": "$"}
 
 
 def _up_to_formula(after: str) -> str:
-    match = re.search(r"\$\$|\\\[|\\begin\{(?:equation|align|gather|multline|eqnarray)|\n\s*\n", after)
+    match = re.search(
+        r"\$\$|\\\[|\\begin\{(?:equation|align|gather|multline|eqnarray)|\\end\{document\}|\n\s*\n", after
+    )
     return after[: match.start()] if match else after
 
 
 def _expanded(latex: str, place: int, macros: Mapping[str, Macro]) -> tuple[tuple[Piece, ...], str]:
     try:
-        return tuple(expanded(pieces_of(latex, place), macros)), ""
+        return tuple(tidied(expanded(pieces_of(latex, place), macros))), ""
     except UnreadableError as error:
         return (), str(error)
 

@@ -21,6 +21,19 @@ _DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
 _FRAMES = (r"\boxed", r"\fbox", r"\mathrel", r"\mathopen", r"\mathclose")
 """Commands that change the looks of their argument only."""
+_OF_PACKAGES = {
+    r"\abs": (1, r"\left|#1\right|"),
+    r"\norm": (1, r"\left\|#1\right\|"),
+    r"\dv": (2, r"\frac{d#1}{d#2}"),
+    r"\pdv": (2, r"\frac{\partial#1}{\partial#2}"),
+    r"\dd": (0, r"\mathrm{d}"),
+    r"\cross": (0, r"\times"),
+    r"\vdot": (0, r"\cdot"),
+    r"\num": (1, "#1"),
+    r"\SI": (2, r"#1\,\mathrm{#2}"),
+    r"\ang": (1, r"#1^\circ"),
+}
+"""Commands of packages that documents load, with how many arguments they take."""
 _BOLD_BOX = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")
 _PARAMETER = re.compile(r"#([1-9])")
 
@@ -45,6 +58,7 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
     {'\\half': Macro(count=1, default=None, body='\\frac{#1}{2}')}
     """
     found = {name: Macro(1, None, "#1") for name in _FRAMES if name in text}
+    known = {name: Macro(count, None, body) for name, (count, body) in _OF_PACKAGES.items() if name in text}
     spans: list[tuple[int, int]] = []
     for name, count, default, begin, start in _begun(text):
         end = _closing(text, start)
@@ -52,7 +66,7 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
             body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
             found.setdefault(name, Macro(count, default, body))
             spans.append((abs(begin), end + 1))
-    return found, spans
+    return {**known, **found}, spans
 
 
 def redefinitions(text: str) -> list[tuple[int, str, Macro]]:

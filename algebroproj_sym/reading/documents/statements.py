@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of
-from algebroproj_sym.reading.lexing.commands import RELATIONS
-from algebroproj_sym.reading.lexing.pieces import Piece, split_pieces
+from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING, RELATIONS
+from algebroproj_sym.reading.lexing.pieces import Piece, outside_environments, split_pieces
 
 _INNER = re.compile(
     r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlined|subarray|(?:align|equation|gather|multline)\*?)\}"
@@ -18,7 +18,7 @@ _WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shor
 _WIDE = (r"\quad", r"\qquad")
 _OPENS = re.compile(r"\b(?:for|if|when|where|with|at|and|or|as|all|every|any)\s*$")
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
-_ARROWS = (r"\Rightarrow", r"\Longrightarrow", r"\implies")
+_ARROWS = (r"\Rightarrow", r"\Longrightarrow", r"\implies", r"\Leftrightarrow", r"\Longleftrightarrow", r"\iff")
 _IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
 
 
@@ -64,6 +64,7 @@ def statements(document: Document) -> list[Statement]:
         if display.environment == "inline":
             continue
         for rows, parts in _equations(display):
+            arrow = False
             number = tag_of("".join(rows), "" if display.numbered else display.after)
             for row in rows if display.numbered else ():
                 if _TAGGED.search(row) is None:
@@ -75,9 +76,13 @@ def statements(document: Document) -> list[Statement]:
                     number = number or own
             label = label_of("".join(rows)) or label_of(display.latex)
             for pieces, condition in parts:
+                if display.pieces and all(piece.text in _ARROWS for piece in _without_idle(pieces)):
+                    arrow = True
+                    continue
                 for place, part in enumerate(_implied(pieces)):
                     text = "".join(piece.text for piece in part).strip()
-                    implied = place > 0
+                    implied = place > 0 or arrow or (bool(pieces) and pieces[0].text in _ARROWS)
+                    arrow = False
                     found.append(
                         Statement(display, number, label, tuple(part), text, condition, display.reason, implied)
                     )
@@ -87,7 +92,7 @@ def statements(document: Document) -> list[Statement]:
 def inline_statements(document: Document) -> list[Statement]:
     """Return the inline formulas as statements."""
     return [
-        Statement(each, "", "", each.pieces, each.latex.strip(), "", each.reason)
+        Statement(each, "", "", each.pieces, "".join(piece.text for piece in each.pieces).strip(), "", each.reason)
         for each in document.formulas
         if each.environment == "inline"
     ]
@@ -109,9 +114,12 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
     for place, row in enumerate(rows):
         text = latex[place] if len(latex) == len(rows) else ""
         bare = _without_idle([piece for piece in row if piece.text != "&"])
+        if bare and bare[0].text in _WORDS and found:
+            row = _behind_words(row, bare)
+            bare = _without_idle([piece for piece in row if piece.text != "&"])
         if not bare:
             continue
-        if found and found[-1][1] and (_is_relation(bare[0].text) or not _has_relation(row) or _begins_with_sign(row)):
+        if found and found[-1][1] and (_goes_on(found[-1][1][-1][0], row) or _is_relation(bare[0].text)):
             texts, (*before, (pieces, condition)) = found[-1]
             (more, words), *rest = [*_parts(_columns(row), continuing=True)] or [([], "")]
             found[-1] = ([*texts, text], [*before, ([*pieces, *more], condition or words), *rest])
@@ -125,8 +133,8 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
 
 def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:
     """Return the equations between arrows; all in one if an arrow leads from or to what is no equation."""
-    parts = split_pieces(pieces, _ARROWS)
-    return parts if all(map(_has_relation, parts)) else [list(pieces)]
+    parts = [part for part in split_pieces(pieces, _ARROWS) if _without_idle(part)]
+    return parts if parts and all(map(_has_relation, parts)) else [list(pieces)]
 
 
 def _rows_of(display: Display) -> Iterator[str]:
@@ -159,18 +167,20 @@ def _is_relation(text: str) -> bool:
 
 
 def _has_relation(row: Sequence[Piece]) -> bool:
-    return any(_is_relation(piece.text) for part in split_pieces(row, ()) for piece in _top(part))
+    return any(_is_relation(piece.text) for part in split_pieces(row, ()) for piece in outside_environments(part))
 
 
-def _top(pieces: Sequence[Piece]) -> Iterator[Piece]:
-    """Yield the pieces that stand in no brace or environment."""
-    depth = 0
-    for piece in pieces:
-        depth += (piece.text == "{" or piece.text.startswith(r"\begin{")) - (
-            piece.text == "}" or piece.text.startswith(r"\end{")
-        )
-        if depth == 0:
-            yield piece
+def _behind_words(row: list[Piece], bare: Sequence[Piece]) -> list[Piece]:
+    r"""Return a row without its first words if it goes on with a relation, as ``\text{or} &= a`` does."""
+    end = _group_end(bare, 1)
+    rest = _without_idle(bare[end:])
+    return row[row.index(rest[0]) :] if rest and _is_relation(rest[0].text) else row
+
+
+def _goes_on(before: Sequence[Piece], row: Sequence[Piece]) -> bool:
+    """Whether a row goes on with the equation of the row before it."""
+    end = _without_idle(before)[-1:]
+    return bool(end and _is_relation(end[0].text)) or not _has_relation(row) or _begins_with_sign(row)
 
 
 def _begins_with_sign(row: Sequence[Piece]) -> bool:
@@ -185,6 +195,7 @@ def _columns(row: Sequence[Piece]) -> list[list[Piece]]:
     for place, cell in enumerate(cells):
         rest = [piece for each in cells[place : place + 2] for piece in each]
         begins = place >= 2 and place % 2 == 0 and _has_relation(found[-1]) and _has_relation(rest)
+        begins = begins and not _is_relation(_without_idle(found[-1])[-1].text)
         if begins and not (_without_idle(cell) and _is_relation(_without_idle(cell)[0].text)):
             found.append([])
         found[-1] += cell
@@ -225,8 +236,8 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
     depth, place = 0, 0
     while place < len(column):
         text = column[place].text
-        depth += (text in ("{", "(", "[", r"\{") or text.startswith(r"\begin{")) - (
-            text in ("}", ")", "]", r"\}") or text.startswith(r"\end{")
+        depth += (text == "{" or text in OPENING or text.startswith(r"\begin{")) - (
+            text == "}" or text in CLOSING or text.startswith(r"\end{")
         )
         if depth <= 0 and text == r"\forall":
             yield part, "".join(piece.text for piece in column[place:])

@@ -22,7 +22,6 @@ from algebroproj_sym.reading.judging.questions import (
     is_elementary,
     is_lettered,
     questions_of,
-    rests_of,
     used_by,
 )
 from algebroproj_sym.reading.judging.repairs import MULTIPLE, STRONG, WITHIN, Repair, repairs
@@ -64,7 +63,9 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         each.link = replace(_link_of(each, outcome, each.ways[place]), sides=question)
         if each.link.verdict != "follows":
             refuted = [(way, answer) for way, (_, answer) in zip(each.ways, answered, strict=True)]
-            failing += [(each, way, answer) for way, answer in refuted if answer.verdict == "refuted" and not way.reads]
+            failing += [
+                (each, way, answer) for way, answer in refuted if answer.verdict == "refuted" and way.is_as_it_stands
+            ]
     candidates = [
         [] if way.doubt in (A_CONDITION, NOT_GIVEN) else _likely_repairs(way, chained=each.chained)
         for each, way, _ in failing
@@ -148,7 +149,7 @@ def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:
             link,
             verdict="follows",
             reason=f"read as {way.reads}" if way.reads else "",
-            rests_on=rests_of(way.vocabulary, *way.sides),
+            rests_on=way.rests_on,
             hypotheses=outcome.hypotheses,
             certificate=outcome.certificate,
         )
@@ -188,7 +189,7 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
         asked.link,
         verdict="contradicts" if asserted else "not decided" if undecided else "independent",
         reason=reason,
-        rests_on=rests_of(way.vocabulary, *way.sides),
+        rests_on=way.rests_on,
         counterexample=refutation.counterexample,
         suggestion=suggestion,
         certificate=refutation.certificate,

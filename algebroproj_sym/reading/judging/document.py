@@ -222,7 +222,8 @@ class _Pass:
         special, words = bool(self.beside.case()), self.beside.words
         where, display = _where(statement), statement.display
         for left, right in pairs:
-            self.premises.append(Premise(left, right, where, display.part, display.place, names, special, words))
+            given = where, display.part, display.place, names, special, words
+            self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
 
     # -- definitions
 
@@ -279,7 +280,13 @@ class _Pass:
                 replace(each, doubt=doubt) if ranged else each
                 for each in self._with_premises(statement, formula, index, vocabulary)
             ),
+            *self._under_equations(statement, left, right, vocabulary),
             *self._without_definitions(left, right, vocabulary),
+        ]
+        ways += [
+            replace(way, vocabulary=known, reads=f"{' = '.join(map(known.text, way.sides))}, where I is the identity")
+            for way in ways
+            if not way.reads and (known := way.vocabulary.with_identity(*way.sides)) is not None
         ]
         chained = len(formula.sides) > 2
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained)
@@ -309,6 +316,23 @@ class _Pass:
         if made or more:
             known = extended(vocabulary, [*made, *more])
             yield Way(ours, theirs, known, doubt_of(self.beside, formula, index, vocabulary))
+
+    def _under_equations(
+        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
+    ) -> Iterator[Way]:
+        """Yield a relation under the equations just above it, and cited ones, that speak of its letters alone."""
+        letters = vocabulary.letters_of(left) | vocabulary.letters_of(right)
+        near = neighbours(self.premises, statement.display.part, cited_in(statement.display.before))
+        under = tuple(
+            each
+            for each in near
+            if each.gives is None
+            and not (each.special or each.chained)
+            and (known := vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right))
+            and known <= letters
+        )
+        if under:
+            yield Way(left, right, vocabulary, under=under)
 
     def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
         """Yield a relation as it stands, of letters of which nothing is known but their sizes."""

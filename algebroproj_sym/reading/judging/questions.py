@@ -14,6 +14,7 @@ from algebroproj_sym.expressions import TooLargeError, entries, require_bounded,
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.reading.defining.letters import lettered
+from algebroproj_sym.reading.defining.premises import Premise
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
@@ -24,18 +25,43 @@ Sides = tuple[Formula, Formula]
 
 @dataclass(frozen=True)
 class Way:
-    """A way to take a link: its sides, what its letters stand for, and why it may not be meant if it fails so."""
+    """A way to take a link.
+
+    Attributes
+    ----------
+    left, right : Tree
+        Its sides.
+    vocabulary : Vocabulary
+        What its letters stand for.
+    doubt : str
+        Why it may not be meant if it fails so.
+    reads : str
+        How it is read otherwise than it stands.
+    under : tuple of Premise
+        The equations under which it is to hold.
+    """
 
     left: Formula
     right: Formula
     vocabulary: Vocabulary
     doubt: str = ""
     reads: str = ""
+    under: tuple[Premise, ...] = ()
 
     @property
     def sides(self) -> Sides:
         """Both sides."""
         return self.left, self.right
+
+    @property
+    def is_as_it_stands(self) -> bool:
+        """Whether the link is asked as it stands, and under no equations."""
+        return not self.reads and not self.under
+
+    @property
+    def rests_on(self) -> tuple[str, ...]:
+        """The places and words on which it rests."""
+        return tuple(dict.fromkeys((*rests_of(self.vocabulary, *self.sides), *(each.where for each in self.under))))
 
 
 def used_by(vocabulary: Vocabulary, *trees: Formula) -> list[Definition]:
@@ -114,6 +140,25 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
         return str(error).partition("\n")[0][:200] or type(error).__name__
 
 
+def _asked_under(way: Way) -> list[Question] | str:
+    """Return the questions of a way, with the equations under which it is to hold as constraints."""
+    questions = asked_of(way.vocabulary, *way.sides)
+    if isinstance(questions, str) or not way.under:
+        return questions
+    constraints: list[str] = []
+    for each in way.under:
+        asked = asked_of(way.vocabulary, each.left, each.right)
+        if isinstance(asked, str) or not all(map(_is_rational, [*asked, *questions])):
+            return "what it may rest on is not rational"
+        constraints += [f"{one.lhs} = {one.rhs}" for one in asked]
+    return [replace(question, constraints=tuple(constraints)) for question in questions]
+
+
+def _is_rational(question: Question) -> bool:
+    is_number = not (question.lhs.startswith("[") or question.rhs.startswith("["))
+    return question.letters is None and is_number and not (has_functions(question.lhs) or has_functions(question.rhs))
+
+
 def is_lettered(way: Way) -> bool:
     """Whether a relation is asked with vectors and matrices as letters."""
     questions = asked_of(way.vocabulary, *way.sides)
@@ -132,7 +177,7 @@ def _text(value: Any) -> str:
 
 def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[str, str] | None, Outcome]]:
     """Return each pair of sides as text with its outcome; one that cannot be asked is open."""
-    asked = [asked_of(each.vocabulary, *each.sides) for each in ways]
+    asked = [_asked_under(each) for each in ways]
     questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions))) if questions else iter(())
     return [

@@ -127,7 +127,8 @@ class Beside:
 
     def strange(self, known: Collection[str]) -> str:
         """Return a word of the sentence that is none of a derivation, and that is not known; empty for none."""
-        return strange_word(f"{self.sentence} {_CLAUSE.split(self.behind)[0]}", known)
+        behind = "" if _NEW_SENTENCE.match(self.behind) else _CLAUSE.split(self.behind)[0]
+        return strange_word(f"{self.sentence} {behind}", known)
 
 
 def beside(statement: Statement, carried: str) -> Beside:
@@ -175,6 +176,7 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
+_NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")
 _WORD = re.compile(r"[^\W\d_]{2,}")
 

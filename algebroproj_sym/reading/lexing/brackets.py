@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from algebroproj_sym.reading.lexing.commands import BARS, CLOSING, MATRIX, MAX_NESTING, OPENING
+from collections.abc import Sequence
+
+from algebroproj_sym.reading.lexing.commands import BARS, CLOSING, ELLIPSES, MATRIX, MAX_NESTING, OPENING, UPRIGHT
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.names import read_after
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, split_pieces
+from algebroproj_sym.reading.lexing.names import bracket_ahead, read_after, take_scripts
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, outside_braces, says_more, split_pieces
 
 
 def _partner(opening: str) -> str:
@@ -16,6 +18,21 @@ def _partner(opening: str) -> str:
 def read_bracket(cursor: Cursor) -> None:
     """Read a bracket or a bar, and what is attached to it where it closes."""
     text = cursor.text
+    if cursor.functions is not None and text in OPENING and _is_shown(inside := bracket_ahead(cursor)):
+        cursor.emit("SHOWN", "".join(piece.text for piece in inside))
+        cursor.index += len(inside)
+        read_after(cursor)
+        return
+    if text in BARS and cursor.functions is not None and cursor.ends_value() and BARS[text] not in cursor.opened:
+        if cursor.peek(1) == "_":
+            cursor.index += 1
+            _, below, above = take_scripts(cursor)
+            cursor.emit("MARK", f"_at_{below}^{above}" if above else f"_at_{below}")
+            return
+        if text == "|" and not any(piece.text in BARS for piece in cursor.pieces[cursor.index + 1 :]):
+            cursor.emit("CIRCLED", text)
+            cursor.index += 1
+            return
     if text in BARS:
         kind = BARS[text]
         left = text.startswith(r"\l") or not (cursor.ends_value() and kind in cursor.opened)
@@ -38,6 +55,13 @@ def read_bracket(cursor: Cursor) -> None:
     cursor.index += 1
     if not left:
         read_after(cursor)
+
+
+def _is_shown(inside: Sequence[Piece]) -> bool:
+    """Whether a bracket is no expression: a set, a condition, or one with a relation."""
+    curly = bool(inside) and inside[0].text in (r"\{", r"\lbrace")
+    body = outside_braces(inside[1:-1])
+    return says_more(inside) or (curly and any(piece.text in (",", *ELLIPSES) for piece in body))
 
 
 def _close(cursor: Cursor, kind: str) -> None:
@@ -84,9 +108,18 @@ def _read_cases(cursor: Cursor, start: int) -> None:
     body = _take_environment(cursor, r"\begin{cases}", start)
     cursor.emit("CASES")
     for row in split_pieces(body, (r"\\",)):
-        value, *condition = split_pieces(row, ("&", r"\text", r"\mbox", r"\textrm", ",", r"\quad", r"\qquad"))
+        value, *condition = split_pieces(_upright_scripts(row), ("&", r"\text", ",", r"\quad", r"\qquad"))
         if not any(not piece.text.isspace() for piece in value):
             continue
         cursor.inner(value)
         cursor.emit("CONDITION", " ".join("".join(p.text for p in part).strip(" {}") for part in condition).strip())
     cursor.emit("ENDCASES")
+
+
+def _upright_scripts(row: Sequence[Piece]) -> list[Piece]:
+    r"""Return a row whose scripts have no words: ``\text`` begins a condition elsewhere."""
+    kept, before = list[Piece](), ""
+    for piece in row:
+        kept.append(Piece(r"\mathrm", piece.place) if piece.text in UPRIGHT and before in ("_", "^", "{") else piece)
+        before = before if piece.text.isspace() else piece.text
+    return kept

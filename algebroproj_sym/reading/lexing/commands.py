@@ -24,6 +24,12 @@ BOLD = {
     r"\bf": r"\mathbf",
     r"\bold": r"\mathbf",
     r"\mathbfit": r"\mathbf",
+    r"\vector": r"\mathbf",
+    r"\vect": r"\mathbf",
+    r"\mat": r"\mathbf",
+    r"\mbf": r"\mathbf",
+    r"\vb": r"\mathbf",
+    r"\va": r"\mathbf",
 }
 
 
@@ -45,9 +51,9 @@ DROPPED |= {"\\\n"}
 WIDE = frozenset((r"\quad", r"\qquad", "\\ "))
 WITH_ARGUMENT = _words(r"\hspace \vspace \label \phantom \hphantom \vphantom \tag \tag*")
 NO_LETTERS = _words(
-    r"\forall \exists \mid \cup \cap \setminus \wedge \vee \bullet \because \therefore \over \atop \choose \hbox "
-    r"\begin \end \lfloor \rfloor \lceil \rceil \langle \rangle \neg \land \lor \asymp \prec \succ \supset \subseteq "
-    r"\supseteq \def \let \newcommand \color \bmod \mod \pmod \top \not \overbrace \underbrace \stackrel \overset "
+    r"\forall \exists \because \therefore \over \atop \choose \hbox "
+    r"\begin \end \lfloor \rfloor \lceil \rceil \langle \rangle \neg "
+    r"\def \let \newcommand \color \bmod \mod \pmod \top \not \overbrace \underbrace \stackrel \overset "
     r"\underset \substack \binom"
 )
 """Commands that stand for no letter."""
@@ -65,7 +71,9 @@ RELATIONS = dict(
         _words(
             r"=#= :=#:= =:#=: \equiv#≡ \triangleq#:= \coloneqq#:= \doteq#:= <#< >#> \lt#< \gt#> \le#<= \leq#<= \ge#>= "
             r"\geq#>= \leqslant#<= \geqslant#>= \ll#≪ \gg#≫ \ne#!= \neq#!= \approx#≈ \simeq#≈ \cong#≅ \sim#~ \propto#∝ "
-            r"\in#∈ \notin#∉ \to#→ \rightarrow#→ \longrightarrow#→ \leadsto#→ \leftarrow#← \mapsto#↦ \Rightarrow#⇒ "
+            r"\in#∈ \notin#∉ \ni#∋ \lesssim#≲ \gtrsim#≳ \hookrightarrow#→ \supset#⊃ \subseteq#⊆ \supseteq#⊇ \asymp#≍ "
+            r"\prec#≺ \succ#≻ \parallel#∥ \longmapsto#↦ \Longleftrightarrow#⇔ \Leftarrow#⇐ \to#→ "
+            r"\rightarrow#→ \longrightarrow#→ \leadsto#→ \leftarrow#← \mapsto#↦ \Rightarrow#⇒ "
             r"\Longrightarrow#⇒ \implies#⇒ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
         )
     )
@@ -73,7 +81,7 @@ RELATIONS = dict(
 TRANSPOSED = _words(r"T t \top \intercal \mathsf{T} \mathsfT \sfT \mathtt{T} \trans")
 MARKS = {**dict.fromkeys(TRANSPOSED, "T"), r"\wedge": "hat", r"\times": "hat", r"\vee": "vee"}
 PART_OF_NAME = re.compile(
-    r"\(.*\)|\\math(?:cal|scr|frak|bb)\W.*|[-+*]|\\(?:star|ast|dagger|circ|perp|parallel|prime)|\[.*\]"
+    r"\(.*\)|\\math(?:cal|scr|frak|bb)\W.*|[-+*]|\\(?:pm|mp|star|ast|dagger|circ|perp|parallel|prime)|\[.*\]"
 )
 MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?matrix\*?|smallmatrix|array)\}")
 OPENING = {"(": "LP", "[": "LS", r"\{": "LB", r"\lbrace": "LB", r"\lbrack": "LS", r"\langle": "ANGLE_OPEN"}
@@ -86,6 +94,26 @@ AXIS = r"[xyzA-SU-Z]"
 INDICES = re.compile(r"(?:[a-zA-Z]|\\[a-zA-Z]+){2,}")
 LETTER = re.compile(r"[a-zA-Z]|\\[a-zA-Z]+")
 VALUE_ENDS = frozenset(
-    ("NUMBER", "SYMBOL", "OPAQUE", "CLOSE", "RP", "RS", "RB", "BAR_CLOSE", "NORM_CLOSE", "ANGLE_CLOSE", "END", "MARK")
+    (
+        "NUMBER",
+        "SYMBOL",
+        "OPAQUE",
+        "SHOWN",
+        "CLOSE",
+        "RP",
+        "RS",
+        "RB",
+        "BAR_CLOSE",
+        "NORM_CLOSE",
+        "ANGLE_CLOSE",
+        "END",
+        "MARK",
+    )
 )
+ELLIPSES = frozenset((r"\ldots", r"\dots", r"\cdots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb", "…"))
+CIRCLED = _words(
+    r"\otimes \oplus \odot \ominus \star \ast \bullet \cup \cap \setminus \backslash \land \lor \wedge \vee \mid "
+    r"\boxplus \boxminus \bigoplus \bigotimes \colon :"
+)
+"""Signs between two values that are read, and not computed."""
 DIFFERENTIALS = frozenset(("d", r"\partial", r"\delta", r"\Delta", r"\mathrm{d}"))

@@ -10,6 +10,8 @@ from lark import Token
 
 from algebroproj_sym.reading.lexing.commands import (
     ARGUMENT,
+    BARS,
+    BIG,
     CLOSING,
     DROPPED,
     FRACTIONS,
@@ -20,7 +22,15 @@ from algebroproj_sym.reading.lexing.commands import (
     UPRIGHT,
 )
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.names import at_symbol, function_at, read_after, take_letter, take_scripts
+from algebroproj_sym.reading.lexing.names import (
+    at_symbol,
+    bracket_ahead,
+    function_at,
+    read_after,
+    take_letter,
+    take_scripts,
+    written,
+)
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare
 
 
@@ -100,10 +110,23 @@ _EXTREME = re.compile(r"(?:arg)?(?:min|max|lim|inf|sup)(?:imi[sz]e)?\.?")
 
 def _read_body(cursor: Cursor) -> None:
     """Emit what a sum, an integral or a derivative is of: all to the next sign, relation or end."""
-    start, depth = cursor.index, 0
+    cursor.skip()
+    start, depth, within = cursor.index, 0, False
     while cursor.index < len(cursor.pieces):
         text = cursor.text
-        if depth == 0 and cursor.index > start and (text in SIGNS or text in RELATIONS or text in (",", "&", r"\\")):
+        if depth == 0 and text in BIG:
+            cursor.index += 1
+            take_scripts(cursor)
+            cursor.skip()
+            cursor.index += cursor.text in SIGNS
+            continue
+        within ^= depth == 0 and text in BARS
+        if (
+            not within
+            and depth == 0
+            and cursor.index > start
+            and (text in SIGNS or text in RELATIONS or text in (",", "&", r"\\"))
+        ):
             break
         deeper = text in OPENING or text == "{" or text.startswith(r"\begin{")
         depth += deeper - (text in CLOSING or text == "}" or text.startswith(r"\end{"))
@@ -165,6 +188,9 @@ def _read_argument(cursor: Cursor) -> None:
     while cursor.text.isspace() or cursor.text in DROPPED - {r"\mathrm"}:
         cursor.index += 1
     start = cursor.index
+    if cursor.text in BIG:
+        _read_body(cursor)
+        return
     if cursor.text in ("(", "[", r"\{", "{", "|", r"\|") or MATRIX.match(cursor.text):
         cursor.inner(_take_bracket(cursor))
         return
@@ -188,11 +214,14 @@ def _read_argument(cursor: Cursor) -> None:
             cursor.index += 1
             take_scripts(cursor) if cursor.text == "^" else None
             continue
+        letter = ""
         if cursor.text in FRACTIONS or cursor.text == r"\sqrt":
             cursor.single()
         else:
-            take_letter(cursor)
-        take_scripts(cursor)
+            letter = take_letter(cursor)
+        _, below, _ = take_scripts(cursor)
+        if cursor.functions is not None and written(letter, 0, below, "") in cursor.functions:
+            cursor.index += len(bracket_ahead(cursor))
         values += 1
         if cursor.index == here:
             break

@@ -10,6 +10,7 @@ from lark import Token
 from algebroproj_sym.reading.lexing.commands import (
     AXIS,
     BOLD,
+    CLOSING,
     DIFFERENTIALS,
     DROPPED,
     FUNCTIONS,
@@ -19,12 +20,13 @@ from algebroproj_sym.reading.lexing.commands import (
     LETTERS,
     MARKS,
     NO_LETTERS,
+    OPENING,
     PART_OF_NAME,
     STYLES,
     UPRIGHT,
 )
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.pieces import Piece, bare, outside_braces, pieces_of
+from algebroproj_sym.reading.lexing.pieces import Piece, bare, outside_braces, pieces_of, says_more
 
 
 def split_symbol(symbol: str) -> tuple[str, int, str, str]:
@@ -84,10 +86,21 @@ def take_letter(cursor: Cursor) -> str:
     cursor.skip()
     text = BOLD.get(cursor.text, cursor.text)
     cursor.index += 1
-    if text in STYLES or text in UPRIGHT:
+    if text in STYLES or text in UPRIGHT or (cursor.text == "{" and _is_accent(text)):
         inside = bare(cursor.group())
-        return inside if text in UPRIGHT and len(inside) > 1 else inside if text in UPRIGHT else f"{text}{{{inside}}}"
+        if text == r"\mathbf" and (accented := _ACCENTED.fullmatch(inside)):
+            return rf"{accented[1]}{{\mathbf{accented[2]}}}"
+        return inside if text in UPRIGHT else f"{text}{{{inside}}}"
     return text
+
+
+_ACCENTED = re.compile(r"(\\(?:d*dot|tilde|bar|hat|overline|widehat|widetilde|check|breve))([a-zA-Z]|\\[a-zA-Z]+)")
+r"""A letter with an accent: ``\mathbf{\hat s}`` is printed as ``\hat{\mathbf s}`` is."""
+
+
+def _is_accent(text: str) -> bool:
+    """Whether a command before a brace is an accent, though it may be one that nothing defines."""
+    return text not in LETTERS and re.fullmatch(r"\\[a-zA-Z]+", text) is not None and text != r"\partial"
 
 
 def take_scripts(cursor: Cursor) -> tuple[int, str, str]:
@@ -192,21 +205,43 @@ def _read_differential(cursor: Cursor, letter: str, start: int) -> None:
 
 
 def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -> None:
-    """Add the token of a letter, or of a function before its bracket."""
-    before_bracket = cursor.functions is not None and not raised and cursor.peek() == "("
-    called = before_bracket and (whole in (cursor.functions or ()) or _at_argument(cursor))
+    """Add the token of a letter, or of a function before its bracket, or a value with a condition, as in ``p(y|x)``."""
+    if cursor.functions is not None and not raised and says_more(inside := bracket_ahead(cursor)):
+        cursor.index += len(inside)
+        cursor.chose = "a value with a condition is a letter of its own"
+        text = "".join(piece.text for piece in inside if not piece.text.isspace() and piece.text not in DROPPED)
+        cursor.out.append(Token("SYMBOL", f"{whole} {text}", start_pos=start))
+        return
+    bracket = cursor.peek() if cursor.functions is not None and not raised else ""
+    called = bracket == "(" and (whole in (cursor.functions or ()) or _at_argument(cursor))
+    called = called or (bracket in ("(", "[") and _FUNCTION.fullmatch(whole) is not None)
+    called = called or (bracket == "[" and _EXPECTATION.fullmatch(whole) is not None)
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
+
+
+_FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|delta|Delta|Pr)|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
+"""What is a function before a bracket, whatever stands in it."""
+_EXPECTATION = re.compile(r"[EPV](?:_.*)?")
+"""What is a function before a square bracket."""
+
+
+def bracket_ahead(cursor: Cursor) -> list[Piece]:
+    """Return the pieces up to the end of the bracket that comes next; none if no bracket does."""
+    if cursor.peek() not in ("(", "[", r"\{", r"\lbrace"):
+        return []
+    inside, depth = list[Piece](), 0
+    for piece in cursor.pieces[cursor.index :]:
+        inside.append(piece)
+        depth += (piece.text in OPENING) - (piece.text in CLOSING)
+        if depth == 0 and piece.text in CLOSING:
+            return inside
+    return []
 
 
 def _at_argument(cursor: Cursor) -> bool:
     """Whether the bracket that follows has one letter alone, or several values."""
-    inside, depth = list[Piece](), 0
-    for piece in cursor.pieces[cursor.index :]:
-        depth += (piece.text == "(") - (piece.text == ")")
-        if depth == 0 and inside:
-            break
-        inside.append(piece)
-    body = [piece for piece in inside if not piece.text.isspace() and piece.text not in DROPPED][1:]
+    inside = bracket_ahead(cursor)
+    body = [piece for piece in inside if not piece.text.isspace() and piece.text not in DROPPED][1:-1]
     if any(piece.text in (",", ";") for piece in outside_braces(body)):
         return True
     if not body or any(piece.text in "+-*/()=|" for piece in body):
@@ -245,7 +280,8 @@ def read_after(cursor: Cursor) -> None:
         mark = cursor.text
         cursor.index += 1
         if mark == "'":
-            raise cursor.fail("a prime is read after a letter only")
+            cursor.emit("MARK", "_prime")
+            continue
         raised = cursor.group()
         inside = bare(raised)
         if mark == "^":

@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-from algebroproj_sym.reading.lexing.commands import BOLD, PIECE
+from algebroproj_sym.reading.lexing.commands import BOLD, PIECE, RELATIONS
 
 
 class Piece(NamedTuple):
@@ -74,6 +74,18 @@ def split_pieces(pieces: Sequence[Piece], marks: Collection[str], brackets: bool
     return parts
 
 
+def outside_environments(pieces: Sequence[Piece]) -> list[Piece]:
+    """Return the pieces that stand in no brace or environment, and what ends one."""
+    kept, depth = list[Piece](), 0
+    for piece in pieces:
+        depth += (piece.text == "{" or piece.text.startswith(r"\begin{")) - (
+            piece.text == "}" or piece.text.startswith(r"\end{")
+        )
+        if depth == 0:
+            kept.append(piece)
+    return kept
+
+
 def outside_braces(pieces: Sequence[Piece]) -> list[Piece]:
     """Return the pieces that stand in no brace."""
     kept, depth = list[Piece](), 0
@@ -84,7 +96,14 @@ def outside_braces(pieces: Sequence[Piece]) -> list[Piece]:
     return kept
 
 
+def says_more(inside: Sequence[Piece]) -> bool:
+    r"""Whether a bracket has more than expressions: a relation, as in ``(X < a)``, a condition, as in ``(y | x)``."""
+    texts = [piece.text for piece in outside_braces(inside)]
+    bars = sum(text in ("|", r"\vert", r"\mid") for text in texts), sum(text in (r"\|", r"\Vert") for text in texts)
+    return any(each % 2 for each in bars) or any(text in RELATIONS or text == ":" for text in texts)
+
+
 def bare(pieces: Sequence[Piece]) -> str:
     """Return the text of pieces without braces, spaces and upright style."""
-    text = "".join(BOLD.get(piece.text, piece.text) for piece in pieces)
+    text = "".join({r"\{": "⦃", r"\}": "⦄"}.get(piece.text, BOLD.get(piece.text, piece.text)) for piece in pieces)
     return re.sub(r"\\(?:mathrm|text|textrm|mathit|bf|rm|left|right|[,;:!])(?![a-z])|[{}\s,]", "", text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from algebroproj_sym.reading.lexing.commands import BIG, DROPPED
 from algebroproj_sym.reading.lexing.cursor import Cursor
 from algebroproj_sym.reading.lexing.names import (
     at_symbol,
@@ -25,7 +26,10 @@ def read_braces(cursor: Cursor) -> None:
     inner = cursor.within(inside)
     if _keeps_room(inner):
         return
-    if cursor.peek() in ("_", "^", "'") and inside and _is_lone_letter(inner):
+    if _is_lone_sign(inner):
+        cursor.pieces, cursor.index = [*inside, *cursor.pieces[cursor.index :]], 0
+        return
+    if cursor.peek() in ("_", "^", "'") and inside and is_lone_letter(inner):
         read_scripted(cursor, take_letter(inner), start)
     elif any(not piece.text.isspace() for piece in inside):
         cursor.inner(inside)
@@ -44,7 +48,21 @@ def _keeps_room(cursor: Cursor) -> bool:
     return alone
 
 
-def _is_lone_letter(cursor: Cursor) -> bool:
+def _is_lone_sign(cursor: Cursor) -> bool:
+    r"""Whether there is nothing but a sum or an integral, without what it is of, as in ``{\sum_{i=1}^3} a_i``."""
+    while cursor.text.isspace() or cursor.text in DROPPED:
+        cursor.index += 1
+    if cursor.text not in BIG:
+        return False
+    cursor.index += 1
+    while cursor.text in DROPPED:
+        cursor.index += 1
+    take_scripts(cursor)
+    cursor.skip()
+    return cursor.index == len(cursor.pieces)
+
+
+def is_lone_letter(cursor: Cursor) -> bool:
     """Whether there is nothing but a letter, with its style and accents."""
     cursor.skip()
     if not at_symbol(cursor):
@@ -85,7 +103,7 @@ def read_command_before_letter(cursor: Cursor) -> None:
     behind = cursor.group() if command == r"\leftidx" and cursor.peek() == "{" else []
     rest = cursor.pieces[cursor.index :]
     inner = cursor.within(inside)
-    if _is_lone_letter(inner):
+    if is_lone_letter(inner):
         cursor.pieces, cursor.index = [*inside, *behind, *rest], 0
         _read_with_scripts(cursor, below or marked, above, start)
     else:

@@ -17,11 +17,14 @@ from algebroproj_sym.reading.lexing.commands import (
     BARS,
     BEFORE_LETTER,
     BIG,
+    CIRCLED,
     CLOSING,
     DROPPED,
+    ELLIPSES,
     FRACTIONS,
     MAX_DIGITS,
     MAX_PIECES,
+    NO_LETTERS,
     OPENING,
     RELATIONS,
     SIGNS,
@@ -39,8 +42,13 @@ from algebroproj_sym.reading.lexing.names import (
     read_symbol,
     take_scripts,
 )
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError
-from algebroproj_sym.reading.lexing.prescripts import read_before_letter, read_braces, read_command_before_letter
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare
+from algebroproj_sym.reading.lexing.prescripts import (
+    is_lone_letter,
+    read_before_letter,
+    read_braces,
+    read_command_before_letter,
+)
 
 
 def tokens_of(
@@ -120,15 +128,19 @@ def _step(cursor: Cursor) -> None:
 def _read_operator(cursor: Cursor) -> None:
     text = cursor.text
     kinds = {"/": "SLASH", r"\cdot": "DOT", r"\times": "CROSS", "*": "DOT", "!": "FACTORIAL", r"\div": "SLASH"}
-    kinds |= {"&": "AMP", r"\\": "ROW", ",": "SEPARATOR", ";": "SEPARATOR", r"\circ": "DOT", r"\otimes": "CIRCLED"}
-    kinds |= {r"\oplus": "CIRCLED", r"\odot": "CIRCLED", r"\ominus": "CIRCLED", r"\star": "CIRCLED"}
-    if text in SIGNS:
+    kinds |= {"&": "AMP", r"\\": "ROW", ",": "SEPARATOR", ";": "SEPARATOR", r"\circ": "DOT"}
+    if text in SIGNS and SIGNS[text] in "+-" and cursor.out and cursor.out[-1] == "+" and cursor.out[-1].type == "SIGN":
+        cursor.out.pop()
+        cursor.emit("SIGN", SIGNS[text])
+    elif text in SIGNS:
         cursor.emit("SIGN", SIGNS[text])
     elif text == ":" and cursor.peek(1) == "=":
         cursor.emit("RELATION", ":=")
         cursor.index += next(i for i, p in enumerate(cursor.pieces[cursor.index :]) if p.text == "=")
-    elif text in (":", r"\colon"):
-        cursor.emit("CIRCLED", ":")
+    elif cursor.functions is not None and not cursor.ends_value() and (text in CIRCLED or kinds.get(text) in _PRODUCTS):
+        cursor.emit("SHOWN", text)
+    elif text in CIRCLED:
+        cursor.emit("CIRCLED", text.removeprefix("\\"))
     elif text in (r"\stackrel", r"\overset"):
         cursor.index += 1
         over = "".join(piece.text for piece in cursor.group())
@@ -147,13 +159,18 @@ def _read_operator(cursor: Cursor) -> None:
         return
     elif text in kinds:
         cursor.emit(kinds[text], text)
-    elif text in (r"\ldots", r"\dots", r"\cdots", r"\vdots", r"\ddots", "…"):
+    elif text in ELLIPSES and cursor.functions is not None:
+        cursor.emit("SHOWN", text)
+    elif text in ELLIPSES:
         raise cursor.fail("an ellipsis is not read")
     elif cursor.functions is not None and at_unknown_letter(cursor):
         cursor.chose = f"the command {text} is not known"
         start = cursor.place
         cursor.index += 1
         read_scripted(cursor, text, start)
+        return
+    elif cursor.functions is not None and _at_unknown_command(cursor):
+        _read_unknown(cursor)
         return
     elif text.startswith("\\"):
         raise cursor.fail(f"the command {text} is not known")
@@ -162,10 +179,39 @@ def _read_operator(cursor: Cursor) -> None:
     cursor.index += 1
 
 
+_PRODUCTS = ("DOT", "CROSS")
+
+
+def _at_unknown_command(cursor: Cursor) -> bool:
+    """Whether a command of the document that nothing defines takes arguments."""
+    named = re.fullmatch(r"\\[a-zA-Z]+", cursor.text) is not None
+    return named and cursor.text not in NO_LETTERS and cursor.peek(1) == "{"
+
+
+def _read_unknown(cursor: Cursor) -> None:
+    """Read a command that nothing defines: with one letter as a letter with an accent, else as it is shown."""
+    start, text = cursor.place, cursor.text
+    cursor.chose = f"the command {text} is not known"
+    cursor.index += 1
+    first = cursor.group()
+    inner = cursor.within(first)
+    shown = f"{text}{{{bare(first)}}}"
+    if is_lone_letter(inner) and cursor.peek() != "{":
+        read_scripted(cursor, shown, start)
+        return
+    while cursor.peek() == "{":
+        shown += f"{{{bare(cursor.group())}}}"
+    cursor.out.append(Token("SHOWN", shown, start_pos=start))
+    read_after(cursor)
+
+
 def _read_number(cursor: Cursor) -> None:
     start, digits = cursor.place, ""
     while cursor.index < len(cursor.pieces):
         text = cursor.text
+        if text == "." and digits and "." not in digits and cursor.peek(1) in SIGNS:
+            cursor.index += 1
+            break
         goes_on = (text == "." and "." not in digits) or (text.isspace() and digits)
         if not text.isdigit() and not (goes_on and cursor.peek(1).isdigit()):
             break

@@ -33,7 +33,8 @@ from algebroproj_sym.expressions import (
     vector,
 )
 from algebroproj_sym.expressions.bounds import MAX_BITS, MAX_EXPONENT
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
+from algebroproj_sym.reading.lexing.commands import RELATIONS
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, outside_braces, pieces_of, split_pieces
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 
 Names = Callable[[str], Any]
@@ -47,7 +48,9 @@ MOST_MATRIX_POWER = 4
 MOST_ROWS = 6
 DETERMINANT_ROWS = 8
 
-_SEEN = re.compile("NUMBER|SYMBOL|OPAQUE|CALLEE|FUNCTION|BIG|MARK|SIGN|DOT|CROSS|CIRCLED|RELATION|BEGIN|CONDITION")
+_SEEN = re.compile(
+    "NUMBER|SYMBOL|OPAQUE|SHOWN|CALLEE|FUNCTION|BIG|MARK|SIGN|DOT|CROSS|CIRCLED|RELATION|BEGIN|CONDITION"
+)
 
 
 @dataclass(frozen=True)
@@ -90,6 +93,9 @@ def parsed(
         If the text is no formula of the grammar; it says where reading stopped.
     """
     pieces = _without_end(pieces_of(latex) if isinstance(latex, str) else list(latex))
+    if functions is not None and (sides := split_pieces(pieces, _MAPS))[1:] and _is_map(sides[0]):
+        shown = [Tree("shown", [_shown(side)]) for side in sides if side]
+        return Parsed(tuple(shown), ("→",) * (len(shown) - 1))
     tokens, chose = tokens_of(pieces, known, functions, wide_arguments)
     try:
         tree = _parser().parse([_terminal(token) for token in tokens])
@@ -98,6 +104,19 @@ def parsed(
         raise UnreadableError(*_explained(error, end)) from error
     children: list[Any] = tree.children
     return Parsed(tuple(children[::2]), tuple(map(str, children[1::2])), chose)
+
+
+_MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
+
+
+def _is_map(side: Sequence[Piece]) -> bool:
+    r"""Whether a side is that of a map, such as ``f : A`` before an arrow to B: it is shown, and states nothing."""
+    return any(piece.text in (":", r"\colon") for piece in outside_braces(side))
+
+
+def _shown(pieces: Sequence[Piece]) -> Token:
+    text = "".join(piece.text for piece in pieces).strip()
+    return Token("SHOWN", text, start_pos=pieces[0].place)
 
 
 def unaligned(pieces: Sequence[Piece]) -> list[Piece]:
@@ -292,6 +311,9 @@ class _Expressions(_Gathering):
         return found
 
     opaque = symbol
+
+    def shown(self, token: Token) -> Any:
+        raise UnreadableError(f"{token} is shown, and not computed", token.start_pos)
 
     def call(self, token: Token, arguments: list[Any]) -> Any:
         function = self.names(str(token))
@@ -584,6 +606,9 @@ class _Texts(_Gathering):
         return self.names(str(token)), _ATOM
 
     opaque = symbol
+
+    def shown(self, token: Token) -> Text:
+        return f"[{' '.join(token.split())}]", _ATOM
 
     def call(self, token: Token, arguments: list[Text]) -> Text:
         return f"{self.names(str(token))}({_listed(arguments)})", _ATOM

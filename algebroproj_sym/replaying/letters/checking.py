@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
 from fractions import Fraction
@@ -39,6 +40,10 @@ RULES: Mapping[str, tuple[str, str]] = {
     "left inverse": ("A**-1*A - eye(n)", ""),
     "right inverse": ("A*A**-1 - eye(n)", ""),
     "determinant of an inverse": ("det(A**-1)*det(A) - 1", ""),
+    "adjugate of a regular matrix": ("det(A)*A**-1 - adj(A)", ""),
+    "determinant of a product": ("det(A*B) - det(A)*det(B)", ""),
+    "determinant of a rank-one update": ("det(A + B*C.T) - det(A) - C.T*adj(A)*B", ""),
+    "Schur complements": ("det(A)*det(D - C*A**-1*B) - det(D)*det(A - B*D**-1*C)", ""),
     "left adjugate": ("adj(A)*A - det(A)*eye(n)", ""),
     "right adjugate": ("A*adj(A) - det(A)*eye(n)", ""),
     "two cross products": ("skew(A)*skew(B) - B*A.T + dot(A, B)*eye(3)", ""),
@@ -46,10 +51,11 @@ RULES: Mapping[str, tuple[str, str]] = {
     "nested cross product": ("skew(skew(A)*B) - B*A.T + A*B.T", ""),
     "rotated cross product": ("skew(A*B)*A - A*skew(B)", "rotation"),
 }
-"""What is zero for A, and B, and which property the letter A needs, and B too if both are diagonal.
+"""What is zero for A, B, C, D, and which property the letter A needs, and B too if both are diagonal.
 
 n is the number of rows of A.
 """
+_SQUARE = {"determinant of a product": "AB", "determinant of a rank-one update": "A", "Schur complements": "AD"}
 
 
 def require_in_letters(record: Mapping[str, Any]) -> None:
@@ -66,7 +72,7 @@ def require_in_letters(record: Mapping[str, Any]) -> None:
         If it does not.
     """
     given, certificate = stated(record), record["certificate"]
-    statement = without_derivatives(without_definitions(without_lengths(given)))
+    statement = without_definitions(without_derivatives(without_lengths(given)))
     if record["verdict"] == "refuted":
         require(certificate["method"] == "counterexample", "expected the method 'counterexample'")
         require(record["hypotheses"] == [], "a counterexample needs no hypotheses")
@@ -120,7 +126,7 @@ class _AtPoint:
             require(same and has_properties(letter, letters[name]), f"{name} is not what it is declared to be")
         numbers = {name: entry(name, point[name]) for name in symbols}
         entries = Entries(Algebra(numbers.__getitem__, Fraction), letters, sizes, turn)
-        for node in given.constraints:
+        for node in without_derivatives(given).constraints:
             require(not any(map(any, entries.of(node))), "the point violates a constraint")
         if turn is not None:
             self._require_homogeneous(statement, turn)
@@ -198,12 +204,17 @@ def _zero(words: Words, shapes: Mapping[str, Any], name: Any, of: Any, constrain
         return constraints[place]
     require(name in RULES, f"there is no rule {name!r}")
     text, needed = RULES[name]
-    arguments = dict(zip("AB", (read(part, shapes) for part in texts(of)), strict=False))
-    require(len(arguments) == len(of) == (2 if "B" in text else 1), "a rule is of other parts")
+    needed_letters = sorted({*re.findall(r"\b[A-D]\b", text)})
+    require(len(texts(of)) == len(needed_letters), "a rule is of other parts")
+    arguments = dict(zip(needed_letters, (read(part, shapes) for part in of), strict=True))
     if needed:
         _require_property(words, arguments["A"], needed, turned=name == "rotated cross product")
     if needed == "diagonal":
         _require_property(words, arguments["B"], needed, turned=False)
+    if name in _SQUARE:
+        sizes = [arguments[letter].shape for letter in _SQUARE[name]]
+        require(all(rows == columns for rows, columns in sizes), f"{name}: expected square matrices")
+        require(name != "determinant of a product" or sizes[0] == sizes[1], f"{name}: expected matrices of one size")
     size = arguments["A"].shape[0]
     template = read(text.replace("(n)", f"({size})"), {key: node.shape for key, node in arguments.items()})
     return words.poly(changed(template, lambda node: arguments[node.value] if node.kind == "letter" else None))

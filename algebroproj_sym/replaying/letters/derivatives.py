@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
-from algebroproj_sym.replaying.letters.reading import NUMBER, Node, constant, made, parts_of
-from algebroproj_sym.replaying.letters.statement import Statement
+from algebroproj_sym.replaying.letters.reading import NUMBER, Node, changed, constant, made, parts_of
+from algebroproj_sym.replaying.letters.statement import Statement, without_definitions
 from algebroproj_sym.replaying.rejection import Rejected, require
 
 _LINEAR = {"transpose", "trace", "skew", "vee", "vec", "diag", "conj", "pure", "imag", "hat", "ad", "entry", "sum"}
@@ -22,7 +23,14 @@ def without_derivatives(statement: Statement) -> Statement:
     """Put for each derivative what it is, by the rules of sums, products and chains."""
     if not any(part.kind.endswith("diff") for node in statement.nodes for part in parts_of(node)):
         return statement
-    return statement.every(lambda node: _without(node, statement))
+
+    def worked_out(node: Node) -> Node | None:
+        if not node.kind.endswith("diff"):
+            return None
+        inside = without_definitions(replace(statement, left=node))
+        return _without(inside.left, inside)
+
+    return statement.every(lambda node: changed(node, worked_out))
 
 
 def _without(node: Node, statement: Statement) -> Node:

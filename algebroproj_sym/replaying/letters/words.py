@@ -282,9 +282,20 @@ class Words:
         return result
 
     def adjugate(self, poly: Poly) -> Poly:
-        """Return the adjugate, which is not expanded."""
+        """Return the adjugate, of a product factor by factor; that of a number is one."""
+        if poly.shape == NUMBER:
+            return self.constant(1)
         if not poly.terms:
-            raise NotReplayable("the adjugate of zero")
+            require(isinstance(poly.shape[0], int), "the adjugate of a zero matrix of any size")
+            self.is_sized = True
+            return poly
+        if len(poly.terms) == 1 and self._has_square_factors(poly):
+            (((numbers, word), value),) = poly.terms.items()
+            if len(word) != 1 and not numbers and value == 1:
+                result = self.constant(1, poly.shape)
+                for atom in reversed(word):
+                    result = self.times(result, self.adjugate(self._atom(atom)))
+                return result
         name, turned = f"adj[{poly.text()}]", f"adj[{self.transpose(poly).text()}]"
         opposite = f"adj[{self.plus(self.constant(0, poly.shape), poly, -1).text()}]"
         if turned == opposite:

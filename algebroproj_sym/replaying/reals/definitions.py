@@ -430,6 +430,21 @@ def _ratio(above: Term, below: Term) -> Term:
     return above if _is(below, 1) else over(above, below)
 
 
+def explicit(term: Term) -> Term:
+    """Return a term with its derivatives and expansions carried out.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.replaying.reals.terms import read, written
+    >>> written(explicit(read("x*diff(x**2, x)")))
+    'x*(2*x)'
+    """
+    if term.kind == "taylor":
+        return expansion(term)
+    args = tuple(map(explicit, term.args))
+    return derivative(args[0], term.value) if term.kind == "diff" else Term(term.kind, term.value, args)
+
+
 def kinds(term: Term) -> frozenset[str]:
     """Return the kinds of all parts of a term, as it is written."""
     return frozenset(part.kind for part in term.parts())

@@ -221,6 +221,17 @@ def equal_powers(theory: Theory, step: Step) -> None:
     theory.add("=", left - right)
 
 
+def order_of_powers(theory: Theory, step: Step) -> None:
+    """Conclude a >= b if a**n >= b**n and a >= 0, and a > b if a**n > b**n."""
+    larger, smaller = theory.read(step["larger"]), theory.read(step["smaller"])
+    degree = _count(step["degree"])
+    require(degree > 0, "expected a positive degree")
+    theory.require(">=", larger, "order of powers: the larger side")
+    rise = larger**degree - smaller**degree
+    theory.require(">=", rise, "order of powers: the difference of the powers")
+    theory.add(">" if theory.holds(">", rise) else ">=", larger - smaller)
+
+
 def _angle(theory: Theory, step: Step) -> tuple[Element, Element, Element]:
     angle = theory.read(step["angle"])
     return angle, _known(theory, "sin", angle), _known(theory, "cos", angle)
@@ -263,24 +274,38 @@ def cosine_in_range(theory: Theory, step: Step) -> None:
 
 
 def range_of_sine(theory: Theory, step: Step) -> None:
-    """Conclude 0 < F < pi if sin F > 0 and -pi <= F <= 2*pi."""
+    """Conclude 0 < F < pi if sin F > 0 and -pi <= F <= 2*pi, and 0 <= F <= pi if sin F >= 0 and -pi < F < 2*pi."""
     angle, sin, _ = _angle(theory, step)
-    theory.require(">", sin, "the sine")
-    theory.require(">=", angle + theory.pi, "the angle plus pi")
-    theory.require(">=", theory.number(2) * theory.pi - angle, "2*pi minus the angle")
-    theory.add(">", angle)
-    theory.add(">", theory.pi - angle)
+    sides = [angle + theory.pi, theory.number(2) * theory.pi - angle]
+    _in_range(theory, "the sine", sin, sides, [angle, theory.pi - angle])
 
 
 def range_of_cosine(theory: Theory, step: Step) -> None:
-    """Conclude -pi/2 < F < pi/2 if cos F > 0 and -3*pi/2 <= F <= 3*pi/2."""
+    """Conclude -pi/2 < F < pi/2 if cos F > 0 and -3*pi/2 <= F <= 3*pi/2, and likewise with < and <= exchanged."""
     angle, _, cos = _angle(theory, step)
-    theory.require(">", cos, "the cosine")
     double, three = theory.number(2) * angle, theory.number(3) * theory.pi
-    theory.require(">=", three - double, "3*pi/2 minus the angle")
-    theory.require(">=", three + double, "3*pi/2 plus the angle")
-    theory.add(">", theory.pi - double)
-    theory.add(">", theory.pi + double)
+    _in_range(theory, "the cosine", cos, [three - double, three + double], [theory.pi - double, theory.pi + double])
+
+
+def _in_range(theory: Theory, about: str, value: Element, asked: Sequence[Element], found: Sequence[Element]) -> None:
+    """Add that what is found is positive if a value is, or not negative if a value is and what is asked is positive."""
+    strict = theory.holds(">", value)
+    theory.require(">=", value, about)
+    for side in asked:
+        theory.require(">=" if strict else ">", side, "the distance of the angle from the ends of its range")
+    for side in found:
+        theory.add(">" if strict else ">=", side)
+
+
+def order_of_sines(theory: Theory, step: Step) -> None:
+    """Conclude A > B if sin A > sin B and both A and B are from -pi/2 to pi/2; likewise with >= and =."""
+    larger, smaller = (theory.read(step[key]) for key in ("larger", "smaller"))
+    for angle in (larger, smaller):
+        for side in (theory.pi - theory.number(2) * angle, theory.pi + theory.number(2) * angle):
+            theory.require(">=", side, "the distance to a quarter turn")
+    rise = _known(theory, "sin", larger) - _known(theory, "sin", smaller)
+    theory.require(">=", rise, "the difference of the sines")
+    theory.add(next(relation for relation in ("=", ">", ">=") if theory.holds(relation, rise)), larger - smaller)
 
 
 def sign_function(theory: Theory, step: Step) -> None:
@@ -326,12 +351,14 @@ LAWS: Mapping[str, tuple[Callable[[Theory, Step], None], frozenset[str]]] = {
     "exponents": (exponents, frozenset({"target", "parts"})),
     "logarithms": (logarithms, frozenset({"target", "parts"})),
     "equal powers": (equal_powers, frozenset({"left", "right", "degree"})),
+    "order of powers": (order_of_powers, frozenset({"larger", "smaller", "degree"})),
     "zero of sine": (zero_of_sine, frozenset({"angle"})),
     "full turn": (full_turn, frozenset({"angle"})),
     "sine in range": (sine_in_range, frozenset({"angle"})),
     "cosine in range": (cosine_in_range, frozenset({"angle"})),
     "range of sine": (range_of_sine, frozenset({"angle"})),
     "range of cosine": (range_of_cosine, frozenset({"angle"})),
+    "order of sines": (order_of_sines, frozenset({"larger", "smaller"})),
     "strict bounds": (strict_bounds, frozenset({"target"})),
     "sign function": (sign_function, frozenset({"target"})),
 }

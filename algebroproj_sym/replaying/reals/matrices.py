@@ -85,7 +85,7 @@ def require_real_form(record: Mapping[str, Any]) -> None:
         require(record["relation"] == "=", "matrices are equal, or are not compared")
         statements = entries_of(record)
     if record["verdict"] == "refuted":
-        require_keys(certificate, {"method", "bits", "entry"})
+        require_keys(certificate, {"method", "proof" if "proof" in certificate else "bits", "entry"})
         place = natural(certificate["entry"])
         require(place < len(statements), "there is no such entry")
         own = {key: value for key, value in certificate.items() if key != "entry"}

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from algebroproj_sym.replaying.reals.comparisons import compared, comparisons, equations
-from algebroproj_sym.replaying.reals.definitions import Condition, conditions
+from algebroproj_sym.replaying.reals.definitions import Condition, conditions, explicit, kinds, replaced
 from algebroproj_sym.replaying.reals.integrals import (
     antiderivative,
     differentiated,
@@ -20,7 +20,7 @@ from algebroproj_sym.replaying.reals.integrals import (
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import MOST_BITS
 from algebroproj_sym.replaying.reals.proofs import require_proof
-from algebroproj_sym.replaying.reals.terms import CALCULUS, COMPLEX, Term, UnreadableError, read, written
+from algebroproj_sym.replaying.reals.terms import CALCULUS, COMPLEX, Term, UnreadableError, negative, read, written
 from algebroproj_sym.replaying.reals.theory import RESERVED, Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require, require_keys
@@ -122,6 +122,37 @@ class Statement:
         except UndecidedError:
             return False
 
+    def at(self, point: Mapping[str, Term], *, fails: bool) -> list[Condition]:
+        """Return what says that both sides are defined and the conditions hold at a point; if so asked, that it fails.
+
+        Examples
+        --------
+        >>> statement = Statement(read("sin(x)"), read("1"), relation="<")
+        >>> [(relation, written(term)) for relation, term in statement.at({"x": read("pi/2")}, fails=True)]
+        [('>=', '-(1 - sin(pi/2))')]
+        """
+        values = [pair for value in point.values() for pair in conditions(value)]
+        given = [pair for own in (*self.given, *self.domain) for pair in (*conditions(own[1]), own)]
+        found = [*values, *given, *self.asked(), *([opposite(self.goal)] if fails else [])]
+        return [(relation, _at(explicit(term), point)) for relation, term in found]
+
+
+def opposite(condition: Condition) -> Condition:
+    """Return what holds where a condition does not."""
+    relation, term = condition
+    if relation in _EITHER:
+        return _EITHER[relation], term
+    return ">=" if relation == ">" else ">", negative(term)
+
+
+_EITHER = {"=": "!=", "!=": "="}
+
+
+def _at(term: Term, point: Mapping[str, Term]) -> Term:
+    for name, value in point.items():
+        term = replaced(term, name, value)
+    return term
+
 
 RELATIONS = ("=", "!=", "<", "<=", ">", ">=")
 KEYS = {"lhs", "rhs", "relation", "assumptions", "constraints", "nonzero"}
@@ -220,13 +251,18 @@ def require_real(record: Mapping[str, Any]) -> None:
     if verdict not in ("proved", "refuted"):
         raise NotReplayable("what is not decided has no evidence")
     if verdict == "refuted":
+        require(record["hypotheses"] == [], "a counterexample needs no hypotheses")
+        if certificate.keys() == {"method", "proof"}:
+            require(certificate["method"] == "exact point", "expected the method 'exact point'")
+            _require_at(statement, record["counterexample"], certificate["proof"], fails=True)
+            return
         require(certificate.keys() == {"method", "bits"}, "expected method and bits")
         require(certificate["method"] == "enclosures", "expected the method 'enclosures'")
-        require(record["hypotheses"] == [], "a counterexample needs no hypotheses")
         require(_fails(statement, record["counterexample"], certificate["bits"]), "the sides are not told apart")
         return
     require(record["counterexample"] is None, "what is proved has no counterexample")
-    require_keys(certificate, {"method", "functions", "proof", "witness", "bits"}, {"integrals"})
+    shown = "at witness" if "at witness" in certificate else "bits"
+    require_keys(certificate, {"method", "functions", "proof", "witness", shown}, {"integrals"})
     require(certificate["method"] == "real laws", "expected the method 'real laws'")
     integrals = with_ends(statement.sides)
     require(
@@ -235,7 +271,10 @@ def require_real(record: Mapping[str, Any]) -> None:
     printed = statement
     statement, found = with_antiderivatives(printed, certificate.get("integrals", []))
     require(record["hypotheses"] == printed.hypotheses(found), "the hypotheses are not those of the text")
-    _fails(statement, certificate["witness"], certificate["bits"])
+    if shown == "bits":
+        _fails(statement, certificate["witness"], certificate["bits"])
+    else:
+        _require_at(printed, certificate["witness"], certificate["at witness"], fails=False)
     theory = statement.theory()
     require(certificate["functions"] == functions_of(theory), "the functions are not those of the statement")
     for integral, entry in zip(integrals, certificate.get("integrals", []), strict=True):
@@ -268,6 +307,24 @@ def functions_of(theory: Theory) -> dict[str, str]:
 def _shown(theory: Theory, name: str) -> str:
     function, degree, args = theory.applications[name]
     return f"{function if not degree else f'root{degree}'}({', '.join(map(theory.text, args))})"
+
+
+def _require_at(statement: Statement, point: Any, proof: Mapping[str, Any], *, fails: bool) -> None:
+    """Reject a proof, about numbers alone, that a statement says something at a point, or fails there."""
+    require(isinstance(point, Mapping) and point.keys() == statement.symbols(), "expected a value for every symbol")
+    require(not with_ends(statement.sides), "expected no integral")
+    values = {name: _number(text) for name, text in point.items()}
+    require_proof(Theory(()), statement.at(values, fails=fails), proof)
+
+
+def _number(text: Any) -> Term:
+    require(isinstance(text, str), "expected the text of a number")
+    try:
+        found = read(text)
+    except UnreadableError as error:
+        raise Rejected(f"a number cannot be read: {error}") from None
+    require(not found.symbols() and not kinds(found) & (CALCULUS | COMPLEX), "expected a real number")
+    return found
 
 
 def _fails(statement: Statement, point: Any, bits: Any) -> bool:

@@ -86,8 +86,9 @@ class Equation:
 
     @property
     def quotes(self) -> tuple[Quote, ...]:
-        """What the paper prints."""
-        return tuple(dict.fromkeys(entry.quote for entry in self.entries if entry.quote is not None))
+        """What the paper prints, each piece once."""
+        found = dict.fromkeys(entry.quote for entry in self.entries if entry.quote is not None)
+        return tuple(quote for quote in found if not any({*quote.read} < {*other.read} for other in found))
 
     @property
     def counts(self) -> Mapping[str, int]:

@@ -26,7 +26,7 @@ from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.symbols import MOST, Symbols, names_of
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.arranging import Part, as_declared
-from algebroproj_sym.showing.display import markdown
+from algebroproj_sym.showing.display import formula
 from algebroproj_sym.showing.marks import MARK, Marks
 
 MOST_LISTED = 12
@@ -62,18 +62,28 @@ def claim_html(
         with_graph=with_graph,
         cell=catalogue.cell_of(entry),
         record=record,
-        markdown=markdown(entry.judgement),
-        bibtex=bibtex(paper.about),
+        copies=_copies(entry, paper, record),
         question=question(record) if catalogue.live else None,
         previous=paper.entries[place - 1] if place else None,
         following=paper.entries[place + 1] if place + 1 < len(paper.entries) else None,
     )
 
 
+def _copies(entry: Entry, paper: Paper, record: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Return what a reader can copy, and its name; the address of the page has no text."""
+    python = record["printed"] or record["corrected"]
+    found = {
+        "TeX": formula(entry.judgement),
+        "Python": python if isinstance(python, str) else "",
+        "BibTeX": bibtex(paper.about),
+    }
+    return [*((what, text) for what, text in found.items() if text), ("link", "")]
+
+
 def paper_files(catalogue: Catalogue, paper: Paper, with_graph: frozenset[str]) -> dict[str, str]:
     """Return the pages that list the claims of a paper, of which some sections have a graph: all, and the errata."""
     address = paper_page(paper.about.key)
-    shown = {"line": _line, "with_graph": with_graph, "most_listed": MOST_LISTED}
+    shown = {"line": _line, "stated": _stated, "with_graph": with_graph, "most_listed": MOST_LISTED}
     files = {address: page("paper", address, catalogue=catalogue, paper=paper, **shown)}
     address = errata_page(paper.about.key)
 
@@ -98,9 +108,15 @@ def paper_files(catalogue: Catalogue, paper: Paper, with_graph: frozenset[str]) 
     return files
 
 
-def figures(catalogue: Catalogue) -> list[tuple[str, str, int]]:
-    """Return the figures of the site: what is counted, its verdict, and how often it occurs."""
+def start_html(catalogue: Catalogue) -> str:
+    """Return the first page."""
     counts = summary([entry.judgement for entry in catalogue.entries])
+    shown = {"figures": _figures(catalogue, counts), "verdicts": counts, "headlines": _headlines(catalogue)}
+    return page("start", START, catalogue=catalogue, **shown)
+
+
+def _figures(catalogue: Catalogue, counts: Mapping[str, int]) -> list[tuple[str, str, int]]:
+    """Return what is counted, its verdict, and how often it occurs."""
     return [
         ("claims", "", len(catalogue.entries)),
         ("hold as printed", "proved", counts.get("proved", 0)),
@@ -110,7 +126,7 @@ def figures(catalogue: Catalogue) -> list[tuple[str, str, int]]:
     ]
 
 
-def headlines(catalogue: Catalogue, most: int = 3) -> list[tuple[Entry, Markup, Markup, Markup]]:
+def _headlines(catalogue: Catalogue, most: int = 3) -> list[tuple[Entry, Markup, Markup, Markup]]:
     """Return the first findings that change results and are marked in a line: claim, both forms, what follows."""
     every = dict(by_grade(gathered([entry.judgement for entry in catalogue.entries])))
     found = []

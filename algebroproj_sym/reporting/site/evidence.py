@@ -43,6 +43,7 @@ METHODS = {
     "matrices of every size that fits. The rules and sums are below.",
     "entries": "Both sides are equal entry by entry, with the entries below for the letters.",
     "real laws": "What is stated follows by the laws of real functions below, wherever the conditions hold.",
+    "exact point": "It fails at a point whose coordinates are exact numbers, by the laws of real functions below.",
     "enclosures": "It fails at a rational point. There both sides were enclosed in intervals that show it.",
     "divergence": "The expression has a pole where the variable goes to zero.",
 }
@@ -166,7 +167,7 @@ def _readable(value: Any) -> Markup | str:
         if all(isinstance(each, int) for each in value):
             return ", ".join(map(str, value))
         return Markup("<ul>{}</ul>").format(_items(value))
-    return _code(value) if isinstance(value, str) else str(value)
+    return _code(value) if isinstance(value, str) else _item(value)
 
 
 def _items(values: Iterable[Any]) -> Markup:

@@ -8,7 +8,7 @@ from algebroproj_sym.declaring import quotes_of
 from algebroproj_sym.reporting.ledger import ledger
 from algebroproj_sym.reporting.site.addresses import LEDGER, PROVER, SEARCH, START, records
 from algebroproj_sym.reporting.site.catalogue import Catalogue
-from algebroproj_sym.reporting.site.claim_pages import claim_html, figures, headlines, paper_files
+from algebroproj_sym.reporting.site.claim_pages import claim_html, paper_files, start_html
 from algebroproj_sym.reporting.site.folder import MARKER
 from algebroproj_sym.reporting.site.function_pages import function_files
 from algebroproj_sym.reporting.site.graph_pages import graph_files, graphs_of
@@ -31,13 +31,13 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
     claims = {(claim["paper"], claim["number"]): claim for claim in record["claims"]}
     symbols = symbols_in(catalogue)
     files = {
-        START: page("start", START, catalogue=catalogue, figures=figures(catalogue), headlines=headlines(catalogue)),
+        START: start_html(catalogue),
         SEARCH: page("search", SEARCH, catalogue=catalogue),
         MARKER: search_script(catalogue, symbols),
         LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",
         "style.css": style(),
         "font-licence.txt": licence(),
-        **{name: static(name) for name in ("search.js", "copy.js", "graph.js", "symbols.js")},
+        **{name: static(name) for name in ("icon.svg", "search.js", "copy.js", "graph.js", "symbols.js")},
     }
     for paper in catalogue.papers:
         graphs = graphs_of(catalogue, paper)

@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterable
 
+from algebroproj_sym.reporting.site.addresses import paper_page
 from algebroproj_sym.reporting.site.catalogue import Catalogue
 from algebroproj_sym.reporting.site.symbols import Symbols, names_of
 from algebroproj_sym.showing.names import plain_name
@@ -14,7 +15,7 @@ MOST_SYMBOLS = 60
 
 
 def search_index(catalogue: Catalogue, symbols: Symbols) -> list[list[str]]:
-    """Return an entry for each claim and function: address, where, number or name, title, verdict, symbols."""
+    """Return an entry for each claim, function and paper: address, where, number or name, title, verdict, symbols."""
     claims = [
         [
             entry.page,
@@ -38,7 +39,18 @@ def search_index(catalogue: Catalogue, symbols: Symbols) -> list[list[str]]:
         ]
         for page, kernel in kernels
     ]
-    return claims + functions
+    papers = [
+        [
+            paper_page(paper.about.key),
+            "paper",
+            paper.about.key,
+            f"{paper.about.title} {paper.about.origin}",
+            "",
+            "errata",
+        ]
+        for paper in catalogue.papers
+    ]
+    return claims + functions + papers
 
 
 def search_script(catalogue: Catalogue, symbols: Symbols) -> str:

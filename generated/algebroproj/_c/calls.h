@@ -92,6 +92,26 @@ static int leading_of_alike(const struct call *call, PyObject *const *arguments,
     return leading;
 }
 
+/* Whether a result of this type and shape can be written into an array, which shares no memory with the arguments. */
+static int takes_result(PyObject *given, const int type, const int dimensions, const npy_intp *shape,
+                        PyObject *const *arguments, const int count)
+{
+    PyArrayObject *array = (PyArrayObject *)given;
+    if (!PyArray_CheckExact(array) || PyArray_TYPE(array) != type || !PyArray_ISCARRAY(array)
+        || PyArray_NDIM(array) != dimensions || !PyArray_CompareLists(PyArray_DIMS(array), shape, dimensions)) {
+        return 0;
+    }
+    const char *first = PyArray_BYTES(array), *end = first + PyArray_NBYTES(array);
+    for (int k = 0; k < count; k++) {
+        PyArrayObject *argument = (PyArrayObject *)arguments[k];
+        const char *start = PyArray_BYTES(argument);
+        if (start < end && first < start + PyArray_NBYTES(argument)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* Run a loop as NumPy does; return -1 if an exception was to be raised. */
 static int run(const struct call *call, const int place, char **data, const npy_intp points, const npy_intp *steps)
 {
@@ -106,7 +126,8 @@ static int run(const struct call *call, const int place, char **data, const npy_
     return raised ? PyUFunc_GiveFloatingpointErrors(call->name, numbered(raised)) : 0;
 }
 
-/* The results for arguments that are alike, for others None. */
+/* The results for arguments that are alike, None for others, and where something overflows or underflows.  An array
+   behind the arguments is where the one result is to be written. */
 static PyObject *evaluated(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
     const struct call *call = PyCapsule_GetPointer(self, NULL);
@@ -115,7 +136,8 @@ static PyObject *evaluated(PyObject *self, PyObject *const *arguments, Py_ssize_
     }
     npy_intp shape[NPY_MAXDIMS], steps[MOST_OPERANDS * (1 + MOST_DIMENSIONS)];
     char *data[MOST_OPERANDS];
-    const int leading = count == call->arguments ? leading_of_alike(call, arguments, shape) : -1;
+    const int is_given = call->results == 1 && count == call->arguments + 1;
+    const int leading = is_given || count == call->arguments ? leading_of_alike(call, arguments, shape) : -1;
     const int type = leading < 0 ? -1 : PyArray_TYPE((PyArrayObject *)arguments[0]);
     const int place = leading < 0 ? -1 : loop_of(type);
     if (place < 0) {
@@ -127,7 +149,12 @@ static PyObject *evaluated(PyObject *self, PyObject *const *arguments, Py_ssize_
     PyObject *results = PyTuple_New(call->results);
     for (int k = 0; results != NULL && k < call->results; k++) {
         const int dimensions = put_core(shape, leading, &call->shapes[call->arguments + k]);
-        PyObject *result = PyArray_SimpleNew(dimensions, shape, type);
+        PyObject *result = is_given ? arguments[call->arguments] : PyArray_SimpleNew(dimensions, shape, type);
+        if (is_given && !takes_result(result, type, dimensions, shape, arguments, call->arguments)) {
+            Py_DECREF(results);
+            Py_RETURN_NONE;
+        }
+        Py_XINCREF(is_given ? result : NULL);
         if (result == NULL) {
             Py_CLEAR(results);
         } else {
@@ -139,6 +166,11 @@ static PyObject *evaluated(PyObject *self, PyObject *const *arguments, Py_ssize_
     if (results == NULL || run(call, place, data, PyArray_MultiplyList(shape, leading), steps) < 0) {
         Py_XDECREF(results);
         return NULL;
+    }
+    if (has_exceeded) {
+        has_exceeded = 0;
+        Py_DECREF(results);
+        Py_RETURN_NONE;
     }
     for (int k = 0; k < call->results; k++) {
         PyTuple_SET_ITEM(results, k, PyArray_Return((PyArrayObject *)PyTuple_GET_ITEM(results, k)));
@@ -153,7 +185,7 @@ static PyObject *evaluated(PyObject *self, PyObject *const *arguments, Py_ssize_
 
 static PyMethodDef evaluation = {
     "evaluated", (PyCFunction)(void (*)(void))evaluated, METH_FASTCALL,
-    "Return the results for arrays that are alike, or None for other arguments.",
+    "Return the results for arrays that are alike; None for others, and where something overflows or underflows.",
 };
 
 /* Add a short call to a dictionary, under its ufunc. */

@@ -147,6 +147,9 @@ struct plain_kernel {
 
 static int fused_is_available = 0;
 
+/* Whether an intermediate result has overflowed or underflowed, which the caller then computes in another way. */
+static NPY_TLS int has_exceeded = 0;
+
 /* Read the steps of a generalized ufunc: first those of the points, then those of the core dimensions.  Rows that follow
    each other become one. */
 static void lay_out(struct layout *layouts, const struct shape *shapes, const int operands, const npy_intp *steps)
@@ -788,11 +791,6 @@ static struct kernel kernels[] = {
      FOURS_VERSION(projection_center_from_mu_fours),
      projection_center_from_mu_float_split, FUSED_VERSION(projection_center_from_mu_float_fused),
      projection_center_from_mu_double_split, FUSED_VERSION(projection_center_from_mu_double_fused)},
-    {"projection_from_camera", "(3,4),(4,3)->(3),(2),(3,2)", 2, 3, 0,
-     {{2, 3, 4}, {2, 4, 3}, {1, 1, 3}, {1, 1, 2}, {2, 3, 2}},
-     FOURS_VERSION(projection_from_camera_fours),
-     projection_from_camera_float_split, FUSED_VERSION(projection_from_camera_float_fused),
-     projection_from_camera_double_split, FUSED_VERSION(projection_from_camera_double_fused)},
     {"projection_mu_from_center", "(3),(2)->(3)", 2, 1, 0,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
      FOURS_VERSION(projection_mu_from_center_fours),
@@ -843,11 +841,6 @@ static struct kernel kernels[] = {
      FOURS_VERSION(projection_reconstruction_matrix_from_mu_fours),
      projection_reconstruction_matrix_from_mu_float_split, FUSED_VERSION(projection_reconstruction_matrix_from_mu_float_fused),
      projection_reconstruction_matrix_from_mu_double_split, FUSED_VERSION(projection_reconstruction_matrix_from_mu_double_fused)},
-    {"projection_to_camera", "(3),(2),(3,2),(4,3)->(3,4)", 4, 1, 0,
-     {{1, 1, 3}, {1, 1, 2}, {2, 3, 2}, {2, 4, 3}, {2, 3, 4}},
-     FOURS_VERSION(projection_to_camera_fours),
-     projection_to_camera_float_split, FUSED_VERSION(projection_to_camera_float_fused),
-     projection_to_camera_double_split, FUSED_VERSION(projection_to_camera_double_fused)},
     {"space_homography", "(4)->(4,4)", 1, 1, 0,
      {{1, 1, 4}, {2, 4, 4}},
      FOURS_VERSION(space_homography_fours),
@@ -873,16 +866,6 @@ static struct kernel kernels[] = {
      FOURS_VERSION(stereo_depths_fours),
      stereo_depths_float_split, FUSED_VERSION(stereo_depths_float_fused),
      stereo_depths_double_split, FUSED_VERSION(stereo_depths_double_fused)},
-    {"stereo_fundamental_matrix", "(3,3),(3,3),(3,3)->(3,3)", 3, 1, 0,
-     {{2, 3, 3}, {2, 3, 3}, {2, 3, 3}, {2, 3, 3}},
-     FOURS_VERSION(stereo_fundamental_matrix_fours),
-     stereo_fundamental_matrix_float_split, FUSED_VERSION(stereo_fundamental_matrix_float_fused),
-     stereo_fundamental_matrix_double_split, FUSED_VERSION(stereo_fundamental_matrix_double_fused)},
-    {"stereo_relative", "(3,3),(3),(3,3),(3)->(3,3),(3)", 4, 2, 0,
-     {{2, 3, 3}, {1, 1, 3}, {2, 3, 3}, {1, 1, 3}, {2, 3, 3}, {1, 1, 3}},
-     FOURS_VERSION(stereo_relative_fours),
-     stereo_relative_float_split, FUSED_VERSION(stereo_relative_float_fused),
-     stereo_relative_double_split, FUSED_VERSION(stereo_relative_double_fused)},
     {"stereo_residuals", "(3),(3,3),(3),(2),(2)->(2),(2)", 5, 2, 0,
      {{1, 1, 3}, {2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
      FOURS_VERSION(stereo_residuals_fours),
@@ -1161,10 +1144,6 @@ static struct plain_kernel plain_kernels[] = {
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
      call_projection_center_from_mu_float_plain, FUSED_VERSION(call_projection_center_from_mu_float_plain_fused),
      call_projection_center_from_mu_double_plain, FUSED_VERSION(call_projection_center_from_mu_double_plain_fused)},
-    {"plain_projection_from_camera", "(3,4),(4,3)->(3),(2),(3,2)", 2, 3,
-     {{2, 3, 4}, {2, 4, 3}, {1, 1, 3}, {1, 1, 2}, {2, 3, 2}},
-     call_projection_from_camera_float_plain, FUSED_VERSION(call_projection_from_camera_float_plain_fused),
-     call_projection_from_camera_double_plain, FUSED_VERSION(call_projection_from_camera_double_plain_fused)},
     {"plain_projection_mu_from_center", "(3),(2)->(3)", 2, 1,
      {{1, 1, 3}, {1, 1, 2}, {1, 1, 3}},
      call_projection_mu_from_center_float_plain, FUSED_VERSION(call_projection_mu_from_center_float_plain_fused),
@@ -1205,10 +1184,6 @@ static struct plain_kernel plain_kernels[] = {
      {{1, 1, 3}, {1, 1, 2}, {2, 3, 3}},
      call_projection_reconstruction_matrix_from_mu_float_plain, FUSED_VERSION(call_projection_reconstruction_matrix_from_mu_float_plain_fused),
      call_projection_reconstruction_matrix_from_mu_double_plain, FUSED_VERSION(call_projection_reconstruction_matrix_from_mu_double_plain_fused)},
-    {"plain_projection_to_camera", "(3),(2),(3,2),(4,3)->(3,4)", 4, 1,
-     {{1, 1, 3}, {1, 1, 2}, {2, 3, 2}, {2, 4, 3}, {2, 3, 4}},
-     call_projection_to_camera_float_plain, FUSED_VERSION(call_projection_to_camera_float_plain_fused),
-     call_projection_to_camera_double_plain, FUSED_VERSION(call_projection_to_camera_double_plain_fused)},
     {"plain_space_homography", "(4)->(4,4)", 1, 1,
      {{1, 1, 4}, {2, 4, 4}},
      call_space_homography_float_plain, FUSED_VERSION(call_space_homography_float_plain_fused),
@@ -1229,14 +1204,6 @@ static struct plain_kernel plain_kernels[] = {
      {{2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {0, 1, 1}, {0, 1, 1}},
      call_stereo_depths_float_plain, FUSED_VERSION(call_stereo_depths_float_plain_fused),
      call_stereo_depths_double_plain, FUSED_VERSION(call_stereo_depths_double_plain_fused)},
-    {"plain_stereo_fundamental_matrix", "(3,3),(3,3),(3,3)->(3,3)", 3, 1,
-     {{2, 3, 3}, {2, 3, 3}, {2, 3, 3}, {2, 3, 3}},
-     call_stereo_fundamental_matrix_float_plain, FUSED_VERSION(call_stereo_fundamental_matrix_float_plain_fused),
-     call_stereo_fundamental_matrix_double_plain, FUSED_VERSION(call_stereo_fundamental_matrix_double_plain_fused)},
-    {"plain_stereo_relative", "(3,3),(3),(3,3),(3)->(3,3),(3)", 4, 2,
-     {{2, 3, 3}, {1, 1, 3}, {2, 3, 3}, {1, 1, 3}, {2, 3, 3}, {1, 1, 3}},
-     call_stereo_relative_float_plain, FUSED_VERSION(call_stereo_relative_float_plain_fused),
-     call_stereo_relative_double_plain, FUSED_VERSION(call_stereo_relative_double_plain_fused)},
     {"plain_stereo_residuals", "(3),(3,3),(3),(2),(2)->(2),(2)", 5, 2,
      {{1, 1, 3}, {2, 3, 3}, {1, 1, 3}, {1, 1, 2}, {1, 1, 2}, {1, 1, 2}, {1, 1, 2}},
      call_stereo_residuals_float_plain, FUSED_VERSION(call_stereo_residuals_float_plain_fused),
@@ -1314,7 +1281,7 @@ static int execute(PyObject *module)
     }
     failed = failed < 0 ? -1 : PyModule_AddObjectRef(module, "calls", dictionary);
     Py_XDECREF(dictionary);
-    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "10066038292b559a");
+    return failed < 0 ? -1 : PyModule_AddStringConstant(module, "DIGEST", "2aaf656c2dd50be8");
 }
 
 static PyModuleDef_Slot slots[] = {
@@ -1322,11 +1289,25 @@ static PyModuleDef_Slot slots[] = {
     {0, NULL},
 };
 
+static PyObject *exceeded(PyObject *self, PyObject *unused)
+{
+    const int exceeded = has_exceeded;
+    has_exceeded = 0;
+    return PyBool_FromLong(exceeded);
+}
+
+static PyMethodDef methods[] = {
+    {"exceeded", exceeded, METH_NOARGS,
+     "Return whether an intermediate result overflowed or underflowed since the last call, in this thread."},
+    {NULL},
+};
+
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT,
     .m_name = "_compiled",
     .m_doc = "The kernels as generalized ufuncs.",
     .m_size = 0,
+    .m_methods = methods,
     .m_slots = slots,
 };
 

@@ -118,7 +118,9 @@ static void TYPED(loop)(char **data, const npy_intp *dimensions, const npy_intp 
         }
         if (raised_here) {
             feclearexcept(EXCEPTIONS);
-            if (!(kernel->refined && TYPED(finite)((const real (*)[BLOCK])out, row, points))) {
+            if (!kernel->refined && raised_here & (FE_OVERFLOW | FE_UNDERFLOW)) {
+                has_exceeded = 1;
+            } else if (!(kernel->refined && TYPED(finite)((const real (*)[BLOCK])out, row, points))) {
                 raised |= raised_here;
             }
         }

@@ -14,10 +14,10 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any, Literal
 
-__all__ = ["backend", "calls", "ufunc"]
+__all__ = ["backend", "calls", "exceeded", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "10066038292b559a"
+DIGEST = "2aaf656c2dd50be8"
 """What identifies the C source that belongs to this package."""
 
 
@@ -58,3 +58,7 @@ _COMPILED = _chosen()
 
 calls: Mapping[Any, Callable[..., Any]] = getattr(_COMPILED, "calls", {})
 """For each ufunc what does the same for arrays of one dtype and one leading shape, sooner; for others it gives None."""
+
+exceeded: Callable[[], bool] = getattr(_COMPILED, "exceeded", bool)
+"""Whether an intermediate result of a compiled function overflowed or underflowed since this was asked last, in this
+thread."""

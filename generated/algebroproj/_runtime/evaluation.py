@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib import import_module
 from itertools import combinations, product
 from math import prod
@@ -22,8 +22,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .backend import calls
+from .backend import calls, exceeded
+from .exponents import repeated
 from .namespace import is_foreign, is_traced, namespace
+from .pairs import DIGITS
 from .threads import is_large, shared
 
 __all__ = ["Signature", "evaluate"]
@@ -59,6 +61,9 @@ class Signature:
         The compiled versions of the body, with compensation and without.
     plain : bool
         Whether the body is to compute without compensation.
+    reach : int, optional
+        Whether points are to be computed once more where something overflows or underflows: that is harmless where
+        float64 arguments are zero, or between ``2**-reach`` and ``2**reach`` in absolute value.
     """
 
     name: str
@@ -68,6 +73,7 @@ class Signature:
     twin: Any = None
     plain_twin: Any = None
     plain: bool = False
+    reach: int | None = None
 
 
 def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = None) -> Any:
@@ -95,8 +101,8 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
         If an argument lacks its core shape, the leading shapes do not broadcast, `out` has another shape, or arrays in
         `out` share memory.
     TypeError
-        If an argument is not numeric or has a mask, `out` has another dtype, arrays of several libraries meet, or
-        ``jax.jit`` is to compile what needs extra digits.
+        If an argument is not numeric or has a mask, `out` has another dtype, arrays of several libraries meet, objects
+        are given to an elementary function, or ``jax.jit`` is to compile what needs extra digits.
 
     Examples
     --------
@@ -104,16 +110,15 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     >>> float(evaluate(ratio, lambda x0, x1: (x0 / x1,), ([1, 2],)))
     0.5
     """
-    if signature.twin is not None and (out is None or _is_small(out)):
-        results = calls[signature.twin](*given)
-        if results is not None and out is None:
-            return results
-        if results is not None and _has_room(out, results):
-            out[...] = results
-            return out
-    if signature.twin is not None and _are_alike(given) and (out is None or _is_fitting(signature, given, out)):
+    if signature.twin is not None:
+        results = calls[signature.twin](*given) if out is None else calls[signature.twin](*given, out)
+        if results is not None:
+            return results if out is None else out
+    if signature.twin is not None and out is None and _are_alike(given):
         try:
-            return signature.twin(*given) if out is None else signature.twin(*given, out)
+            results = signature.twin(*given)
+            if not exceeded():
+                return results
         except ValueError:  # another shape, of which the rest of this function knows what to say
             pass
     if any(map(is_foreign, given)):
@@ -122,26 +127,36 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     require_no_mask(signature, given)
     batch = batch_of(signature, [array.shape for array in arrays])
     dtype = _dtype(signature, given, arrays)
-    if signature.twin is not None and dtype in COMPILED:
-        arrays = [array.astype(dtype, copy=False) for array in arrays]
-        if is_large(batch):
-            return _of_many_points(signature, arrays, batch, dtype, out)
-        wanted = (None,) * len(signature.results) if out is None else _checked(signature, out, batch, dtype)
-        return signature.twin(*arrays, out=wanted)
     if dtype.kind == "O":
+        if body.__name__ == f"_{signature.name}" and (called := elementary(body)):
+            raise TypeError(f"{signature.name}: expected machine numbers, which {called[0]} takes, got dtype object")
         arrays, body = _exact(arrays, body)
-    results = _allocated(signature, batch, dtype) if out is None else _checked(signature, out, batch, dtype)
-    if not batch:
-        values = _of_a_point(signature, body, arrays, dtype)
-        if out is None:
-            return values[0] if len(values) == 1 else values
-        for result, value in zip(results, values, strict=True):
-            result[...] = value
-        return out
+    is_compiled = signature.twin is not None and dtype in COMPILED
+    if is_compiled:
+        arrays = [array.astype(dtype, copy=False) for array in arrays]
+        if out is None and not is_large(batch):
+            results = signature.twin(*arrays)
+            if not exceeded():
+                return results
     if out is not None:
+        results = _checked(signature, out, batch, dtype)
         arrays = [_apart(array, results) for array in arrays]
-    _fill(signature, body, arrays, results, batch, dtype)
-    return results[0] if len(results) == 1 else results
+    elif is_compiled:
+        results = tuple(np.empty(batch + core, dtype) for core in signature.results)
+    else:
+        results = _allocated(signature, batch, dtype)
+    if _fill(signature, body, arrays, results, batch, dtype) and signature.reach is not None:
+        cores = [core for _, core in signature.arguments]
+        repeated(body, [array.astype(dtype, copy=False) for array in arrays], cores, results, signature.reach)
+    if out is not None:
+        return out
+    values = tuple(result if result.ndim else result[()] for result in results)
+    return values[0] if len(values) == 1 else values
+
+
+def without_range(signature: Signature) -> int | None:
+    """Return the reach of what computes in another way with the same arguments: a range of none but zeros."""
+    return None if signature.reach is None else -1
 
 
 def parts_of(function: Callable[..., Any], asked: str) -> tuple[Signature, Body]:
@@ -169,6 +184,11 @@ def _brought_here(body: FunctionType) -> Body:
         if isinstance(value, FunctionType) and package.endswith("._runtime"):
             names[name] = getattr(import_module(f".{module}", __package__), value.__name__)
     return FunctionType(body.__code__, names, body.__name__)
+
+
+def elementary(body: Body) -> list[str]:
+    """Return the names of the elementary functions that the body of a generated function calls."""
+    return sorted({*body.__code__.co_names} - {"solve", "null_vector", *DIGITS})
 
 
 def placed(signature: Signature, arguments: Sequence[Any], named: Mapping[str, Any]) -> list[Any]:
@@ -230,30 +250,6 @@ def _are_alike(given: Sequence[Any]) -> bool:
     return dtype in COMPILED
 
 
-def _is_small(out: Any) -> bool:
-    """Whether copying a result into an array costs less than a ufunc that writes there."""
-    return type(out) is np.ndarray and out.size < BLOCK
-
-
-def _has_room(out: Any, result: Any) -> bool:
-    """Whether an array takes one result as it is."""
-    if isinstance(result, tuple) or out.dtype is not result.dtype:
-        return False
-    return bool(out.shape == result.shape and out.flags.writeable)
-
-
-def _is_fitting(signature: Signature, given: Sequence[Any], out: Any) -> bool:
-    """Whether alike arguments have the same leading shape, and the one array for the result has it as well."""
-    first = given[0]
-    if type(out) is not np.ndarray or out.dtype is not first.dtype or len(signature.results) > 1:
-        return False
-    batch = first.shape[: first.ndim - len(signature.arguments[0][1])]
-    cores = [core for _, core in signature.arguments]
-    return out.shape == batch + signature.results[0] and all(
-        array.shape == batch + core for array, core in zip(given, cores, strict=True)
-    )
-
-
 def batch_of(signature: Signature, shapes: Sequence[Shape]) -> Shape:
     """Return the shape that the leading dimensions of the arguments broadcast to."""
     batches = []
@@ -283,41 +279,6 @@ def _dtype(signature: Signature, given: Sequence[Any], arrays: Sequence[NDArray[
         pairs = zip(given, arrays, strict=True)
         dtype = np.result_type(*(value if _is_weak(value) else array.dtype for value, array in pairs))
     return dtype if dtype.kind in "fcO" else np.dtype(np.float64)
-
-
-def _of_many_points(
-    signature: Signature, arrays: Sequence[NDArray[Any]], batch: Shape, dtype: np.dtype[Any], out: Any
-) -> Any:
-    """Return the results of the compiled function, computed in threads."""
-    if out is None:
-        results = tuple(np.empty(batch + core, dtype) for core in signature.results)
-    else:
-        results = _checked(signature, out, batch, dtype)
-        arrays = [_apart(array, results) for array in arrays]
-    cores = [core for _, core in signature.arguments]
-    shared(
-        signature.twin,
-        batch,
-        [*zip(arrays, cores, strict=True)],
-        [*zip(results, signature.results, strict=True)],
-    )
-    return results[0] if len(results) == 1 else results
-
-
-def _of_a_point(
-    signature: Signature, body: Body, arrays: Sequence[NDArray[Any]], dtype: np.dtype[Any]
-) -> tuple[Any, ...]:
-    """Return the results at a single point: scalars are faster than arrays of one entry."""
-    values = body(*(entry for array in arrays for entry in array.astype(dtype, copy=False).reshape(-1)))
-    entries = np.empty(len(values), dtype)
-    for place, value in enumerate(values):
-        entries[place] = value
-    results, start = [], 0
-    for core in signature.results:
-        stop = start + prod(core)
-        results.append(entries[start:stop].reshape(core)[()])
-        start = stop
-    return tuple(results)
 
 
 def _allocated(signature: Signature, batch: Shape, dtype: np.dtype[Any]) -> tuple[NDArray[Any], ...]:
@@ -359,16 +320,41 @@ def _fill(
     results: Sequence[NDArray[Any]],
     batch: Shape,
     dtype: np.dtype[Any],
-) -> None:
+) -> bool:
+    """Compute results; return whether points are to be computed once more, as something overflowed or underflowed."""
     cores = [core for _, core in signature.arguments]
+    if signature.twin is not None and dtype in COMPILED:
+        if is_large(batch):
+            given, wanted = zip(arrays, cores, strict=True), zip(results, signature.results, strict=True)
+            return shared(signature.twin, batch, [*given], [*wanted])
+        signature.twin(*arrays, out=tuple(results))
+        return exceeded()
     entries = [entry for array, core in zip(arrays, cores, strict=True) for entry in _entries(array, core)]
     targets = [to for array, core in zip(results, signature.results, strict=True) for to in _entries(array, core)]
-    if prod(batch) <= signature.block:
-        values = body(*(entry.astype(dtype, copy=False) for entry in entries))
+    compute = partial(_run, body, entries, targets, batch, dtype, signature.block)
+    if signature.reach is None or dtype.kind != "f":
+        compute()
+        return False
+    kinds: set[str] = set()
+    with np.errstate(all="call", call=lambda kind, _: kinds.add(kind)):
+        compute()
+    if not kinds.isdisjoint(("overflow", "underflow")):
+        return True
+    if kinds:  # NumPy says what it has to say
+        compute()
+    return False
+
+
+def _run(
+    body: Body, entries: Sequence[Any], targets: Sequence[Any], batch: Shape, dtype: np.dtype[Any], size: int
+) -> None:
+    """Write what a body gives: for a single point from scalars, which are faster than arrays of one entry."""
+    if prod(batch) <= size:
+        values = body(*(entry.astype(dtype, copy=False)[()] for entry in entries))
         for target, value in zip(targets, values, strict=True):
             target[...] = value
         return
-    for block in _blocks(batch, signature.block):
+    for block in _blocks(batch, size):
         taken = (_part(entry, block).astype(dtype, order="C", copy=False) for entry in entries)
         for target, value in zip(targets, body(*taken), strict=True):
             target[block] = value

@@ -55,7 +55,7 @@ def plain(function: Callable[..., Any]) -> Callable[..., Any]:
     names |= {name: _once(names[name]) for name in ("solve", "null_vector") if name in names}
     names[body.__name__] = _with_names(body, names)
     names[f"_{function.__name__.upper()}_SIGNATURE"] = replace(
-        signature, block=BLOCK, twin=signature.plain_twin, plain=True
+        signature, block=BLOCK, twin=signature.plain_twin, plain=True, reach=None
     )
     return Wrapped(plain, function, "The same without compensation of sums that cancel.", _with_names(function, names))
 

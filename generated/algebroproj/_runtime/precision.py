@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .error_bounds import Bounded, guaranteed, high
-from .evaluation import Body, Signature, evaluate, parts_of, placed, reals
+from .evaluation import Body, Signature, evaluate, parts_of, placed, reals, without_range
 from .pairs import DoubleDouble
 from .wrapping import Wrapped
 
@@ -50,7 +50,8 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
     signature, body = parts_of(function, "dd")
     names = [f"{name} (second part)" for name, _ in signature.arguments]
     rests = tuple((name, core) for name, (_, core) in zip(names, signature.arguments, strict=True))
-    both = Signature(signature.name, (*signature.arguments, *rests), signature.results * 2)
+    arguments_of = (*signature.arguments, *rests)
+    both = Signature(signature.name, arguments_of, signature.results * 2, reach=without_range(signature))
 
     def with_twice_the_digits(*arguments: Any, **named: Any) -> Any:
         given = placed(signature, arguments, named)
@@ -99,11 +100,23 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
         given = reals(signature, placed(signature, arguments, named))
         with np.errstate(all="ignore"):
             parts = evaluate(both, on_bounded(body), given)
-        count = len(signature.results)
-        results = tuple(zip(parts[:count], parts[count:], strict=True))
+            count = len(signature.results)
+            values = function(*given)
+            several = (values,) if count == 1 else values
+            results = tuple(map(_about, several, parts[:count], parts[count:]))
         return results[0] if count == 1 else results
 
     return Wrapped(bounds, function, "Pairs of each result and a bound of its absolute error.", with_bounds)
+
+
+def _about(value: Any, other: Any, error: Any) -> tuple[Any, Any]:
+    """Return a value and a bound of its error, if there is a bound of the error of another one.
+
+    They differ where something overflows or underflows, of which only the function itself takes notice.
+    """
+    apart = abs(value - other)
+    wider = np.where(apart == 0, error, (error + apart) * (1 + 4 * np.finfo(apart.dtype).eps))
+    return value, np.where(np.isnan(wider), np.inf, wider)[()]
 
 
 @lru_cache(maxsize=256)

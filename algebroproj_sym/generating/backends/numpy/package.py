@@ -25,6 +25,7 @@ from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.operation_counts import operation_counts
 from algebroproj_sym.generating.program import Call, Step, run
+from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.generating.runtime.pairs import DIGITS
 from algebroproj_sym.generating.writing import NOTICE, PACKAGE
 
@@ -241,4 +242,6 @@ def _signature(low: Lowered) -> str:
     block = f", block={LINEAR_BLOCK}" if kernel.solves_systems else ""
     twin = f', twin=ufunc("{c_name(kernel)}")' if is_compiled(low) else ""
     twin += f', plain_twin=ufunc("plain_{c_name(kernel)}")' if is_compiled_plain(low) else ""
-    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin})".replace("'", '"')
+    found = reach(low.program)
+    range_of = f", reach={-1 if found is None else found}" if kernel.is_rational else ""
+    return f"Signature({kernel.name!r}, {arguments}, {results}{block}{twin}{range_of})".replace("'", '"')

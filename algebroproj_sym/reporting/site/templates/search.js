@@ -65,7 +65,7 @@ function item([address, where, number, title, verdict]) {
   const line = document.createElement("li");
   const link = document.createElement("a");
   link.href = address;
-  link.textContent = where === "function" ? number : `(${number})`;
+  link.textContent = ["function", "paper"].includes(where) ? number : `(${number})`;
   line.append(link, span(verdict && `verdict ${verdict}`, verdict), span("title", `${title} `, span("quiet", where)));
   return line;
 }

@@ -1,0 +1,58 @@
+"""Relations that do not hold, or that nothing decides: none may be said to follow."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ f(x) := \frac{dy}{dx} \] \[ f(2) = f(3) \]",
+        r"\[ f(x) := x_1 + x_2 \] \[ f(y) = f(z) \]",
+        r"\[ g := x^2 \] \[ f(x) := g + 1 \] \[ f(2) = f(3) \]",
+        r"\[ f(x) := \foo{x} + x \] \[ f(y) - y = f(z) - z \]",
+        r"\[ f(x) := \sum_{k=0}^x k \] \[ f(2) = f(3) \]",
+        r"Let $n = 3$. \[ \sum_n n a_n = \sum_n 3 a_n \]",
+        r"Let $n := 3$. \[ \sum_{n=0}^9 n = \sum_{n=0}^9 3 \]",
+        r"Let $x := 2$. \[ \int_0^1 x^2 dx = \int_0^1 4 dx \]",
+        r"Let $x := 2$. \[ \max_{x \in A} x = \max_{x \in A} 2 \]",
+        r"\[ \left. f \right|_{x=0} = \left. f \right|_{x=1} \]",
+        r"\[ S_{\{1\}} + 1 = S_1 + 1 \]",
+        r"\[ p(x|y) = p(y|x) \]",
+        r"\[ a \oplus b = b \oplus a \]",
+        r"\[ \nabla \cdot (f \mathbf{v}) = \mathbf{v} \cdot \nabla f \]",
+        r"\[ \partial_t (a b) = b \partial_t a \]",
+        r"\[ \nabla^2 (a b) = a \nabla^2 b \]",
+        r"\[ \operatorname{Var}(2 x) = 2 \operatorname{Var}(x) \]",
+        r"\[ \mathbb{E}[x y] = x \mathbb{E}[y] \]",
+        r"\[ E[x y] = x E[y] \]",
+        r"\[ \Gamma(x + 1) = x \Gamma + \Gamma \]",
+        r"\[ \mathrm{Cov}(a x, y) = a \mathrm{Cov}(x, y) \]",
+        r"The quaternions $p$ and $q$ have \[ p q = q p. \]",
+        r"Here $q$ is a unit quaternion, and $w$ is a vector. \[ \frac12 q w = \frac12 w q \]",
+        r"The matrices $A$ and $B$ have \[ (A + B)^2 = A^2 + 2 A B + B^2. \]",
+        r"\[ \mathbf{A} \uvec{b} = \uvec{b} \mathbf{A} \]",
+        r"\[ (A B)' = (B A)' \]",
+        r"\[ a \overset{!}{=} b \] \[ a = b + c - c \] \[ c a = c b + 1 \]",
+    ],
+)
+def test_what_does_not_hold_does_not_follow(latex):
+    assert read_document(document_of(latex))[-1].verdict not in ("follows", "contradicts")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ f(x) := x^2 + 1 \] \[ f(2) = 5 \]",
+        r"\[ f(x, y) := x y \] \[ f(2, 3) = 6 \]",
+        r"\[ \mathbf{\hat s} + \hat{\mathbf{s}} = 2 \mathbf{\hat{s}} \]",
+        r"\[ \sum_n 2 a_n = 2 \sum_n a_n \]",
+        r"\[ 2 \operatorname{Var}(x + y) - \operatorname{Var}(x + y) = \operatorname{Var}(x + y) \]",
+        r"The matrices $A$ and $B$ have \[ (A + B)^2 = A^2 + A B + B A + B^2. \]",
+    ],
+)
+def test_what_holds_follows(latex):
+    assert read_document(document_of(latex))[-1].verdict == "follows"

@@ -11,6 +11,8 @@ import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
+from errno import ENOSPC
+from pathlib import Path
 
 import distributed
 import numpy as np
@@ -255,6 +257,23 @@ def test_a_folder_has_one_run_at_a_time(tmp_path):
     assert "another run writes to this folder. Wait until it has ended" in result.stderr
     with held(tmp_path):
         assert [path.name for path in tmp_path.iterdir()] == [".lock"]
+
+
+def test_a_full_disk_is_an_error_and_the_sweep_goes_on_later(tmp_path, monkeypatch):
+    sweep = swept(tmp_path)
+    prepare(sweep)
+    write_bytes = Path.write_bytes
+
+    def full(path, content):
+        write_bytes(path, content[:100])
+        raise OSError(ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(Path, "write_bytes", full)
+        with pytest.raises(OSError, match="No space left"):
+            list(run(sweep))
+    assert not list(sweep.folder.rglob("*.partial"))
+    assert len(list(run(sweep))) == sweep.count
 
 
 def test_a_zarr_folder_has_the_same_values(reference, tmp_path):

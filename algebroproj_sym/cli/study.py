@@ -196,6 +196,11 @@ def _finish(sweep: Sweep, jobs: int, scheduler: str | None) -> None:
             f"study: the workers were lost. Finished parts are kept in {sweep.folder}: "
             "the same command goes on from there"
         ) from error
+    except OSError as error:
+        raise click.ClickException(
+            f"study: {sweep.folder} cannot be written ({error.strerror}). Finished parts are kept: "
+            "the same command goes on from there"
+        ) from error
     _show(sweep.study, sweeping.assemble(sweep), sweep.folder, sweep.result.name)
 
 

@@ -346,11 +346,6 @@ def test_an_open_entry_is_not_replayable():
 
 
 ERRORS = {
-    "rank": (
-        lambda s: s.rank("1.1", "t", printed=2, derived=A),
-        UnsupportedError,
-        "claim demo:1.1: expected rational forms for a claim of kind rank, got letters",
-    ),
     "limit": (
         lambda s: s.limit("1.1", "t", printed=sin(x), derived=sin(x), variable=x),
         UnsupportedError,

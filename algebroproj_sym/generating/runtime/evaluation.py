@@ -126,7 +126,8 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
     batch = batch_of(signature, [array.shape for array in arrays])
     dtype = _dtype(signature, given, arrays)
     if dtype.kind == "O":
-        if body.__name__ == f"_{signature.name}" and (called := elementary(body)):
+        called = [each for each in elementary(body) if body.__globals__[each].__module__.startswith(__package__)]
+        if called and body.__name__ == f"_{signature.name}":
             raise TypeError(f"{signature.name}: expected machine numbers, which {called[0]} takes, got dtype object")
         arrays, body = _exact(arrays, body)
     is_compiled = signature.twin is not None and dtype in COMPILED
@@ -186,7 +187,8 @@ def _brought_here(body: FunctionType) -> Body:
 
 def elementary(body: Body) -> list[str]:
     """Return the names of the elementary functions that the body of a generated function calls."""
-    return sorted({*body.__code__.co_names} - {"solve", "null_vector", *DIGITS})
+    called = {name for name in body.__code__.co_names if callable(body.__globals__.get(name))}
+    return sorted(called - {"solve", "null_vector", *DIGITS})
 
 
 def placed(signature: Signature, arguments: Sequence[Any], named: Mapping[str, Any]) -> list[Any]:

@@ -400,6 +400,7 @@ class _Question:
         try:
             claim = algebra.poly(statement.left) - algebra.poly(statement.right)
             constraints = [algebra.poly(term) for term in statement.constraints]
+            stated = algebra.is_sized
             rules = rules_for(algebra, [claim, algebra.poly(statement.left)], constraints)
             proof = proof_in_words(algebra, claim, rules)
         except NotWordsError:
@@ -408,7 +409,8 @@ class _Question:
             raise self._undefined() from None
         if proof is None:
             return None
-        scope = self._scope({}) if algebra.is_sized else "for every size"
+        is_sized = algebra.is_sized if proof["rules"] else stated
+        scope = self._scope({}) if is_sized else "for every size"
         return self._proved({"method": "words"} | proof, scope)
 
     def _proved(self, certificate: Mapping[str, Any], scope: str) -> Found:

@@ -129,7 +129,7 @@ class Statement:
         --------
         >>> statement = Statement(read("sin(x)"), read("1"), relation="<")
         >>> [(relation, written(term)) for relation, term in statement.at({"x": read("pi/2")}, fails=True)]
-        [('>=', '-(1 - sin(pi/2))')]
+        [('!=', '2'), ('>=', '-(1 - sin(pi/2))')]
         """
         values = [pair for value in point.values() for pair in conditions(value)]
         given = [pair for own in (*self.given, *self.domain) for pair in (*conditions(own[1]), own)]

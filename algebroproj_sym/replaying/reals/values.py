@@ -123,7 +123,7 @@ class Numbers:
             raise UndefinedError
 
     def __getattr__(self, name: str) -> Any:
-        raise NotImplementedError(name)
+        raise AttributeError(name) if name.startswith("__") else NotImplementedError(name)
 
 
 def require_small(*values: Fraction) -> None:

@@ -187,6 +187,14 @@ def values_of(low, dtype):
         return {s.name: np.array([sample[s.name] for sample in samples]).astype(dtype) for s in symbols}
 
 
+def computed_once(function):
+    """Return the NumPy source without its second computation, where something over- or underflows: C++ has none."""
+    source = without_twin(function)
+    constant = f"_{source.__name__.upper()}_SIGNATURE"
+    source.__globals__[constant] = replace(source.__globals__[constant], reach=None)
+    return source
+
+
 @compiling
 @pytest.mark.whole
 @pytest.mark.parametrize("kind", TYPES)
@@ -204,7 +212,7 @@ def test_every_function_gives_the_bits_of_the_numpy_source(kind, every, files, t
         entries = np.stack([values[symbol.name] for symbol in low.kernel.symbols], axis=-1)
         given.append(np.int64(len(entries)).tobytes() + entries.tobytes())
         with np.errstate(all="ignore"):
-            expected.append(call(without_twin(function_of(low.kernel, algebroproj)), low.kernel, values))
+            expected.append(call(computed_once(function_of(low.kernel, algebroproj)), low.kernel, values))
     done = subprocess.run([tmp_path / "run"], input=b"".join(given), capture_output=True, check=True)
     results = np.frombuffer(done.stdout, dtype)
     assert results.size == sum(part.size for part in expected)

@@ -186,10 +186,14 @@ def equation(by: Matrix) -> sympy.Expr:
 
 
 lines = vector(*(C * moved(change)[1])[:2, 0], *(C.T * moved(change)[0])[:2, 0])
-error, slope = equation(Matrix.zeros(4, 1)), dot(gradient, lines.xreplace(given(change, Matrix.zeros(4, 1))))
-bent = dot(gradient[:2, 0], C[:2, :2] * gradient[2:, 0])
+error, slope, bent = sympy.symbols("e h a")
+of_quadratic = {
+    error: equation(Matrix.zeros(4, 1)),
+    slope: dot(gradient, lines.xreplace(given(change, Matrix.zeros(4, 1)))),
+    bent: dot(gradient[:2, 0], C[:2, :2] * gradient[2:, 0]),
+}
+discriminant = slope**2 - 4 * bent * error
 step = over(-2 * error, slope + root) * gradient
-of_root = {"constraints": [root**2 - slope**2 + 4 * bent * error]}
 
 section.identity(
     "11/gradient",
@@ -201,14 +205,16 @@ section.identity(
     "11/nearest",
     "after a step the pair satisfies the equation",
     printed=0,
-    derived=equation(step),
-    **of_root,
+    derived=equation(step.xreplace(of_quadratic)),
+    constraints=[(root**2 - discriminant).xreplace(of_quadratic)],
 )
 
 # %% [markdown]
 # ## Functions
 
 # %%
+s = [vector(*row) for row in Matrix(4, 3, sympy.symbols("s:4:3")).tolist()]
+area = dot(s[1], cross(s[2], s[0])) * s[3][2]
 section.kernel(
     "projection.from_camera",
     "Parameters of 1996 of a camera matrix: (mu1, mu2, mu3) for mu0 = 1, u3, and the images of three basic points.",
@@ -222,6 +228,14 @@ section.kernel(
         "u3": u3,
         "g": rows(*images[:3]),
     },
+    form={
+        "mu": vector(*(over(each[2], s[0][2]) for each in s[1:])),
+        "u3": vector(
+            over(dot(s[3], cross(s[2], s[0])) * s[1][2], area), over(dot(s[3], cross(s[0], s[1])) * s[2][2], area)
+        ),
+        "g": rows(*(image(each) for each in s[:3])),
+    },
+    where={symbol: value for names, each in zip(s, seen, strict=True) for symbol, value in given(names, each).items()},
     claims=["11/camera"],
     example={
         "P": (("1000", "0", "500", "250"), ("0", "1000", "400", "-500"), ("0", "0", "1", "4")),
@@ -307,7 +321,7 @@ section.kernel(
         "x_right": ABOUT_RIGHT,
         "d": "The change so far; zeros in the beginning.",
     },
-    through=[let(given(gradient, lines)), sqrt(root, slope**2 - 4 * bent * error)],
+    through=[let(given(gradient, lines)), let(of_quadratic), sqrt(root, discriminant)],
     derived=step,
     claims=["11/gradient", "11/nearest"],
     example={

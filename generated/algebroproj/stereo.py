@@ -516,7 +516,7 @@ def _relative(
     )
 
 
-_RELATIVE_SIGNATURE = Signature("relative", (("R_left", (3, 3)), ("t_left", (3,)), ("R_right", (3, 3)), ("t_right", (3,))), ((3, 3), (3,)), twin=ufunc("stereo_relative"), plain_twin=ufunc("plain_stereo_relative"))
+_RELATIVE_SIGNATURE = Signature("relative", (("R_left", (3, 3)), ("t_left", (3,)), ("R_right", (3, 3)), ("t_right", (3,))), ((3, 3), (3,)), twin=ufunc("stereo_relative"), plain_twin=ufunc("plain_stereo_relative"), reach=305)
 
 
 def fundamental_matrix(C: ArrayLike, K_left: ArrayLike, K_right: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -629,7 +629,7 @@ def _fundamental_matrix(
     )
 
 
-_FUNDAMENTAL_MATRIX_SIGNATURE = Signature("fundamental_matrix", (("C", (3, 3)), ("K_left", (3, 3)), ("K_right", (3, 3))), ((3, 3),), twin=ufunc("stereo_fundamental_matrix"), plain_twin=ufunc("plain_stereo_fundamental_matrix"))
+_FUNDAMENTAL_MATRIX_SIGNATURE = Signature("fundamental_matrix", (("C", (3, 3)), ("K_left", (3, 3)), ("K_right", (3, 3))), ((3, 3),), twin=ufunc("stereo_fundamental_matrix"), plain_twin=ufunc("plain_stereo_fundamental_matrix"), reach=15)
 
 
 def _fundamental_matrix_factors(
@@ -816,20 +816,21 @@ def correction(C: ArrayLike, x_left: ArrayLike, x_right: ArrayLike, d: ArrayLike
         n1 = c12 + c10*(d2 + xpp) + c11*(d3 + ypp)
         n2 = c20 + c00*(d0 + xp) + c10*(d1 + yp)
         n3 = c21 + c01*(d0 + xp) + c11*(d1 + yp)
-        s = sqrt((n0*(c02 + c00*xpp + c01*ypp) + n1*(c12 + c10*xpp + c11*ypp) + n2*(c20 + c00*xp + c10*yp) + n3*(c21 + c01*xp + c11*yp))**2 - (4*n0*(c00*n2 + c01*n3) + 4*n1*(c10*n2 + c11*n3))*(c22 + c20*xpp + c21*ypp + xp*(c02 + c00*xpp + c01*ypp) + yp*(c12 + c10*xpp + c11*ypp)))
-        result[0] = n0*(-2*c22 - 2*c20*xpp - 2*c21*ypp - 2*xp*(c02 + c00*xpp + c01*ypp) - 2*yp*(c12 + c10*xpp + c11*ypp))/(s + n0*(c02 + c00*xpp + c01*ypp) + n1*(c12 + c10*xpp + c11*ypp) + n2*(c20 + c00*xp + c10*yp) + n3*(c21 + c01*xp + c11*yp))
-        result[1] = n1*(-2*c22 - 2*c20*xpp - 2*c21*ypp - 2*xp*(c02 + c00*xpp + c01*ypp) - 2*yp*(c12 + c10*xpp + c11*ypp))/(s + n0*(c02 + c00*xpp + c01*ypp) + n1*(c12 + c10*xpp + c11*ypp) + n2*(c20 + c00*xp + c10*yp) + n3*(c21 + c01*xp + c11*yp))
-        result[2] = n2*(-2*c22 - 2*c20*xpp - 2*c21*ypp - 2*xp*(c02 + c00*xpp + c01*ypp) - 2*yp*(c12 + c10*xpp + c11*ypp))/(s + n0*(c02 + c00*xpp + c01*ypp) + n1*(c12 + c10*xpp + c11*ypp) + n2*(c20 + c00*xp + c10*yp) + n3*(c21 + c01*xp + c11*yp))
-        result[3] = n3*(-2*c22 - 2*c20*xpp - 2*c21*ypp - 2*xp*(c02 + c00*xpp + c01*ypp) - 2*yp*(c12 + c10*xpp + c11*ypp))/(s + n0*(c02 + c00*xpp + c01*ypp) + n1*(c12 + c10*xpp + c11*ypp) + n2*(c20 + c00*xp + c10*yp) + n3*(c21 + c01*xp + c11*yp))
+        e = c22 + c20*xpp + c21*ypp + xp*(c02 + c00*xpp + c01*ypp) + yp*(c12 + c10*xpp + c11*ypp)
+        h = n0*(c02 + c00*xpp + c01*ypp) + n1*(c12 + c10*xpp + c11*ypp) + n2*(c20 + c00*xp + c10*yp) + n3*(c21 + c01*xp + c11*yp)
+        a = n0*(c00*n2 + c01*n3) + n1*(c10*n2 + c11*n3)
+        s = sqrt(h**2 - 4*a*e)
+        result[0] = -2*e*n0/(h + s)
+        result[1] = -2*e*n1/(h + s)
+        result[2] = -2*e*n2/(h + s)
+        result[3] = -2*e*n3/(h + s)
 
-    The result is not finite, and NumPy warns, where one of these is zero: ``c00*n0*xpp + c00*n2*xp + c01*n0*ypp +
-    c01*n3*xp + c02*n0 + c10*n1*xpp + c10*n2*yp + c11*n1*ypp + c11*n3*yp + c12*n1 + c20*n2 + c21*n3 + s``. The
-    function `hypotheses` of this package computes them. It is a number only where this is zero or positive: a
-    factor of a denominator above, of 2 terms.
+    The result is not finite, and NumPy warns, where one of these is zero: ``h + s``. The function `hypotheses` of
+    this package computes them. It is a number only where this is zero or positive: ``-4*a*e + h**2``.
 
-    Operations: 86 (36 additions, 1 subtraction, 43 multiplications, 1 division, 4 negations, 1 sqrt).
-    The derived expression takes 265 as written.
-    With compensation of sums that may cancel: 459 (39 of them compute errors of products).
+    Operations: 76 (31 additions, 1 subtraction, 38 multiplications, 1 division, 4 negations, 1 sqrt).
+    The derived expression takes 92 as written.
+    With compensation of sums that may cancel: 397 (33 of them compute errors of products).
 
     Examples
     --------
@@ -851,23 +852,19 @@ def _correction(
     n1 = rounded(t19)
     t10 = wide(xp) + d0
     t13 = wide(yp) + d1
-    t87 = wide(c20) + wide(c00) * t10 + wide(c10) * t13
-    n2 = rounded(t87)
-    t88 = wide(c21) + wide(c01) * t10 + wide(c11) * t13
-    n3 = rounded(t88)
-    t28 = wide(c02) + wide(c00) * xpp + wide(c01) * ypp
+    t59 = wide(c20) + wide(c00) * t10 + wide(c10) * t13
+    n2 = rounded(t59)
+    t75 = wide(c21) + wide(c01) * t10 + wide(c11) * t13
+    n3 = rounded(t75)
+    t27 = wide(c02) + wide(c00) * xpp + wide(c01) * ypp
     t33 = wide(c12) + wide(c10) * xpp + wide(c11) * ypp
-    t36 = t87 * (wide(c20) + wide(c00) * xp + wide(c10) * yp) + (t15 * t28 + t19 * t33)
-    t41 = t88 * (wide(c21) + wide(c01) * xp + wide(c11) * yp)
-    t42 = t36 + t41
-    t55 = wide(c20) * xpp
-    t57 = wide(c21) * ypp
-    t59 = wide(xp) * t28
-    t61 = wide(yp) * t33
-    t63 = (4 * t15 * (wide(c00) * t87 + wide(c01) * t88) + 4 * t19 * (wide(c10) * t87 + wide(c11) * t88)) * (wide(c22) + t55 + t57 + t59 + t61)
-    s = sqrt(t42 * t42 - t63)
-    t76 = rounded(2 * wide(c22) + t55 * 2 + t57 * 2 + t59 * 2 + t61 * 2) / rounded(t41 + t36 + s)
-    return -(n0 * t76), -(n1 * t76), -(n2 * t76), -(n3 * t76)
+    t82 = wide(c22) + wide(c20) * xpp + wide(c21) * ypp + wide(xp) * t27 + wide(yp) * t33
+    e = rounded(t82)
+    h = t15 * t27 + t19 * t33 + t59 * (wide(c20) + wide(c00) * xp + wide(c10) * yp) + t75 * (wide(c21) + wide(c01) * xp + wide(c11) * yp)
+    a = t15 * (wide(c00) * t59 + wide(c01) * t75) + t19 * (wide(c10) * t59 + wide(c11) * t75)
+    s = sqrt(h * h - 4 * a * t82)
+    t66 = 2 * e / rounded(h + s)
+    return -(n0 * t66), -(n1 * t66), -(n2 * t66), -(n3 * t66)
 
 
 _CORRECTION_SIGNATURE = Signature("correction", (("C", (3, 3)), ("x_left", (2,)), ("x_right", (2,)), ("d", (4,))), ((4,),))
@@ -885,25 +882,17 @@ def _correction_factors(
     t13 = wide(yp) + d1
     n2 = wide(c20) + wide(c00) * t10 + wide(c10) * t13
     n3 = wide(c21) + wide(c01) * t10 + wide(c11) * t13
-    t20 = wide(c00) * xpp
-    t22 = wide(c01) * ypp
-    t23 = wide(c02) + t20 + t22
-    t25 = wide(c10) * xpp
-    t27 = wide(c11) * ypp
-    t28 = wide(c12) + t25 + t27
-    t42 = n0 * t23 + n1 * t28 + n2 * (wide(c20) + wide(c00) * xp + wide(c10) * yp) + n3 * (wide(c21) + wide(c01) * xp + wide(c11) * yp)
-    t45 = wide(c00) * n2
-    t46 = wide(c01) * n3
-    t50 = wide(c10) * n2
-    t51 = wide(c11) * n3
-    t63 = (4 * n0 * (t45 + t46) + 4 * n1 * (t50 + t51)) * (wide(c22) + wide(c20) * xpp + wide(c21) * ypp + wide(xp) * t23 + wide(yp) * t28)
-    s = sqrt(t42 * t42 - t63)
-    t78 = s + wide(c02) * n0 + wide(c12) * n1 + wide(c20) * n2 + wide(c21) * n3 + t20 * n0 + t45 * xp + t22 * n0
-    return (rounded(t78 + t46 * xp + t25 * n1 + t50 * yp + t27 * n1 + t51 * yp),)
+    t27 = wide(c02) + wide(c00) * xpp + wide(c01) * ypp
+    t33 = wide(c12) + wide(c10) * xpp + wide(c11) * ypp
+    e = wide(c22) + wide(c20) * xpp + wide(c21) * ypp + wide(xp) * t27 + wide(yp) * t33
+    h = n0 * t27 + n1 * t33 + n2 * (wide(c20) + wide(c00) * xp + wide(c10) * yp) + n3 * (wide(c21) + wide(c01) * xp + wide(c11) * yp)
+    a = n0 * (wide(c00) * n2 + wide(c01) * n3) + n1 * (wide(c10) * n2 + wide(c11) * n3)
+    s = sqrt(h * h - 4 * a * e)
+    return (rounded(h + s),)
 
 
 _CORRECTION_FACTORS = (
-    "c00*n0*xpp + c00*n2*xp + c01*n0*ypp + c01*n3*xp + c02*n0 + c10*n1*xpp + c10*n2*yp + c11*n1*ypp + c11*n3*yp + c12*n1 + c20*n2 + c21*n3 + s",
+    "h + s",
 )
 
 

@@ -11,9 +11,12 @@ import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
+from errno import ECONNRESET, EDQUOT, ENOENT, ENOSPC
+from pathlib import Path
 
 import distributed
 import numpy as np
+import psutil
 import pytest
 import xarray
 from click.testing import CliRunner
@@ -257,6 +260,35 @@ def test_a_folder_has_one_run_at_a_time(tmp_path):
         assert [path.name for path in tmp_path.iterdir()] == [".lock"]
 
 
+def test_a_full_disk_is_an_error_and_the_sweep_goes_on_later(tmp_path, monkeypatch):
+    sweep = swept(tmp_path)
+    prepare(sweep)
+    write_bytes = Path.write_bytes
+
+    def full(path, content):
+        write_bytes(path, content[:100])
+        raise OSError(ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(Path, "write_bytes", full)
+        with pytest.raises(OSError, match="No space left"):
+            list(run(sweep))
+    assert not list(sweep.folder.rglob("*.partial"))
+    assert len(list(run(sweep))) == sweep.count
+
+
+@pytest.mark.parametrize(("number", "told"), [(ENOSPC, True), (EDQUOT, True), (ENOENT, False), (ECONNRESET, False)])
+def test_only_an_error_of_writing_is_told_as_one(tmp_path, monkeypatch, number, told):
+    def broken(*_):
+        raise OSError(number, "broken")
+
+    monkeypatch.setattr("algebroproj_sym.study.sweeping.write", broken)
+    result = invoke("example", "--members", "4", "--out", str(tmp_path))
+    assert result.exit_code == 1
+    assert ("cannot be written (broken)" in result.stderr) is told
+    assert isinstance(result.exception, OSError) is not told
+
+
 def test_a_zarr_folder_has_the_same_values(reference, tmp_path):
     sweep = swept(tmp_path, output="zarr")
     _, dataset = finished(sweep)
@@ -365,6 +397,24 @@ def test_a_killed_sweep_loses_nothing_and_doubles_nothing(undisturbed, tmp_path)
     with read(tmp_path / "example.nc") as dataset:
         assert np.array_equal(dataset[MEMBER], np.arange(120))
     assert not (tmp_path / "chunks").exists()
+
+
+@pytest.mark.whole
+@pytest.mark.xdist_group("sweeps")
+def test_a_killed_worker_ends_a_sweep_with_a_message_and_it_goes_on_later(undisturbed, tmp_path):
+    arguments = command(tmp_path, "--jobs", "2")
+    with subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+        wait_for(lambda: len(list((tmp_path / "chunks").glob("0*.nc"))) >= 2)
+        workers = [each for each in psutil.Process(process.pid).children() if "spawn_main" in " ".join(each.cmdline())]
+        workers[0].kill()
+        told = process.stderr.read().decode()
+    assert process.returncode == 1
+    assert f"the workers were lost. Finished parts are kept in {tmp_path}" in " ".join(told.split())
+    assert "Traceback" not in told
+    kept = {path: path.stat().st_mtime_ns for path in (tmp_path / "chunks").glob("0*.nc")}
+    assert len(kept) >= 2
+    assert subprocess.run(command(tmp_path), stdout=subprocess.DEVNULL, check=False).returncode == 0
+    assert (tmp_path / "example.nc").read_bytes() == undisturbed
 
 
 def wait_for(condition, seconds=300):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, ProcessPoolExecutor
 from contextlib import ExitStack, contextmanager
+from errno import EACCES, EDQUOT, ENOSPC, EROFS
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -27,6 +28,7 @@ REQUIREMENT = "algebroproj-sym[study]"
 CONNECTING = "10s"
 REDRAW = "redraw"
 CHUNKS_PER_WORKER = 2
+NOT_WRITABLE = (EACCES, EDQUOT, ENOSPC, EROFS)
 """How many chunks are under way for each worker: one is computed while another one is kept."""
 
 
@@ -191,12 +193,20 @@ def _finish(sweep: Sweep, jobs: int, scheduler: str | None) -> None:
             done = sweeping.run(sweep, executor, CHUNKS_PER_WORKER * workers)
             for _ in progressing(done, left, sweep.study.name):
                 pass
+        dataset = sweeping.assemble(sweep)
     except (BrokenExecutor, CancelledError) as error:
         raise click.ClickException(
             f"study: the workers were lost. Finished parts are kept in {sweep.folder}: "
             "the same command goes on from there"
         ) from error
-    _show(sweep.study, sweeping.assemble(sweep), sweep.folder, sweep.result.name)
+    except OSError as error:
+        if error.errno not in NOT_WRITABLE:
+            raise
+        raise click.ClickException(
+            f"study: {sweep.folder} cannot be written ({error.strerror}). Finished parts are kept: "
+            "the same command goes on from there"
+        ) from error
+    _show(sweep.study, dataset, sweep.folder, sweep.result.name)
 
 
 def _show(study: Study, dataset: xarray.Dataset, out: Path, *written: str) -> None:

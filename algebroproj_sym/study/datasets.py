@@ -84,7 +84,13 @@ def write(dataset: xarray.Dataset, path: Path) -> None:
         If the file cannot be written.
     """
     temporary = _beside(path)
-    dataset.to_netcdf(temporary, engine=ENGINE)
+    # HDF5 would end the process if it could not write: on a full disk Python raises an error.
+    content = bytes(dataset.to_netcdf(engine=ENGINE))
+    try:
+        temporary.write_bytes(content)
+    except OSError:
+        temporary.unlink(missing_ok=True)
+        raise
     temporary.replace(path)
 
 

@@ -267,7 +267,8 @@ def report(dataset: xarray.Dataset) -> str:
     lines = [
         f"{dataset.sizes[MEMBER]} stereo pairs. 68 % intervals of linear propagation are compared with random samples.",
         "At these values of the dimensionless numbers the error reaches 1 %, 5 % and 15 %: first its median over the",
-        "pairs, then its 90 % quantile.",
+        "pairs, then its 90 % quantile. They hold for pairs of this make: aerial ones of eight points. In scenes of",
+        "another make the ends of Z reached 15 % by det A5 at 0.22, not at 0.14. So one is right to a factor of two.",
     ]
     for output, words in OUTPUTS.items():
         lines.append(f"{words}:")

@@ -97,9 +97,14 @@ def opened(browser, problems, **options):
     page = browser.new_page(**options)
     page.on("console", lambda message: problems.append((page.url, message.text)) if message.type == "error" else None)
     page.on("pageerror", lambda error: problems.append((page.url, str(error))))
-    page.on("requestfailed", lambda request: problems.append((page.url, f"cannot be loaded: {request.url}")))
+    page.on("requestfailed", lambda request: problems.extend(failure(page.url, request)))
     page.on("request", lambda request: None if is_local(request.url) else problems.append((page.url, request.url)))
     return page
+
+
+def failure(where, request):
+    """Return what cannot be loaded; what the next page interrupts, such as an icon, can be."""
+    return [] if request.failure == "net::ERR_ABORTED" else [(where, f"cannot be loaded: {request.url}")]
 
 
 def is_local(address):

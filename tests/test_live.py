@@ -216,11 +216,17 @@ class Quiet(SimpleHTTPRequestHandler):
 
 
 @pytest.fixture(scope="module")
-def served(tmp_path_factory):
-    """A site with the prover, and the address where it is."""
+def folder(tmp_path_factory):
+    """A site with the prover."""
     folder = tmp_path_factory.mktemp("live") / "site"
     command = [sys.executable, "-m", "algebroproj_sym", "report", "fundamentals1996:3.3", "bridges:5", "--samples", "2"]
     subprocess.run([*command, "--live", "--out", str(folder)], check=True, capture_output=True)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def served(folder):
+    """The address where it is."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=folder))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     yield f"http://127.0.0.1:{server.server_port}"
@@ -255,6 +261,12 @@ def page(served, browser):
 class TestBrowser:
     def verdict(self, page):
         return page.locator("output .verdict").inner_text()
+
+    def test_the_evidence_stands_once_on_a_site_and_the_modules_are_compiled(self, folder):
+        with ZipFile(folder / "live" / "algebroproj_sym.zip") as archive:
+            assert {Path(name).suffix for name in archive.namelist()} == {".pyc"}
+        evidence = [path.name for path in folder.glob("**/*.json") if b'"certificate"' in path.read_bytes()]
+        assert evidence == ["ledger.json"]
 
     def test_a_claim_is_checked_again_and_a_changed_sign_is_refuted(self, served, page):
         page.goto(f"{served}/fundamentals1996/3.3.7~right.html")

@@ -114,6 +114,20 @@ def test_a_cell_that_fails_is_an_error_that_names_module_and_cause(tmp_path):
         run_notebook(derivation)
 
 
+SLOW = """
+import IPython, time
+if shell := IPython.get_ipython():
+    shell.kernel.iopub_thread.schedule(lambda: time.sleep(6))
+section.identity("1.1", "one", printed=x, derived=x)
+"""
+
+
+@pytest.mark.whole
+def test_what_a_cell_shows_is_waited_for_on_a_loaded_machine(tmp_path):
+    """Jupyter sends it apart from the news that the cell has run; it used to be lost if it came four seconds later."""
+    assert [number for number, _ in shown(run_notebook(module(tmp_path, SLOW)))] == ["1.1"]
+
+
 def test_a_claim_that_no_cell_shows_is_an_error(tmp_path):
     derivation = module(tmp_path, 'section.identity("1.1", "one", printed=x, derived=x)')
     path = derivation.path

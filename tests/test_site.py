@@ -406,11 +406,10 @@ def test_addresses_are_permanent():
 
 def test_a_preview_says_what_the_page_says(demo):
     for name, page in pages(demo).items():
-        shown = {
-            each.get("property") or each.get("name"): each["content"] for each in page.all("meta") if "content" in each
-        }
-        assert f"<title>{escape(shown['og:title'])}</title>" in page.text, name
-        assert shown["og:description"] == shown["description"] != "", name
+        shown = {each["property"]: each for each in page.all("meta") if "property" in each}
+        assert f"<title>{escape(shown['og:title']['content'])}</title>" in page.text, name
+        assert shown["og:description"]["name"] == "description"
+        assert shown["og:description"]["content"], name
     assert "Misprint. The printed form is refuted. The corrected form is proved. demo." in demo["demo/1.4~+a.html"]
 
 
@@ -577,6 +576,17 @@ def test_a_function_page_has_formula_claims_figures_and_plot(site):
         assert part in text
     ElementTree.fromstring(re.search(r"<svg.*?</svg>", text, re.DOTALL).group())
     assert 'href="../functions/correlation.design_row.html"' in site["fundamentals1996/2.2.4.html"]
+
+
+@pytest.mark.whole
+def test_a_long_factor_does_not_run_out_of_a_picture(tmp_path):
+    """It stands whole among those that must not vanish."""
+    result = CliRunner().invoke(main, ["report", "fundamentals1996:1.4", "--out", str(tmp_path), "--samples", "2"])
+    assert result.exit_code == 0, result.output
+    text = (tmp_path / "functions" / "affine.plane_coordinates.html").read_text(encoding="utf-8")
+    named = re.findall(r">(near [^<]* …)<", text)
+    assert [*map(named.count, {*named})] == [3], "in both pictures and in the table"
+    assert not re.search(r">near [^<]{48}", text)
 
 
 def edges(picture):

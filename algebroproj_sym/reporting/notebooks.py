@@ -51,6 +51,7 @@ def run_notebook(derivation: Derivation) -> Notebook:
         notebook,
         km=kernel,
         timeout=CELL_SECONDS,
+        iopub_timeout=CELL_SECONDS,
         extra_arguments=["--log-level=ERROR"],
         resources={"metadata": {"path": str(derivation.path.parent)}},
     )

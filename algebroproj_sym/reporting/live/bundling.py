@@ -14,13 +14,13 @@ from shutil import which
 from tempfile import TemporaryDirectory
 from zipfile import ZipFile, ZipInfo
 
-from algebroproj_sym.reporting.live.fetching import FetchError, Package, fetched, pinned
+from algebroproj_sym.reporting.live.fetching import FetchError, fetched, pinned
 
 FOLDER = "live"
 PYTHON = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
 """What is taken of Python for the browser."""
 
-OWN = "algebroproj_sym.zip"
+OWN = "algebroproj_sym"
 _PARTS = ("__init__.py", "expressions", "proving", "replaying", "reporting/__init__.py", "reporting/live")
 _EARLIEST = (1980, 1, 1, 0, 0, 0)
 _UNIX = 3
@@ -39,9 +39,12 @@ def live_files() -> dict[str, bytes]:
         contents = {package: fetched(package, folder) for package in pinned()}
         python = _python(next(content for package, content in contents.items() if package.registry == "npm"))
         wheels = {package: content for package, content in contents.items() if package.registry == "PyPI"}
-        modules = {package.name: _loaded(package, content, python, folder) for package, content in wheels.items()}
-    listed = [{"name": name, "file": file} for name, (file, _) in modules.items()]
-    found = {**python, **dict(modules.values()), OWN: own_sources(), "modules.json": json.dumps(listed).encode()}
+        pure = {package.name: wheel for package, wheel in wheels.items() if package.file.endswith("-none-any.whl")}
+        modules = _compiled({OWN: own_sources(), **pure}, python, folder)
+    loaded = {package: f"{package.name}.zip" if package.name in pure else package.file for package in wheels}
+    listed = [{"name": package.name, "file": file} for package, file in loaded.items()]
+    found = {file: wheels[package] for package, file in loaded.items()} | modules | python
+    found["modules.json"] = json.dumps(listed).encode()
     found |= {script: _own(f"templates/{script}") for script in ("live.js", "worker.js")}
     return {f"{FOLDER}/{name}": content for name, content in found.items()}
 
@@ -52,20 +55,18 @@ def _python(package: bytes) -> dict[str, bytes]:
         return {name: member.read() for name, member in members.items() if member}
 
 
-def _loaded(package: Package, wheel: bytes, python: Mapping[str, bytes], folder: Path) -> tuple[str, bytes]:
-    """Return the file that a page loads for a wheel: the wheel, or its modules compiled if all are in Python."""
-    if not package.file.endswith("-none-any.whl"):
-        return package.file, wheel
+def _compiled(archives: Mapping[str, bytes], python: Mapping[str, bytes], folder: Path) -> dict[str, bytes]:
+    """Return the ZIP files that a page loads for archives of Python modules: the same modules, compiled."""
     if which("node") is None:
-        raise FetchError(f"node is not installed; it compiles {package.name}")
+        raise FetchError("node is not installed; it compiles the modules for the browser")
     own = {"compiling.py": _own("compiling.py"), "compile.mjs": _own("templates/compile.js")}
-    for name, content in {**python, **own, package.file: wheel}.items():
+    for name, content in {**python, **own, **archives}.items():
         (folder / name).write_bytes(content)
-    command = ["node", "compile.mjs", package.file]
+    command = ["node", "compile.mjs", *archives]
     ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if ended.returncode:
-        raise FetchError(f"{package.name} {package.version} cannot be compiled.\n{ended.stderr[-1000:].strip()}")
-    return f"{package.name}.zip", (folder / f"{package.file}.zip").read_bytes()
+        raise FetchError(f"The modules for the browser cannot be compiled.\n{ended.stderr[-1000:].strip()}")
+    return {f"{name}.zip": (folder / f"{name}.zip").read_bytes() for name in archives}
 
 
 def _own(name: str) -> bytes:
@@ -90,7 +91,7 @@ def own_sources() -> bytes:
 
 def _modules(place: Traversable, name: str) -> dict[str, bytes]:
     if place.is_file():
-        return {name: place.read_bytes()} if name.endswith((".py", ".lark")) else {}
+        return {name: place.read_bytes()} if name.endswith(".py") else {}
     found: dict[str, bytes] = {}
     for inner in place.iterdir():
         found |= _modules(inner, f"{name}/{inner.name}")

@@ -59,11 +59,6 @@ def claim_page(paper: str, number: str) -> str:
     return f"{paper}/{slug(number)}.html"
 
 
-def records(paper: str, section: str) -> str:
-    """Return the address of what the ledger says of the claims of a section."""
-    return f"{paper}/records-{slug(section)}.json"
-
-
 def symbols_page(paper: str) -> str:
     """Return the address of the page of the symbols of a paper."""
     return f"{paper}/symbols.html"

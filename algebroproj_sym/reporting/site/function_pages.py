@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from textwrap import shorten
 from typing import Any
 
 from markupsafe import Markup
@@ -20,7 +22,7 @@ from algebroproj_sym.reporting.site.plots import accuracy_plot, distance_plot
 from algebroproj_sym.reporting.site.tables import Table
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.latex import latex
-from algebroproj_sym.verifying.accuracy import BOUND, Stratum
+from algebroproj_sym.verifying.accuracy import BOUND, Accuracy, Stratum
 from algebroproj_sym.verifying.verification import Verification
 
 _MEANINGS = {
@@ -53,6 +55,10 @@ def _source(module: str, name: str) -> str:
     return ast.get_source_segment(module, found) or ""
 
 
+LONGEST_NAME = 48
+"""Characters of the name of a stratum; a longer factor stands whole among those that must not vanish."""
+
+
 def function_files(catalogue: Catalogue) -> dict[str, str]:
     """Return a page for each function, and the list."""
     files = {f.page: _page(catalogue, f) for f in catalogue.functions}
@@ -64,6 +70,8 @@ def _page(catalogue: Catalogue, function: Function) -> str:
     low = function.lowered
     kernel = low.kernel
     figures = function.verification
+    strata = [replace(s, name=shorten(s.name, LONGEST_NAME, placeholder=" …")) for s in figures.accuracy.strata]
+    accuracy = replace(figures.accuracy, strata=tuple(strata))
     return page(
         "function",
         function.page,
@@ -77,9 +85,9 @@ def _page(catalogue: Catalogue, function: Function) -> str:
         singular=low.hypotheses,
         claims=[(number, _claim(catalogue, kernel, number)) for number in kernel.claims],
         figures=figures,
-        accuracy=_accuracy(figures),
-        plot=accuracy_plot(figures.accuracy),
-        near=[(stratum.name, distance_plot(stratum)) for stratum in figures.accuracy.strata if stratum.near],
+        accuracy=_accuracy(accuracy),
+        plot=accuracy_plot(accuracy),
+        near=[(stratum.name, distance_plot(stratum)) for stratum in strata if stratum.near],
         operations=_operations(low),
         bound=f"{BOUND:g}",
     )
@@ -119,10 +127,9 @@ def _stage(stage: Stage) -> list[Markup]:
     return [Markup("<p>{} {}</p>{}").format(names, _MEANINGS[stage.primitive], block(stage.form))]
 
 
-def _accuracy(figures: Verification) -> Table:
-    strata = figures.accuracy.strata
-    rows = [(s.name, *_figures(s)) for s in strata]
-    rows.append(("all", *_figures(figures.accuracy.overall)))
+def _accuracy(accuracy: Accuracy) -> Table:
+    rows = [(s.name, *_figures(s)) for s in accuracy.strata]
+    rows.append(("all", *_figures(accuracy.overall)))
     headings = ("stratum", "samples", "median ULP", "largest ULP", "largest error/(cond u)", "undetermined")
     return Table("Errors against 50 digits of the derivation", headings, rows, numeric=True)
 

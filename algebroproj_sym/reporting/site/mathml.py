@@ -10,8 +10,8 @@ from markupsafe import Markup
 
 Style: TypeAlias = Literal["block", "large", "inline"]
 
-_ATTRIBUTES = {"block": 'display="block"', "large": 'displaystyle="true"', "inline": 'display="inline"'}
-_OPENING = re.compile(r"<math[^>]*>")
+_ATTRIBUTES = {"block": ' display="block"', "large": ' displaystyle="true"', "inline": ""}
+_AROUND_ALL = re.compile(r"<math[^>]*><mrow>(.*)</mrow></math>", re.DOTALL)
 _AS_BY_DEFAULT = re.compile(r' stretchy="true" fence="true" form="\w+"')
 _CODE = re.compile("&#x0(?!0026|003C|003E)([0-9A-F]{4});")
 _AROUND_TABLE = re.compile(r"<mrow>(?=<mo>([\[|])</mo><mtable)")
@@ -34,11 +34,11 @@ def math(formula: str, style: Style = "large") -> Markup:
     Examples
     --------
     >>> print(math("u_{31}"))
-    <math displaystyle="true"><mrow><msub><mi>u</mi><mn>31</mn></msub></mrow></math>
+    <math displaystyle="true"><msub><mi>u</mi><mn>31</mn></msub></math>
     """
     from latex2mathml.converter import convert
 
-    written = _OPENING.sub(f"<math {_ATTRIBUTES[style]}>", convert(formula), count=1)
+    written = _AROUND_ALL.sub(rf"<math{_ATTRIBUTES[style]}>\1</math>", convert(formula))
     written = _CODE.sub(lambda found: chr(int(found[1], 16)), _AS_BY_DEFAULT.sub("", written))
     written = _PRIMES.sub(lambda found: f"<mo>{found[2] or '″‴'[found[1].count('′') - 2]}</mo>", written)
     written = _AROUND_TABLE.sub(lambda found: f'<mrow class="{_CLASSES[found[1]]}">', written)

@@ -6,7 +6,7 @@ import json
 
 from algebroproj_sym.declaring import quotes_of
 from algebroproj_sym.reporting.ledger import ledger
-from algebroproj_sym.reporting.site.addresses import LEDGER, PROVER, SEARCH, START, records
+from algebroproj_sym.reporting.site.addresses import LEDGER, PROVER, SEARCH, START
 from algebroproj_sym.reporting.site.catalogue import Catalogue
 from algebroproj_sym.reporting.site.claim_pages import claim_html, paper_files, start_html
 from algebroproj_sym.reporting.site.folder import MARKER
@@ -34,7 +34,7 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
         START: start_html(catalogue),
         SEARCH: page("search", SEARCH, catalogue=catalogue),
         MARKER: search_script(catalogue, symbols),
-        LEDGER: json.dumps(record, indent=1, ensure_ascii=False) + "\n",
+        LEDGER: json.dumps(record, ensure_ascii=False) + "\n",
         "style.css": style(),
         "font-licence.txt": licence(),
         **{name: static(name) for name in ("icon.svg", "search.js", "copy.js", "graph.js", "symbols.js")},
@@ -48,9 +48,6 @@ def render_site(catalogue: Catalogue) -> dict[str, str]:
             has_graph = entry.claim.section in with_graph
             files[entry.page] = claim_html(catalogue, symbols, paper, place, claims[entry.key], has_graph)
         files |= symbol_files(catalogue, paper, symbols)
-        for chapter in paper.chapters if catalogue.live else ():
-            found = {entry.claim.number: claims[entry.key] for entry in chapter.entries}
-            files[records(paper.about.key, chapter.number)] = json.dumps(found, ensure_ascii=False) + "\n"
     if catalogue.live:
         files[PROVER] = page("prover", PROVER, catalogue=catalogue)
     return files | function_files(catalogue) | notebook_files(catalogue)

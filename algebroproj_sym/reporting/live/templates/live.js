@@ -91,7 +91,9 @@ function begin(section) {
     if (isStillAsked()) show(result, answer);
   };
   const written = () => JSON.stringify([...new FormData(form)]);
-  const claim = async () => (await (await fetch(section.dataset.records)).json())[section.dataset.number];
+  const { ledger, paper, number } = section.dataset;
+  let entry;
+  const claim = async () => (entry ??= (await (await fetch(ledger)).json()).claims.find((each) => each.paper === paper && each.number === number));
   const field = (name) => form.elements.namedItem(name)?.value ?? "";
   form?.addEventListener("submit", (event) => {
     event.preventDefault();
@@ -102,7 +104,7 @@ function begin(section) {
       rhs: field("rhs"),
       relation: field("relation").trim() || "=",
       ...Object.fromEntries(["constraints", "nonzero", "assumptions", "letters"].map((name) => [name, lines(field(name))])),
-      where: section.dataset.number ? (await claim()).where : {},
+      where: ledger ? (await claim()).where : {},
     }), () => written() === asked);
   });
   form?.addEventListener("input", () => result.replaceChildren());
@@ -111,7 +113,7 @@ function begin(section) {
   section.querySelector("[data-do=replay]")?.addEventListener("click", () => ask(async () => ({ do: "replay", claim: await claim() })));
   if (navigator.connection?.saveData) return;
   const idle = window.requestIdleCallback ?? ((run) => setTimeout(run, 500));
-  idle(() => prover.ask({ do: section.dataset.number ? "start" : "prepare" }));
+  idle(() => prover.ask({ do: ledger ? "start" : "prepare" }));
 }
 
 document.querySelectorAll("[data-live]").forEach(begin);

@@ -1,8 +1,6 @@
 // The prover in a worker: the page stays usable, and the page can stop it.
 import { loadPyodide } from "./pyodide.mjs";
 
-const ROOT = "/prover";
-
 const say = (stage, part = null) => postMessage({ stage, part });
 
 async function content(name) {
@@ -16,8 +14,7 @@ const bytes = async (name) => new Uint8Array(await (await content(name)).arrayBu
 async function start() {
   say("Python is loading");
   const python = await loadPyodide();
-  python.unpackArchive(await bytes("algebroproj_sym.zip"), "zip", { extractDir: ROOT });
-  python.runPython(`import sys; sys.path.insert(0, "${ROOT}")`);
+  imported(python, "/algebroproj_sym.zip", await bytes("algebroproj_sym.zip"));
   const answering = python.pyimport("algebroproj_sym.reporting.live.answering");
   say(null);
   return { python, answering };
@@ -39,7 +36,7 @@ async function prepare() {
 
 function imported(python, path, archive) {
   python.FS.writeFile(path, archive);
-  python.runPython(`sys.path.insert(0, "${path}")`);
+  python.runPython(`import sys; sys.path.insert(0, "${path}")`);
 }
 
 let starting;

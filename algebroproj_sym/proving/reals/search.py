@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import pi
 from typing import Any
 
 from algebroproj_sym.proving.reals.analysis import Analysis
 from algebroproj_sym.proving.reals.arcs import (
+    ARCS,
     arc_decided,
     by_angle,
     by_order,
@@ -170,15 +172,16 @@ class Search:
         return False
 
     def _by_conjugates(self, knowledge: Knowledge, relation: str, goal: Element, depth: int) -> bool:
-        """Show a sign by squares, for factors a*r + b with a square root r: by that of ``(a*r)**2 - b**2``."""
+        """Show a sign by those of factors: by order, or for a*r + b with a square root r by ``(a*r)**2 - b**2``."""
         roots = {
             knowledge.theory.field.places[name]: known.args[0]
             for name, known in knowledge.theory.applications.items()
             if known.function == "root" and known.degree == 2 and not known.args[0].exponents
         }
-        if not roots or depth > 2:
+        factors = knowledge.signed(goal).factor()[1] if goal.numerator else []
+        if depth > 2 or not (roots or len(factors) > 1):
             return False
-        for factor, _ in knowledge.signed(goal).factor()[1]:
+        for factor, _ in factors:
             element = knowledge.back(factor)
             seen = knowledge.seen(element) - {0}
             if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
@@ -188,7 +191,7 @@ class Search:
                     for place, degree in enumerate(own.degrees())
                     if place in roots and degree == 1
                 )
-                if not any(found):
+                if not any(found) and not (len(factors) > 1 and by_order(knowledge, relation, knowledge.back(own))):
                     return False
         return knowledge.related(relation, goal)
 
@@ -236,8 +239,23 @@ def _are_equal(knowledge: Knowledge, left: Element, right: Element) -> bool:
         constant_zero(knowledge, goal)
         or _by_powers(knowledge, left, right)
         or by_angle(knowledge, goal, _related)
+        or _by_known_arcs(knowledge, goal)
         or _by_logarithms(knowledge, goal)
     )
+
+
+def _by_known_arcs(knowledge: Knowledge, goal: Element) -> bool:
+    """Show that a number is zero after finding which of its arcs are simple parts of a turn."""
+    theory, found = knowledge.theory, False
+    if not knowledge.is_number(knowledge.signed(goal)):
+        return False
+    for name, known in [*theory.applications.items()]:
+        if known.function in ARCS:
+            arc = theory.field.symbol(name)
+            part = Fraction(knowledge.value_of(arc) / pi).limit_denominator(MOST_NUMBERS)
+            found |= by_angle(knowledge, arc - theory.pi * theory.number(part), _related)
+    _proportional(knowledge)
+    return found and knowledge.zero(goal)
 
 
 def _related(knowledge: Knowledge) -> None:
@@ -358,9 +376,10 @@ def _proportional(knowledge: Knowledge) -> None:
     numbers = [
         theory.field.symbol(name)
         for name, known in theory.applications.items()
-        if known.function in ("sin", "cos", "root")
+        if known.function in ("sin", "cos", "root", *ARCS)
         and knowledge.is_number(knowledge.into(theory.variable(name).numerator))
     ]
+    numbers += [theory.pi] if "pi" in theory.alive else []
     for count, first in enumerate(numbers[:MOST_NUMBERS]):
         for second in numbers[:count]:
             values = [knowledge.value_of(number) for number in (first, second)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import combinations
 from math import pi
 from typing import Any
 
@@ -13,6 +14,7 @@ from algebroproj_sym.proving.reals.arcs import (
     arc_decided,
     by_angle,
     by_order,
+    is_positive_by_square,
     turn_decided,
     turned_by_an_eighth,
 )
@@ -429,6 +431,8 @@ def _by_logarithms(knowledge: Knowledge, goal: Element) -> bool:
     if not counts:
         return False
     rest = knowledge.rational(terms)
+    if rest.is_zero:
+        _isolated_root(knowledge, [(logs[name], n) for name, n in counts.items()])
     positive = [(n, knowledge.said(logs[name])) for name, n in counts.items() if n > 0]
     negative = [(-n, knowledge.said(logs[name])) for name, n in counts.items() if n < 0]
     if not rest.is_zero:
@@ -448,3 +452,54 @@ def _by_logarithms(knowledge: Knowledge, goal: Element) -> bool:
     for parts in (positive, negative):
         knowledge.step("logarithms", target=target, parts=[[n, text] for n, text in parts])
     return knowledge.zero(goal)
+
+
+def _isolated_root(knowledge: Knowledge, powers: Sequence[tuple[Element, int]]) -> None:
+    """Find the root r of one factor t + r if a product of powers is 1: it is the product of the others, less t."""
+    for factor, power in powers:
+        for root in _roots_in(knowledge, factor) if abs(power) == 1 else ():
+            others = _product(knowledge, [(other, -n * power) for other, n in powers if other is not factor])
+            value = _without_opposites(knowledge, root - factor + others)
+            if (
+                not knowledge.seen(root - value) - {0}
+                and knowledge.zero(root * root - value * value)
+                and knowledge.positive(root)
+                and (knowledge.positive(value) or is_positive_by_square(knowledge, value))
+                and knowledge.step("equal powers", left=knowledge.said(root), right=knowledge.said(value), degree=2)
+            ):
+                return
+
+
+def _without_opposites(knowledge: Knowledge, element: Element) -> Element:
+    """Return a polynomial without pairs of terms that are opposite, such as a root of a product and that of roots."""
+    terms = [knowledge.rational({monomial: n}) for monomial, n in element.numerator.terms.items()]
+    for one, other in combinations(terms, 2) if not element.exponents and len(terms) <= MOST_NUMBERS else ():
+        if knowledge.seen(one + other) == {0} and knowledge.zero(one + other):
+            rest = sum((term for term in terms if term not in (one, other)), one - one)
+            return _without_opposites(knowledge, rest * knowledge.theory.number(Fraction(1, element.denominator)))
+    return element
+
+
+def _product(knowledge: Knowledge, powers: Sequence[tuple[Element, int]]) -> Element:
+    """Return a product of powers, with conjugates for reciprocals where t + r times t - r is a number."""
+    found = knowledge.theory.number(1)
+    for factor, power in powers:
+        for root in _roots_in(knowledge, factor)[:1] if power < 0 else ():
+            conjugate = factor - root - root
+            norm = knowledge.into((factor * conjugate).numerator)
+            reduced = knowledge.reduced(norm)
+            if reduced is not None and reduced[0].is_constant() and reduced[0] != 0:
+                factor, power = conjugate / knowledge.back(reduced[0]), -power
+        found = found * factor**power
+    return found
+
+
+def _roots_in(knowledge: Knowledge, element: Element) -> list[Element]:
+    """Return the terms of a polynomial that are multiples of square roots, those made last first."""
+    theory, found = knowledge.theory, list[Element]()
+    for name, known in theory.applications.items() if not element.exponents else ():
+        if (known.function, known.degree) == ("root", 2):
+            root = theory.field.symbol(name)
+            slope = element.numerator.terms.get(next(iter(root.numerator.terms)), 0)
+            found += [root * theory.number(Fraction(slope, element.denominator))] if slope else []
+    return found[::-1]

@@ -365,6 +365,8 @@ AT_EXACT_POINTS = {
     "an end of a range": ("sin(x)/x", ">", "2/pi", ["0 < x <= pi/2"], []),
     "angles of a triangle": ("sin(2*A) + sin(2*B) + sin(2*C)", "=", "4*cos(A)*cos(B)*cos(C)", [], ["A + B + C = pi"]),
     "a solution of an equation": ("tan(f)", "=", "tan(E)", ["0 <= f < pi/2", "0 <= E < pi/2"], ["cos(f) = cos(E)^2"]),
+    "an axis": ("Abs(atan2(y, x))", "<", "pi/2", ["x >= 0", "y != 0"], []),
+    "an axis, by the side of x": ("Abs(acos(x))", "!=", "pi/2", [], []),
     "the number e": ("log(x)/x", "<", "exp(-1)", ["x > 0"], []),
 }
 

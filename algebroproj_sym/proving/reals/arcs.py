@@ -10,7 +10,6 @@ from math import gcd
 from algebroproj_sym.proving.reals.constants import constant_zero
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised
-from algebroproj_sym.proving.reals.rewriting import reduced_by
 from algebroproj_sym.replaying.field import Element
 
 ARCS = ("asin", "atan", "atan2")
@@ -89,7 +88,7 @@ def _ranged(knowledge: Knowledge, function: str, angle: Element) -> bool:
     """Give an angle its range if its sine, or its cosine, is not negative."""
     theory = knowledge.theory
     value = _value(knowledge, function, angle)
-    if value is None or not (knowledge.positive(value) or _by_square_of_term(knowledge, value)):
+    if value is None or not (knowledge.positive(value) or is_positive_by_square(knowledge, value)):
         return False
     turn = theory.pi if function == "sine" else theory.pi * theory.number(Fraction(3, 2))
     strict = not theory.holds(">", value)
@@ -101,10 +100,10 @@ def _ranged(knowledge: Knowledge, function: str, angle: Element) -> bool:
     )
 
 
-def _by_square_of_term(knowledge: Knowledge, element: Element) -> bool:
+def is_positive_by_square(knowledge: Knowledge, element: Element) -> bool:
     """Show that what is equal to t - u is not negative, as one of its terms t is not, and t**2 >= u**2."""
     polynomial = knowledge.into(element.numerator)
-    reduced = reduced_by(polynomial, knowledge.rules(polynomial))
+    reduced = knowledge.reduced(polynomial) if len(polynomial) > 2 else (polynomial, {})
     if reduced is None or len(reduced[0]) != 2 or -1 in knowledge.seen(element):
         return False
     for powers, value in reduced[0].to_dict().items():

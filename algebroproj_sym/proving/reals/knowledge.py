@@ -246,9 +246,18 @@ class Knowledge:
         self._failed[key] = len(self.theory.facts)
         return False
 
+    def reduced(self, polynomial: Any) -> tuple[Any, dict[int, Any]] | None:
+        """Return a polynomial reduced by rules, if it grows too long by those that do without what was made later."""
+        found = reduced_by(polynomial, self.rules(polynomial))
+        if found is None:
+            last = max(self.names(polynomial))
+            before = [fact for fact in self.connected(polynomial) if max(self.names(fact[1])) <= last]
+            found = reduced_by(polynomial, rules(before, self.theory.field.places.get("pi", -1)))
+        return found
+
     def _rewritten(self, goal: Any) -> bool:
         self.spend(1)
-        reduced = reduced_by(goal, self.rules(goal))
+        reduced = self.reduced(goal)
         return reduced is not None and reduced[0] == 0 and self.follows(goal, End(1, goal**0, reduced[1]))
 
     def _zero(self, goal: Any) -> bool:
@@ -451,7 +460,7 @@ class Knowledge:
 
     def _positive_reduced(self, polynomial: Any) -> bool:
         """Show the sign of a polynomial from that of a shorter one, which is equal to it."""
-        reduced = reduced_by(polynomial, self.rules(polynomial))
+        reduced = self.reduced(polynomial)
         if reduced is None or reduced[0] == polynomial or len(reduced[0]) > max(LONGER, len(polynomial)):
             return False
         rest, cofactors = reduced

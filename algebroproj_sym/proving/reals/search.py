@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import combinations
+from math import pi
 from typing import Any
 
 from algebroproj_sym.proving.reals.analysis import Analysis
 from algebroproj_sym.proving.reals.arcs import (
+    ARCS,
     arc_decided,
     by_angle,
     by_order,
+    is_positive_by_square,
     turn_decided,
     turned_by_an_eighth,
 )
@@ -170,15 +174,16 @@ class Search:
         return False
 
     def _by_conjugates(self, knowledge: Knowledge, relation: str, goal: Element, depth: int) -> bool:
-        """Show a sign by squares, for factors a*r + b with a square root r: by that of ``(a*r)**2 - b**2``."""
+        """Show a sign by those of factors: by order, or for a*r + b with a square root r by ``(a*r)**2 - b**2``."""
         roots = {
             knowledge.theory.field.places[name]: known.args[0]
             for name, known in knowledge.theory.applications.items()
             if known.function == "root" and known.degree == 2 and not known.args[0].exponents
         }
-        if not roots or depth > 2:
+        factors = knowledge.signed(goal).factor()[1] if goal.numerator else []
+        if depth > 2 or not (roots or len(factors) > 1):
             return False
-        for factor, _ in knowledge.signed(goal).factor()[1]:
+        for factor, _ in factors:
             element = knowledge.back(factor)
             seen = knowledge.seen(element) - {0}
             if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
@@ -188,7 +193,7 @@ class Search:
                     for place, degree in enumerate(own.degrees())
                     if place in roots and degree == 1
                 )
-                if not any(found):
+                if not any(found) and not (len(factors) > 1 and by_order(knowledge, relation, knowledge.back(own))):
                     return False
         return knowledge.related(relation, goal)
 
@@ -236,8 +241,23 @@ def _are_equal(knowledge: Knowledge, left: Element, right: Element) -> bool:
         constant_zero(knowledge, goal)
         or _by_powers(knowledge, left, right)
         or by_angle(knowledge, goal, _related)
+        or _by_known_arcs(knowledge, goal)
         or _by_logarithms(knowledge, goal)
     )
+
+
+def _by_known_arcs(knowledge: Knowledge, goal: Element) -> bool:
+    """Show that a number is zero after finding which of its arcs are simple parts of a turn."""
+    theory, found = knowledge.theory, False
+    if not knowledge.is_number(knowledge.signed(goal)):
+        return False
+    for name, known in [*theory.applications.items()]:
+        if known.function in ARCS:
+            arc = theory.field.symbol(name)
+            part = Fraction(knowledge.value_of(arc) / pi).limit_denominator(MOST_NUMBERS)
+            found |= by_angle(knowledge, arc - theory.pi * theory.number(part), _related)
+    _proportional(knowledge)
+    return found and knowledge.zero(goal)
 
 
 def _related(knowledge: Knowledge) -> None:
@@ -358,9 +378,10 @@ def _proportional(knowledge: Knowledge) -> None:
     numbers = [
         theory.field.symbol(name)
         for name, known in theory.applications.items()
-        if known.function in ("sin", "cos", "root")
+        if known.function in ("sin", "cos", "root", *ARCS)
         and knowledge.is_number(knowledge.into(theory.variable(name).numerator))
     ]
+    numbers += [theory.pi] if "pi" in theory.alive else []
     for count, first in enumerate(numbers[:MOST_NUMBERS]):
         for second in numbers[:count]:
             values = [knowledge.value_of(number) for number in (first, second)]
@@ -410,6 +431,8 @@ def _by_logarithms(knowledge: Knowledge, goal: Element) -> bool:
     if not counts:
         return False
     rest = knowledge.rational(terms)
+    if rest.is_zero:
+        _isolated_root(knowledge, [(logs[name], n) for name, n in counts.items()])
     positive = [(n, knowledge.said(logs[name])) for name, n in counts.items() if n > 0]
     negative = [(-n, knowledge.said(logs[name])) for name, n in counts.items() if n < 0]
     if not rest.is_zero:
@@ -429,3 +452,54 @@ def _by_logarithms(knowledge: Knowledge, goal: Element) -> bool:
     for parts in (positive, negative):
         knowledge.step("logarithms", target=target, parts=[[n, text] for n, text in parts])
     return knowledge.zero(goal)
+
+
+def _isolated_root(knowledge: Knowledge, powers: Sequence[tuple[Element, int]]) -> None:
+    """Find the root r of one factor t + r if a product of powers is 1: it is the product of the others, less t."""
+    for factor, power in powers:
+        for root in _roots_in(knowledge, factor) if abs(power) == 1 else ():
+            others = _product(knowledge, [(other, -n * power) for other, n in powers if other is not factor])
+            value = _without_opposites(knowledge, root - factor + others)
+            if (
+                not knowledge.seen(root - value) - {0}
+                and knowledge.zero(root * root - value * value)
+                and knowledge.positive(root)
+                and (knowledge.positive(value) or is_positive_by_square(knowledge, value))
+                and knowledge.step("equal powers", left=knowledge.said(root), right=knowledge.said(value), degree=2)
+            ):
+                return
+
+
+def _without_opposites(knowledge: Knowledge, element: Element) -> Element:
+    """Return a polynomial without pairs of terms that are opposite, such as a root of a product and that of roots."""
+    terms = [knowledge.rational({monomial: n}) for monomial, n in element.numerator.terms.items()]
+    for one, other in combinations(terms, 2) if not element.exponents and len(terms) <= MOST_NUMBERS else ():
+        if knowledge.seen(one + other) == {0} and knowledge.zero(one + other):
+            rest = sum((term for term in terms if term not in (one, other)), one - one)
+            return _without_opposites(knowledge, rest * knowledge.theory.number(Fraction(1, element.denominator)))
+    return element
+
+
+def _product(knowledge: Knowledge, powers: Sequence[tuple[Element, int]]) -> Element:
+    """Return a product of powers, with conjugates for reciprocals where t + r times t - r is a number."""
+    found = knowledge.theory.number(1)
+    for factor, power in powers:
+        for root in _roots_in(knowledge, factor)[:1] if power < 0 else ():
+            conjugate = factor - root - root
+            norm = knowledge.into((factor * conjugate).numerator)
+            reduced = knowledge.reduced(norm)
+            if reduced is not None and reduced[0].is_constant() and reduced[0] != 0:
+                factor, power = conjugate / knowledge.back(reduced[0]), -power
+        found = found * factor**power
+    return found
+
+
+def _roots_in(knowledge: Knowledge, element: Element) -> list[Element]:
+    """Return the terms of a polynomial that are multiples of square roots, those made last first."""
+    theory, found = knowledge.theory, list[Element]()
+    for name, known in theory.applications.items() if not element.exponents else ():
+        if (known.function, known.degree) == ("root", 2):
+            root = theory.field.symbol(name)
+            slope = element.numerator.terms.get(next(iter(root.numerator.terms)), 0)
+            found += [root * theory.number(Fraction(slope, element.denominator))] if slope else []
+    return found[::-1]

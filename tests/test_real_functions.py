@@ -368,6 +368,8 @@ AT_EXACT_POINTS = {
     "an axis": ("Abs(atan2(y, x))", "<", "pi/2", ["x >= 0", "y != 0"], []),
     "an axis, by the side of x": ("Abs(acos(x))", "!=", "pi/2", [], []),
     "the number e": ("log(x)/x", "<", "exp(-1)", ["x > 0"], []),
+    "a zero of a derivative": ("x^2*log(x)", ">", "-1/(2*exp(1))", ["x > 0"], []),
+    "a zero of a gradient": ("x^2*log(x) + y*log(y)", ">", "-3/(2*exp(1))", ["x > 0", "y > 0"], []),
 }
 
 

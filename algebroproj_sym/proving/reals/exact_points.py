@@ -7,7 +7,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
 
+import sympy
+
+from algebroproj_sym.expressions import NotRationalError, ParseError
 from algebroproj_sym.proving.points import seed_of
+from algebroproj_sym.proving.reals.reading import expression_of, term_of
 from algebroproj_sym.replaying.reals import Statement
 from algebroproj_sym.replaying.reals.definitions import is_affine, kinds, replaced
 from algebroproj_sym.replaying.reals.terms import (
@@ -27,6 +31,8 @@ from algebroproj_sym.replaying.reals.terms import (
 
 MOST_OCCURRENCES = 200
 MOST_ENDS = 2
+MOST_PARTS = 40
+"""How many parts a side may have whose derivative is factored."""
 FILLS = 12
 """How often other coordinates are chosen for the same ends of ranges."""
 
@@ -64,6 +70,7 @@ def exact_points(statement: Statement, tries: int) -> Iterator[Point]:
     names = sorted(statement.symbols())
     equations = [term for relation, term in statement.given if relation == "="]
     ends = [term for relation, term in statement.known() if relation in (">", ">=") and not kinds(term) & CALCULUS]
+    ends += _slopes(statement, names)
     pools = {name: ANGLES if _turns(statement, name) else NUMBERS for name in names}
     generator = random.Random(seed_of(written(statement.left), written(statement.right)))
     chosen = [list[Term]()] + [
@@ -81,6 +88,19 @@ def exact_points(statement: Statement, tries: int) -> Iterator[Point]:
                     found += 1
                     yield point
         rounds += 1
+
+
+def _slopes(statement: Statement, names: Sequence[str]) -> list[Term]:
+    """Return factors of the derivatives of the difference of two sides: where they are zero, it may be least."""
+    if len(names) > MOST_ENDS or any(kinds(side) & CALCULUS or side.size() > MOST_PARTS for side in statement.sides):
+        return []
+    try:
+        difference = expression_of(plus(statement.left, negative(statement.right)))
+        symbols = sorted(difference.free_symbols, key=str)
+        factored = [sympy.factor_list(sympy.diff(difference, symbol))[1] for symbol in symbols]
+        return [term_of(factor, "a factor") for factors in factored for factor, _ in factors]
+    except (ParseError, NotRationalError, sympy.PolynomialError, TypeError, ValueError, RecursionError):
+        return []
 
 
 def _turns(statement: Statement, name: str) -> bool:

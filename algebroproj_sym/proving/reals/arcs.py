@@ -103,7 +103,9 @@ def _ranged(knowledge: Knowledge, function: str, angle: Element) -> bool:
 def is_positive_by_square(knowledge: Knowledge, element: Element) -> bool:
     """Show that what is equal to t - u is not negative, as one of its terms t is not, and t**2 >= u**2."""
     polynomial = knowledge.into(element.numerator)
-    reduced = knowledge.reduced(polynomial) if len(polynomial) > 2 else (polynomial, {})
+    reduced = knowledge.reduced(polynomial)
+    if len(polynomial) == 2 and (reduced is None or len(reduced[0]) != 2):
+        reduced = polynomial, {}
     if reduced is None or len(reduced[0]) != 2 or -1 in knowledge.seen(element):
         return False
     for powers, value in reduced[0].to_dict().items():

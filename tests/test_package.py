@@ -23,26 +23,17 @@ from algebroproj_sym.generating.writing import PACKAGE, drift, write
 from algebroproj_sym.verifying.shipped import function_of, load_package
 
 SHARED = {
-    *(
-        "__init__.py",
-        "correcting.py",
-        "drivers.py",
-        "five_pairs.py",
-        "isolating.py",
-        "poses.py",
-        "solvers.py",
-        "py.typed",
-    ),
+    *("__init__.py", "drivers.py", "five_pairs.py", "isolating.py", "poses.py", "solvers.py", "py.typed"),
     *(
         f"_c/{name}"
         for name in ("compiled.c", "calls.h", "kernels.h", "solvers.h", "systems.h", "moves.h", "loops.h", "fours.h")
     ),
     *("_c/plain_kernels.h", "_c/plain_loops.h"),
-    *(f"_runtime/{name}.py" for name in runtime_modules(["arctan2", "cos_sin", "sqrt", "systems"])),
+    *(f"_runtime/{name}.py" for name in runtime_modules(["arctan2", "cos_sin", "systems"])),
 }
 # One worker makes all files.
 pytestmark = pytest.mark.xdist_group("package")
-HAND_WRITTEN = ("correcting.py", "drivers.py", "five_pairs.py", "isolating.py", "poses.py", "solvers.py")
+HAND_WRITTEN = ("drivers.py", "five_pairs.py", "isolating.py", "poses.py", "solvers.py")
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 

@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from algebroproj import minimal, plain, projection, stereo
+from algebroproj import minimal, plain, stereo
 from algebroproj_sym.study.conditioning import jacobian
 
 
@@ -176,85 +176,3 @@ def test_what_is_no_matrix_or_point_is_refused_by_name():
         stereo.poses(np.eye(3), [[0, 0], [1, 1]], [[0, 0]])
     with pytest.raises(ValueError, match=r"x_left: expected finite numbers, got nan"):
         stereo.poses(np.eye(3), [[0, np.nan]], [[0, 0]])
-
-
-def stationary(form, left, right):
-    """Return the squares of all changes of a pair that satisfy the equation and are along its gradient.
-
-    With the multiplier m the change is ``-m (1 + m H)^-1 g``, and the equation is a polynomial in m.
-    """
-    u, v = np.append(left, 1.0), np.append(right, 1.0)
-    hessian = np.block([[np.zeros((2, 2)), form[:2, :2]], [form[:2, :2].T, np.zeros((2, 2))]])
-    values, vectors = np.linalg.eigh(hessian)
-    gradient = vectors.T @ np.concatenate([(form @ v)[:2], (form.T @ u)[:2]])
-    factors = [np.polynomial.Polynomial([1.0, value]) ** 2 for value in values]
-    whole = np.prod(factors)
-    m = np.polynomial.Polynomial([0.0, 1.0])
-    polynomial = (u @ form @ v) * whole
-    for k, (value, g) in enumerate(zip(values, gradient, strict=True)):
-        others = np.prod([factor for j, factor in enumerate(factors) if j != k])
-        polynomial += others * (0.5 * value * (m * g) ** 2 - m * g**2 * np.polynomial.Polynomial([1.0, value]))
-    roots = polynomial.roots()
-    found = []
-    for root in roots[np.abs(roots.imag) < 1e-3 * (1 + np.abs(roots))].real:
-        for _ in range(8):  # Newton's steps: multiple poles make the polynomial inexact
-            below = 1 + root * values
-            error = u @ form @ v + (0.5 * values * (root * gradient / below) ** 2 - root * gradient**2 / below).sum()
-            root += error / (gradient**2 / below**3).sum()
-        if abs(error) < 1e-12:
-            found.append(((root * gradient / (1 + root * values)) ** 2).sum())
-    return np.array(found)
-
-
-@pytest.mark.parametrize("noise", [1e-4, 1e-3, 1e-2])
-def test_a_corrected_pair_is_the_nearest_one(noise):
-    turn, base, _, left, right = scene(8, 40)
-    generator = np.random.default_rng(8)
-    left, right = (points + noise * generator.normal(size=points.shape) for points in (left, right))
-    form = cross_matrix(base) @ turn
-    found = stereo.corrected(form, left, right)
-    ones = np.ones((40, 1))
-    equation = (np.hstack([found.x_left, ones]) @ form * np.hstack([found.x_right, ones])).sum(axis=1)
-    assert np.abs(equation).max() < 1e-12
-    least = [np.nanmin(stationary(form, *each)) for each in zip(left, right, strict=True)]
-    np.testing.assert_allclose(found.distance2, least, rtol=1e-6)
-    sampson = stereo.sampson(form, left, right)[0]
-    np.testing.assert_allclose(found.distance2, sampson, rtol=20 * noise)
-
-
-def test_a_pair_of_epipoles_has_no_nearest_pair():
-    found = stereo.corrected(cross_matrix(np.array([0, 0, 1.0])), [[0, 0], [0.1, 0]], [[0, 0], [0.1, 0.1]])
-    assert np.isnan(found.distance2[0])
-    assert np.isfinite(found.distance2[1])
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_rectified_images_have_homologous_points_in_the_same_rows(seed):
-    turn, base, _, left, right = scene(seed)
-    first, second = stereo.rectify(turn, base)
-    np.testing.assert_allclose([first @ first.T, second @ second.T], [np.eye(3)] * 2, atol=1e-14)
-    np.testing.assert_allclose(np.linalg.det([first, second]), 1)
-    rays = [np.insert(points, 2, 1.0, axis=1) @ axes.T for points, axes in ((left, first), (right, second))]
-    heights = [each[:, 1] / each[:, 2] for each in rays]
-    np.testing.assert_allclose(*heights, rtol=1e-9)
-
-
-def test_cameras_of_computer_vision_and_the_parameters_of_1996_are_the_same():
-    generator = np.random.default_rng(3)
-    for _ in range(5):
-        turns = [rotation(generator.normal(size=4) + np.array([4, 0, 0, 0])) for _ in range(2)]
-        moves = generator.normal(size=(2, 3))
-        calibrations = [np.array([[f, s, 500], [0, f + 5, 400], [0, 0, 1]]) for f, s in ((1000, 2), (1200, -1))]
-        points = generator.uniform((-1, -1, 6), (1, 1, 8), (12, 3))
-        cameras = [k @ np.column_stack([r, t]) for k, r, t in zip(calibrations, turns, moves, strict=True)]
-        pixels = [np.insert(points, 3, 1.0, axis=1) @ camera.T for camera in cameras]
-        turn, base = stereo.relative(turns[0], moves[0], turns[1], moves[1])
-        seen = [points @ r.T + t for r, t in zip(turns, moves, strict=True)]
-        np.testing.assert_allclose(seen[1] @ turn.T + base, seen[0], rtol=1e-9, atol=1e-9)
-        fundamental = stereo.fundamental_matrix(cross_matrix(base) @ turn, *calibrations)
-        left = fundamental @ pixels[0].T
-        assert np.abs((pixels[1].T * left).sum(axis=0)).max() < 1e-9 * np.abs(left).max() * 1000
-        for camera in cameras:
-            again = projection.to_camera(*projection.from_camera(-2 * camera, points[:4]), points[:4])
-            scale = np.linalg.norm(camera) / np.linalg.norm(again) * np.sign((camera * again).sum())
-            np.testing.assert_allclose(scale * again, camera, atol=1e-9 * np.abs(camera).max())

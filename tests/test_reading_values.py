@@ -2,7 +2,7 @@
 
 import pytest
 
-from algebroproj_sym.reading import document_of, read_document
+from algebroproj_sym.reading import SymbolsFile, document_of, read_document
 
 MEAN = r"Let $\bar x := \frac{1}{n} \sum_{i=1}^{n} x_i$. "
 
@@ -56,3 +56,9 @@ def test_what_holds_for_all_values_follows(text):
 @pytest.mark.parametrize("text", NOT_FOLLOWING)
 def test_what_depends_on_the_values_is_left_open(text):
     assert verdicts(text)[-1] in ("not decided", "independent", "not read")
+
+
+def test_values_that_nothing_gives_contradict_nothing_even_in_an_identity():
+    text = r"\begin{equation} e^{f(x)} = e^{g(x)} \end{equation}"
+    (reading,) = read_document(document_of(text), SymbolsFile(identities=frozenset({"1"})), seconds=5.0)
+    assert reading.links[0].verdict == "independent"

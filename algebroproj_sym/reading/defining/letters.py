@@ -28,6 +28,8 @@ _TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
 _SIZES = "nmklpqrstuvw"
 FREE = "free"
 """How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
+WHOLE = "whole"
+"""How the name of any other value begins."""
 
 
 class _Size:
@@ -222,7 +224,7 @@ class _Reader:
 
         def text() -> str:
             key = f"{name}({', '.join(each.text() for each in arguments)})"
-            kind = FREE if is_call and self._called.setdefault(base_of(name), key) == key else "whole"
+            kind = FREE if is_call and self._called.setdefault(base_of(name), key) == key else WHOLE
             own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}'", shape))
             if [size.root for size in first] != [size.root for size in shape] and any(
                 one.value is None or one.value != other.value for one, other in zip(first, shape, strict=True)

@@ -17,6 +17,7 @@ from algebroproj_sym.reading.defining.letters import (
     ANY,
     FREE,
     MOST_TERMS,
+    WHOLE,
     base_of,
     index_of,
     letters_in,
@@ -27,7 +28,6 @@ from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 
 _COUNTED = re.compile(r"\\sum_\{[a-z]=1\}\^\{([a-zA-Z])\}")
-WHOLE = "whole"
 
 
 class Uncomputed:

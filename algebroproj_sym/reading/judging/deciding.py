@@ -19,6 +19,7 @@ from algebroproj_sym.reading.judging.questions import (
     Way,
     answers,
     asked_of,
+    has_letters,
     is_elementary,
     is_lettered,
     questions_of,
@@ -174,7 +175,6 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
         now, before = (way.vocabulary.text(tree) for tree in (repair.now, repair.before))
         suggestion = f"{now} instead of {before}"
     doubt = _doubt_of_refutation(way)
-    is_given = not is_lettered(way) and not doubt.endswith(NOT_COMPUTED)
     doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
     plain = way is asked.ways[0]
     certain = (plain and asked.certain) or (
@@ -185,7 +185,7 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
             or (repair.kind == "letter" and _holds_beside(way, repaired))
         )
     )
-    asserted = (certain and not doubt) or (plain and asked.identity and (is_given or not doubt))
+    asserted = (certain and not doubt) or (plain and asked.identity and not (doubt and has_letters(way)))
     reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
     undecided = doubt.endswith(NOT_COMPUTED)
     return replace(

@@ -174,6 +174,12 @@ def is_lettered(way: Way) -> bool:
     return isinstance(questions, list) and questions[0].letters is not None
 
 
+def has_letters(way: Way) -> bool:
+    """Whether a relation is asked with letters for vectors, matrices, or values that are not computed."""
+    questions = asked_of(way.vocabulary, *way.sides)
+    return isinstance(questions, list) and (questions[0].letters is not None or bool(values_of(questions)))
+
+
 def values_of(questions: Sequence[Question]) -> set[str]:
     """Return the kinds of values in questions that are not computed."""
     return {kind for each in questions for _, written in each.named_texts for kind in values_in(written)}

@@ -84,9 +84,11 @@ class Vocabulary:
         matrices: frozenset[str],
         properties: Mapping[str, tuple[str, ...]],
         *,
+        equated: Mapping[str, frozenset[str]],
         euler: bool = False,
     ) -> None:
         self.given = given
+        self.equated = equated
         self.euler = euler
         self.uncomputed: Values | None = None
         self.definitions: dict[str, Definition] = {}
@@ -100,7 +102,8 @@ class Vocabulary:
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
-        copied = Vocabulary(self.given, self._sizes, self._matrices, self._properties, euler=self.euler)
+        given = self.given, self._sizes, self._matrices, self._properties
+        copied = Vocabulary(*given, equated=self.equated, euler=self.euler)
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
@@ -156,13 +159,14 @@ class Vocabulary:
         return self._names[symbol]
 
     def behind(self, symbol: str) -> frozenset[str]:
-        """Return a symbol with all that its definition speaks of, be it usable or not."""
+        """Return a symbol with all on which it may depend: what stands in equations in which it is alone on a side."""
         found, waiting = {symbol}, [symbol]
         while waiting:
-            definition = self.definitions.get(waiting.pop())
-            more = {*definition.symbols} - found if definition else set()
+            last = waiting.pop()
+            definition = self.definitions.get(last)
+            more = ({*definition.symbols} if definition else set()) | self.equated.get(last, frozenset())
+            waiting += more - found
             found |= more
-            waiting += more
         return frozenset(found)
 
     def symbol_of(self, name: str) -> str:

@@ -237,8 +237,11 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
         for each in others
     )
     inside = {variable, *others} & {str(each.children[0]) for each in tree.iter_subtrees() if each.data == "call"}
-    hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
-    if variable not in letters or changing or inside or (hidden and sign != "d"):
+    if sign == "d":
+        hidden = vocabulary.depends(others, variable)
+    else:
+        hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
+    if variable not in letters or changing or inside or hidden:
         return found, made
     where = f"the derivative by {vocabulary.name(variable)}"
     if others:
@@ -275,6 +278,8 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     if variable is None or any(variable in vocabulary.letters_of(each.tree) for each in used):
         return None
     others = sorted(letters - {variable}) if sign == "d" else []
+    if vocabulary.depends(others, variable):
+        return None
     return _made(symbol, _slope(value, variable), definition, others, vocabulary)
 
 
@@ -295,6 +300,8 @@ def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
     except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
         return None
     others = sorted(vocabulary.letters_of(definition.tree) - {variable})
+    if vocabulary.depends(others, variable):
+        return None
     return replace(_made(symbol, value, definition, others, vocabulary), parameters=(variable,))
 
 
@@ -313,7 +320,7 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
             constant.append(letter)
         else:
             terms.append(Tree("run", [_slope(_letter(function), letter), _letter(rate)]))
-    if not terms:
+    if not terms or vocabulary.depends(constant, "t"):
         return None
     signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]
     return _made(symbol, Tree("sum", signed), definition, constant, vocabulary)

@@ -115,13 +115,13 @@ class Survey:
 
     @cached_property
     def equated(self) -> Mapping[str, frozenset[str]]:
-        """Of each letter that is a side of an equation somewhere, the symbols of the other sides."""
+        """Of each letter that is alone on the left of an equation somewhere, the symbols of the equation."""
         found: dict[str, frozenset[str]] = {}
         for formula in self.formulas.values():
-            if not isinstance(formula, Parsed) or {*EQUALITIES}.isdisjoint(formula.relations):
-                continue
-            symbols = frozenset(symbol for side in formula.sides for symbol in symbols_in(side))
-            for letter in filter(None, (defined_by(side)[0] for side in formula.sides)):
+            if isinstance(formula, Parsed) and not {*EQUALITIES}.isdisjoint(formula.relations):
+                first, *others = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
+                symbols = frozenset(symbol for side in (first, *others) for symbol in symbols_in(side))
+                letter, _ = defined_by(first)
                 found[letter] = found.get(letter, symbols) | symbols
         return found
 

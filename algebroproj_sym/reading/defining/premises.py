@@ -243,9 +243,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
         hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
     if variable not in letters or changing or inside or hidden:
         return found, made
-    where = f"the derivative by {vocabulary.name(variable)}"
-    if others:
-        where += f", where {', '.join(map(vocabulary.name, others))} do not change"
+    where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
     made.append(Definition(symbol, (), _slope(body, variable), where, -1, True))
     return _letter(symbol), made
@@ -329,10 +327,13 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
 def _made(
     symbol: str, tree: Formula, definition: Definition, constant: list[str], vocabulary: Vocabulary
 ) -> Definition:
-    where = f"the derivative of {definition.where}"
-    if constant:
-        where += f", where {', '.join(map(vocabulary.name, constant))} do not change"
+    where = f"the derivative of {definition.where}{_unchanged(constant, vocabulary)}"
     return Definition(symbol, (), tree, where, definition.part, True, place=definition.place, words=definition.words)
+
+
+def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
+    verb = "does" if len(letters) == 1 else "do"
+    return f", where {', '.join(map(vocabulary.name, letters))} {verb} not change" if letters else ""
 
 
 def _slope(value: Formula, variable: str) -> Formula:

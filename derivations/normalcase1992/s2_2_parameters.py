@@ -139,8 +139,7 @@ for primes, image, coordinates, _, kappa in IMAGES:
 
 # %% [markdown]
 # **And the tip?**  The root $\sqrt{x_0^2 + y_0^2}$ is $\cos\varphi / |\lambda_0|$.  With the factors positive, as in
-# the displays, the sign of $\sin\varphi = \mp c \lambda_0$ differs between the images.  For the right image the tangent
-# is written as the quotient of both.
+# the displays, the sign of $\sin\varphi = \mp c \lambda_0$ differs between the images.
 
 # %%
 for primes, image, coordinates, phi, _ in IMAGES:
@@ -162,7 +161,9 @@ section.identity(
 section.identity(
     "2.2/2.3.1#phi''",
     "tip of the right image",
-    derived=over(lam0 * c, lam0 * sqrt(x0**2 + y0**2)),
+    derived=tan(phipp),
+    constraints=equations(IMAGES[1][2]),
+    assumptions=[lam0 > 0, cos(phipp) > 0],
     expect="error",
     corrected=over(c, sqrt(x0**2 + y0**2)),
     note="The equation is printed for both images.  With a positive factor lambda0'', that is x0'' < 0 if cos kappa'' "

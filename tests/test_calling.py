@@ -20,6 +20,7 @@ from algebroproj import collinearity, correlation, metric, normal_case, optics, 
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating.runtime import evaluation, threads
 from algebroproj_sym.generating.runtime.evaluation import Signature, evaluate
+from algebroproj_sym.generating.runtime.namespace import is_traced
 from algebroproj_sym.verifying.shipped import function_of, load_package, without_twin
 
 PAIR = Signature("pair", (("x", (2,)), ("M", (2, 2)), ("s", ())), ((), (2, 2)), block=7)
@@ -188,6 +189,10 @@ def test_elementary_functions_take_machine_numbers(function):
 # What a compiler may do
 
 
+class Var:
+    """The name of a number in a compiled program."""
+
+
 class DynamicJaxprTracer:
     """Stands for a number where ``jax.jit`` compiles."""
 
@@ -197,20 +202,35 @@ class DynamicJaxprTracer:
         return array_api_strict
 
 
+class NewDynamicJaxprTracer(DynamicJaxprTracer):
+    """As JAX has it since 0.10.2."""
+
+    val = Var()
+
+
 class LinearizeTracer(DynamicJaxprTracer):
     """Stands for a number of which there is a derivative."""
 
     primal = DynamicJaxprTracer()
 
 
-@pytest.mark.parametrize("tracer", [DynamicJaxprTracer, LinearizeTracer])
+TRACERS = [DynamicJaxprTracer, NewDynamicJaxprTracer, LinearizeTracer]
+
+
+@pytest.mark.parametrize("tracer", TRACERS)
 def test_jit_is_refused_where_it_would_compile_the_extra_digits_away(tracer, monkeypatch):
-    for kind in (DynamicJaxprTracer, LinearizeTracer):
+    for kind in (Var, *TRACERS):
         monkeypatch.setattr(kind, "__module__", "jax._src.interpreters.partial_eval")
     with pytest.raises(TypeError, match=r"tau: expected arrays, got a tracer: jax\.jit would compile"):
         normal_case.tau(tracer(), tracer())
     with pytest.raises(Exception, match=r"^(?!.*jit)"):
         algebroproj.plain(normal_case.tau)(tracer(), tracer())
+
+
+def test_a_derivative_of_numbers_is_not_taken_for_jit(monkeypatch):
+    monkeypatch.setattr(LinearizeTracer, "__module__", "jax._src.interpreters.ad")
+    monkeypatch.setattr(LinearizeTracer, "primal", np.ones(3))
+    assert not is_traced(LinearizeTracer())
 
 
 @pytest.mark.parametrize(

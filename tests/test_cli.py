@@ -233,13 +233,16 @@ def require_all_files(files):
 
 
 def require_the_tables(ledger, repository):
-    """The table of verdicts of the README and the list of findings are those of the ledger."""
-    readme = (repository / "README.md").read_text(encoding="utf-8")
+    """The counts of the README, the table of verdicts and the list of findings are those of the ledger."""
+    total, verdicts = len(ledger["claims"]), Counter(claim["verdict"] for claim in ledger["claims"])
+    wrong = total - verdicts["proved"] - verdicts["definition"]
+    counted = f"Of {total} claims {verdicts['proved']} are proved as printed, and {wrong} do not hold"
+    assert counted in (repository / "README.md").read_text(encoding="utf-8")
+    findings = (repository / "FINDINGS.md").read_text(encoding="utf-8")
     for paper in {claim["paper"] for claim in ledger["claims"]}:
         verdicts = Counter(claim["verdict"] for claim in ledger["claims"] if claim["paper"] == paper)
         counts = [verdicts.total(), *(verdicts[verdict] for verdict in VERDICTS)]
-        assert f"| `{paper}` | {' | '.join(map(str, counts))} |" in readme
-    findings = (repository / "FINDINGS.md").read_text(encoding="utf-8")
+        assert f"| `{paper}` | {' | '.join(map(str, counts))} |" in findings
     for claim in ledger["claims"]:
         is_finding = claim["verdict"] not in ("proved", "definition")
         assert not is_finding or f"({claim['number']})" in findings, claim["number"]

@@ -6,6 +6,8 @@ from algebroproj_sym.reading import SymbolsFile, document_of, read_document
 
 MEAN = r"Let $\bar x := \frac{1}{n} \sum_{i=1}^{n} x_i$. "
 
+CASE = r"\[ c = k + 1 \quad \text{if } k > 2 \] "
+
 FOLLOWING = [
     MEAN + r"Then \begin{equation} \sum_{i=1}^{n} (x_i - \bar x) = 0 \end{equation}",
     MEAN + r"Then \begin{equation} \sum_{i=1}^{n} (x_i - \bar x)^2 = \sum_{i=1}^{n} x_i^2 - n \bar x^2 \end{equation}",
@@ -14,6 +16,11 @@ FOLLOWING = [
     r"\begin{equation} \sum_{i=1}^n \sum_{j=1}^m x_i y_j = \sum_{i=1}^n x_i \sum_{j=1}^m y_j \end{equation}",
     r"\[ \sum_{i=1}^n \sum_{j=1}^m (x_{ij} + c) = \sum_{i=1}^n \sum_{j=1}^m x_{ij} + n m c \]",
     r"\begin{equation} \left(e^{f(x)}\right)^2 = e^{2 f(x)} \end{equation}",
+    r"Let $g(x) := x^2$ and $f(x) := a g(x)$. Then \begin{equation} f(3) = 9 a \end{equation}",
+    CASE + r"Let $f(x) := c x$. Then \begin{equation} f(3) = 3 c \end{equation}",
+    CASE + r"Let $f(x) := c x$. Then \begin{equation} f'(x) = c \end{equation}",
+    r"\begin{equation} \frac{d}{dk} (c k) = c \end{equation}",
+    r"Let $\dot z = v$ and $y := x z$. Then \[ \dot y - x v = 0 \]",
 ]
 
 NOT_FOLLOWING = [
@@ -33,6 +40,16 @@ NOT_FOLLOWING = [
     r"Let $x := 2$. Then \begin{equation} \int_0^1 x \, dx = \int_0^1 2 \, dx \end{equation}",
     r"Let $c := k + 1$. Then \begin{equation} \sum_{k=1}^n c = n c \end{equation}",
     r"Let $c = k + 1$ if $k > 2$. Then \begin{equation} \sum_{k=1}^n c = n c \end{equation}",
+    r"\[ c = k + 1 \quad \text{if } k > 2 \] \begin{equation} \sum_{k=1}^n c = n c \end{equation}",
+    r"\[ k + 1 =: c \quad \text{if } k > 2 \] \begin{equation} \sum_{k=1}^n c = n c \end{equation}",
+    r"\[ c = d \] \[ d = b = k + 1 \text{ if } k > 2 \] \begin{equation} \sum_{k=1}^n c = n c \end{equation}",
+    r"\begin{equation} \sum_{k=1}^n c = n c \end{equation} Here $c = k + 1$ if $k > 2$. \[ \sum_{k=1}^n c = n c \]",
+    CASE + r"\[ f(k) := c k \] \begin{equation} f(3) = 3 c \end{equation}",
+    CASE + r"Let $f(k) := g(k) c$ and $g(k) := 2 k$. Then \begin{equation} f(3) = 6 c \end{equation}",
+    CASE + r"\begin{equation} \frac{d}{dk} (c k) = c \end{equation}",
+    CASE + r"Let $f(k) := c k$. Then \begin{equation} \frac{df}{dk} = c \end{equation}",
+    CASE + r"Let $f(k) := c k$. Then \begin{equation} f'(k) = c \end{equation}",
+    r"\[ x = \cos t \text{ if } t > 0 \] Let $\dot z = v$ and $y := x z$. Then \[ \dot y - x v = 0 \]",
     r"Let $\mathbf{c} := k \mathbf{a}$. Then \[ \sum_{k=1}^n \mathbf{c} = \mathbf{c} \sum_{k=1}^n 1 \]",
     r"\begin{equation} \sum_{i=1}^n \int x_i \, dt = n \int x_i \, dt \end{equation}",
     r"\begin{equation} \sum_{i=1}^n f(i) = n f(i) \end{equation}",
@@ -50,7 +67,7 @@ def verdicts(text):
 
 @pytest.mark.parametrize("text", FOLLOWING)
 def test_what_holds_for_all_values_follows(text):
-    assert verdicts(text) == ["follows"]
+    assert verdicts(text)[-1] == "follows"
 
 
 @pytest.mark.parametrize("text", NOT_FOLLOWING)

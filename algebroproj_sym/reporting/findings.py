@@ -7,8 +7,19 @@ from dataclasses import dataclass, field
 
 import sympy
 
-from algebroproj_sym.declaring import GRADES, KINDS, NUMBER_OF, Claim, Grade, Judgement, grade_of, statement_text
+from algebroproj_sym.declaring import (
+    GRADES,
+    KINDS,
+    NUMBER_OF,
+    VERDICTS,
+    Claim,
+    Grade,
+    Judgement,
+    grade_of,
+    statement_text,
+)
 from algebroproj_sym.reporting.explaining import finding_line, sides_at_counterexample
+from algebroproj_sym.reporting.ledger import summary_by_paper
 from algebroproj_sym.reporting.templating import TEMPLATES
 from algebroproj_sym.showing.display import folded
 
@@ -112,6 +123,8 @@ def findings(judgements: Sequence[Judgement]) -> str:
         count=len(found),
         total=sum(is_finding(judgement) for judgement in judgements),
         claims=len(judgements),
+        verdicts=VERDICTS,
+        counts=summary_by_paper(judgements),
     )
 
 

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
+from itertools import groupby
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -39,6 +40,11 @@ def summary(judgements: Sequence[Judgement]) -> dict[str, int]:
     """Return how often each verdict occurs, in the order of the verdicts."""
     counts = Counter(judgement.verdict for judgement in judgements)
     return {verdict: counts[verdict] for verdict in VERDICTS if counts[verdict]}
+
+
+def summary_by_paper(judgements: Sequence[Judgement]) -> list[tuple[str, dict[str, int]]]:
+    """Return the papers, each with how often each verdict occurs in it."""
+    return [(paper, summary([*found])) for paper, found in groupby(judgements, key=lambda each: each.claim.paper)]
 
 
 def claim_record(judgement: Judgement, quotes: Quotes | None = None, *, timed: bool = True) -> dict[str, Any]:

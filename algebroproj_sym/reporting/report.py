@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from algebroproj_sym.declaring import VERDICTS, Judgement
 from algebroproj_sym.reporting.explaining import failure_text, finding_line
 from algebroproj_sym.reporting.findings import is_finding
-from algebroproj_sym.reporting.ledger import summary
+from algebroproj_sym.reporting.ledger import summary_by_paper
 from algebroproj_sym.reporting.tables import failed_function
 from algebroproj_sym.reporting.templating import TEMPLATES
 
@@ -30,8 +30,9 @@ def report(judgements: Sequence[Judgement], lowered: Sequence[Lowered], verified
         wrong=[failure_text(judgement) for judgement in judgements if not judgement.as_declared],
         failed=[failed_function(verification) for verification in verified if not verification.passed],
         verdicts=VERDICTS,
+        counts=summary_by_paper(judgements),
         papers=[
-            (paper, summary(group := list(found)), [(j, finding_line(j)) for j in group if is_finding(j)])
+            (paper, [(j, finding_line(j)) for j in found if is_finding(j)])
             for paper, found in groupby(judgements, key=lambda j: j.claim.paper)
         ],
         functions=[_function(low, v) for low, v in zip(lowered, verified, strict=True)],

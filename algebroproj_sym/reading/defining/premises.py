@@ -237,12 +237,13 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
         for each in others
     )
     inside = {variable, *others} & {str(each.children[0]) for each in tree.iter_subtrees() if each.data == "call"}
-    hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
-    if variable not in letters or changing or inside or (hidden and sign != "d"):
+    if sign == "d":
+        hidden = vocabulary.depends(others, variable)
+    else:
+        hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
+    if variable not in letters or changing or inside or hidden:
         return found, made
-    where = f"the derivative by {vocabulary.name(variable)}"
-    if others:
-        where += f", where {', '.join(map(vocabulary.name, others))} do not change"
+    where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
     made.append(Definition(symbol, (), _slope(body, variable), where, -1, True))
     return _letter(symbol), made
@@ -275,6 +276,8 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     if variable is None or any(variable in vocabulary.letters_of(each.tree) for each in used):
         return None
     others = sorted(letters - {variable}) if sign == "d" else []
+    if vocabulary.depends(others, variable):
+        return None
     return _made(symbol, _slope(value, variable), definition, others, vocabulary)
 
 
@@ -295,6 +298,8 @@ def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
     except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
         return None
     others = sorted(vocabulary.letters_of(definition.tree) - {variable})
+    if vocabulary.depends(others, variable):
+        return None
     return replace(_made(symbol, value, definition, others, vocabulary), parameters=(variable,))
 
 
@@ -313,7 +318,7 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
             constant.append(letter)
         else:
             terms.append(Tree("run", [_slope(_letter(function), letter), _letter(rate)]))
-    if not terms:
+    if not terms or vocabulary.depends(constant, "t"):
         return None
     signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]
     return _made(symbol, Tree("sum", signed), definition, constant, vocabulary)
@@ -322,10 +327,13 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
 def _made(
     symbol: str, tree: Formula, definition: Definition, constant: list[str], vocabulary: Vocabulary
 ) -> Definition:
-    where = f"the derivative of {definition.where}"
-    if constant:
-        where += f", where {', '.join(map(vocabulary.name, constant))} do not change"
+    where = f"the derivative of {definition.where}{_unchanged(constant, vocabulary)}"
     return Definition(symbol, (), tree, where, definition.part, True, place=definition.place, words=definition.words)
+
+
+def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
+    verb = "does" if len(letters) == 1 else "do"
+    return f", where {', '.join(map(vocabulary.name, letters))} {verb} not change" if letters else ""
 
 
 def _slope(value: Formula, variable: str) -> Formula:

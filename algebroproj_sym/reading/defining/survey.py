@@ -12,6 +12,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.phrases import matrices_in, properties_in, sizes_in
 from algebroproj_sym.reading.defining.premises import crosses_in
+from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import Document
@@ -113,6 +114,18 @@ class Survey:
         return frozenset(symbol for side in _sides(self.formulas) for symbol in symbols_in(side))
 
     @cached_property
+    def equated(self) -> Mapping[str, frozenset[str]]:
+        """Of each letter that is alone on the left of an equation somewhere, the symbols of the equation."""
+        found: dict[str, frozenset[str]] = {}
+        for formula in self.formulas.values():
+            if isinstance(formula, Parsed) and not {*EQUALITIES}.isdisjoint(formula.relations):
+                first, *others = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
+                symbols = frozenset(symbol for side in (first, *others) for symbol in symbols_in(side))
+                letter, _ = defined_by(first)
+                found[letter] = found.get(letter, symbols) | symbols
+        return found
+
+    @cached_property
     def restricted(self) -> frozenset[str]:
         r"""The letters that are said to be in a set or an interval, as in ``x \in \{0, 1\}``."""
         return frozenset(match[1] for each in self.document.formulas for match in _IN_A_SET.finditer(each.latex))
@@ -120,7 +133,9 @@ class Survey:
     def vocabulary(self) -> Vocabulary:
         """Return what is known of the letters before the first equation."""
         sizes, properties = sizes_in(self.statements), properties_in(self.statements)
-        found = Vocabulary(self.given.whole, sizes, self._matrices(), properties, euler=self._has_euler())
+        found = Vocabulary(
+            self.given.whole, sizes, self._matrices(), properties, equated=self.equated, euler=self._has_euler()
+        )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
             found.define(definition)

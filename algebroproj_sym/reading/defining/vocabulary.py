@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
 import sympy
+from lark import Token
 
 from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
@@ -84,9 +85,11 @@ class Vocabulary:
         matrices: frozenset[str],
         properties: Mapping[str, tuple[str, ...]],
         *,
+        equated: Mapping[str, frozenset[str]],
         euler: bool = False,
     ) -> None:
         self.given = given
+        self.equated = equated
         self.euler = euler
         self.uncomputed: Values | None = None
         self.definitions: dict[str, Definition] = {}
@@ -100,7 +103,8 @@ class Vocabulary:
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
-        copied = Vocabulary(self.given, self._sizes, self._matrices, self._properties, euler=self.euler)
+        given = self.given, self._sizes, self._matrices, self._properties
+        copied = Vocabulary(*given, equated=self.equated, euler=self.euler)
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
@@ -156,14 +160,19 @@ class Vocabulary:
         return self._names[symbol]
 
     def behind(self, symbol: str) -> frozenset[str]:
-        """Return a symbol with all that its definition speaks of, be it usable or not."""
+        """Return a symbol with all on which it may depend: what stands in equations with it alone on the left."""
         found, waiting = {symbol}, [symbol]
         while waiting:
-            definition = self.definitions.get(waiting.pop())
-            more = {*definition.symbols} - found if definition else set()
+            last = waiting.pop()
+            definition = self.definitions.get(last)
+            more = ({*definition.symbols} if definition else set()) | self.equated.get(last, frozenset())
+            waiting += more - found
             found |= more
-            waiting += more
         return frozenset(found)
+
+    def depends(self, symbols: Iterable[str], letter: str) -> bool:
+        """Whether some symbols may depend on a letter."""
+        return any(letter in self.behind(each) for each in symbols)
 
     def symbol_of(self, name: str) -> str:
         """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
@@ -293,11 +302,16 @@ class Vocabulary:
         )
 
     def _hidden_in(self, definition: Definition) -> str:
-        r"""Return a parameter that stands within another symbol, as in ``\frac{dy}{dx}`` and ``x_1``."""
+        r"""Return a parameter that stands within another symbol, as in ``\frac{dy}{dx}`` and ``x_1``, or behind one."""
         inner = [each for used in self.used_in(definition.tree) for each in used.symbols if each not in used.parameters]
+        alone = {str(each) for each in definition.tree.scan_values(_is_symbol)}
         for parameter in definition.parameters:
             within = (each for each in (*definition.symbols, *inner) if each != parameter)
-            if parameter in inner or any(_stands_in(parameter, each) for each in within):
+            if (
+                parameter in inner
+                or any(_stands_in(parameter, each) for each in within)
+                or self.depends(alone - {parameter}, parameter)
+            ):
                 return self.name(parameter)
         return ""
 
@@ -325,6 +339,10 @@ class Vocabulary:
             return evaluated(definition.tree, self._names_with(own), self.uncomputed)
 
         return function
+
+
+def _is_symbol(token: object) -> bool:
+    return isinstance(token, Token) and token.type == "SYMBOL"
 
 
 def is_operator(symbol: str) -> bool:

@@ -69,12 +69,12 @@ RELATIONS = dict(
     pair.split("#")
     for pair in sorted(
         _words(
-            r"=#= :=#:= =:#=: \equiv#≡ \triangleq#:= \coloneqq#:= \doteq#:= <#< >#> \lt#< \gt#> \le#<= \leq#<= \ge#>= "
-            r"\geq#>= \leqslant#<= \geqslant#>= \ll#≪ \gg#≫ \ne#!= \neq#!= \approx#≈ \simeq#≈ \cong#≅ \sim#~ \propto#∝ "
-            r"\in#∈ \notin#∉ \ni#∋ \lesssim#≲ \gtrsim#≳ \hookrightarrow#→ \supset#⊃ \subseteq#⊆ \supseteq#⊇ \asymp#≍ "
-            r"\prec#≺ \succ#≻ \parallel#∥ \longmapsto#↦ \Longleftrightarrow#⇔ \Leftarrow#⇐ \to#→ "
-            r"\rightarrow#→ \longrightarrow#→ \leadsto#→ \leftarrow#← \mapsto#↦ \Rightarrow#⇒ "
-            r"\Longrightarrow#⇒ \implies#⇒ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
+            r"=#= :=#:= =:#=: \equiv#≡ \triangleq#:= \coloneqq#:= \eqqcolon#=: \doteq#:= <#< >#> \lt#< \gt#> \le#<= "
+            r"\leq#<= \ge#>= \geq#>= \leqslant#<= \geqslant#>= \ll#≪ \gg#≫ \ne#!= \neq#!= \approx#≈ \simeq#≈ \cong#≅ "
+            r"\sim#~ \propto#∝ \in#∈ \notin#∉ \ni#∋ \lesssim#≲ \gtrsim#≳ \hookrightarrow#→ \supset#⊃ \subseteq#⊆ "
+            r"\supseteq#⊇ \asymp#≍ \prec#≺ \succ#≻ \parallel#∥ \longmapsto#↦ \Longleftrightarrow#⇔ \Leftarrow#⇐ \to#→ "
+            r"\rightarrow#→ \longrightarrow#→ \leadsto#→ \leftarrow#← \mapsto#↦ \Rightarrow#⇒ \Longrightarrow#⇒ "
+            r"\implies#⇒ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
         )
     )
 )

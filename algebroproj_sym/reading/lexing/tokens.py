@@ -134,9 +134,9 @@ def _read_operator(cursor: Cursor) -> None:
         cursor.emit("SIGN", SIGNS[text])
     elif text in SIGNS:
         cursor.emit("SIGN", SIGNS[text])
-    elif text == ":" and cursor.peek(1) == "=":
-        cursor.emit("RELATION", ":=")
-        cursor.index += next(i for i, p in enumerate(cursor.pieces[cursor.index :]) if p.text == "=")
+    elif (both := f"{text}{cursor.peek(1)}") in (":=", "=:"):
+        cursor.emit("RELATION", both)
+        cursor.index += next(i for i, p in enumerate(cursor.pieces[cursor.index :]) if p.text == both[1])
     elif cursor.functions is not None and not cursor.ends_value() and (text in CIRCLED or kinds.get(text) in _PRODUCTS):
         cursor.emit("SHOWN", text)
     elif text in CIRCLED:

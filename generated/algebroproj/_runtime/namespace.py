@@ -37,9 +37,13 @@ def is_traced(value: Any) -> bool:
     >>> is_traced(np.ones(3))
     False
     """
-    while type(value).__module__.startswith("jax.") and (hasattr(value, "primal") or hasattr(value, "val")):
-        value = value.primal if hasattr(value, "primal") else value.val
-    return type(value).__module__.startswith("jax.") and type(value).__name__.endswith("JaxprTracer")
+    # Arrays are of jaxlib. Tracers of derivatives and of vmap have a value within; all others are compiled.
+    while type(value).__module__.startswith("jax."):
+        inner = getattr(value, "primal", getattr(value, "val", None))
+        if inner is None:
+            return True
+        value = inner
+    return False
 
 
 def namespace(values: Iterable[Any]) -> Any:

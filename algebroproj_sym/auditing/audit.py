@@ -15,6 +15,8 @@ from algebroproj_sym.declaring.transcription import beside, numbers_in, readings
 from algebroproj_sym.expressions import TextForm, entries, shape, vector
 from algebroproj_sym.expressions.letters import Reading, letters_text
 from algebroproj_sym.proving import prove
+from algebroproj_sym.proving.reals.matrices import real_text
+from algebroproj_sym.proving.statements import prove as prove_any
 from algebroproj_sym.reading import Symbols, UnreadableError, in_letters
 
 Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
@@ -57,9 +59,8 @@ def audited(claim: Claim, quotations: Quotations, symbols: Symbols, printed_toge
         return Finding(claim, "unquoted", reason) if reason else Finding(claim, "failed", "no quote, and no reason")
     if quote.unparsed:
         return Finding(claim, "quoted", quote.unparsed, quote)
-    if claim.printed is None or (isinstance(claim.printed, TextForm) and claim.printed.letters is None):
-        what = "an illegible form is" if claim.printed is None else "real functions are"
-        wrong = f"expected a reason why the quote is not parsed: {what} not compared with it"
+    if claim.printed is None:
+        wrong = "expected a reason why the quote is not parsed: an illegible form is not compared with it"
         return Finding(claim, "failed", wrong, quote)
     if isinstance(claim.printed, Decimal):
         wrong = _missing_numbers(quote, printed_together or (claim,))
@@ -101,7 +102,7 @@ def _in_words(number: str, text: str) -> bool:
 
 
 def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
-    lettered = isinstance(claim.printed, TextForm)
+    lettered = isinstance(claim.printed, TextForm) and claim.printed.letters is not None
     try:
         read = readings(quote, replace(symbols, in_letters=lettered), in_letters if lettered else None)
     except UnreadableError as error:
@@ -109,12 +110,24 @@ def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
     if lettered:
         same = letters_text(Reading().term(beside(read), "quote")) == str(claim.printed)
         return Finding(claim, "equal" if same else "failed", "" if same else f"the quote reads {beside(read)}", quote)
+    if isinstance(claim.printed, TextForm):
+        same = _is_same_function(read[0] if len(read) == 1 else vector(*read), claim.printed.text)
+        return Finding(claim, "equal" if same else "failed", "" if same else f"the quote reads {read}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)
     if any(
         prove(vector(*theirs), vector(*ours)).verdict == "proved" for theirs, ours in _layouts(read, printed, quote)
     ):
         return Finding(claim, "equal", "", quote)
     return Finding(claim, "failed", f"the quote reads {', '.join(map(str, read))}", quote)
+
+
+def _is_same_function(read: Any, printed: str) -> bool:
+    """Whether what is read, with real functions, equals a printed form."""
+    text = real_text(read, "quote")
+    try:
+        return text == printed or prove_any(text, printed).verdict == "proved"
+    except (ValueError, TypeError):
+        return False
 
 
 def _layouts(read: Sequence[Any], printed: Sequence[Any], quote: Quote) -> Iterator[tuple[list[Any], list[Any]]]:

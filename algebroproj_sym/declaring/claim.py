@@ -66,6 +66,9 @@ class Claim:
         Of the printed form to the derived one, for an inequality.
     letters : tuple of (str, str)
         For a statement in letters: its vectors and matrices, and what they are.
+    stated : mapping of str to TextForm, or to a tuple of them
+        For a statement about entries, such as a rank: those of its forms and conditions that were declared in letters,
+        by name.  The fields of these names have the entries.
     witness : mapping of Symbol, or name, to rational number, or None
         A point that satisfies the constraints.
     variable : sympy.Symbol or None
@@ -109,6 +112,7 @@ class Claim:
     assumptions: tuple[TextForm, ...] = ()
     relation: str = "="
     letters: tuple[tuple[str, str], ...] = ()
+    stated: Mapping[str, Any] = field(default_factory=dict)
     witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str] | None = None
     variable: sympy.Symbol | None = None
     variables: tuple[sympy.Symbol, ...] = ()
@@ -121,6 +125,11 @@ class Claim:
     grade: Grade | Literal[""] = ""
     assumed: tuple[sympy.Symbol, ...] = ()
     source: Source | None = field(default=None, compare=False, repr=False)
+
+
+def as_stated(claim: Claim, name: str) -> Any:
+    """Return a form of a claim, or its conditions of a name, in the letters in which they were declared."""
+    return claim.stated.get(name, getattr(claim, name))
 
 
 NUMBER_OF = re.compile(r"\{([^{}]+)\}")

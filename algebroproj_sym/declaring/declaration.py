@@ -21,7 +21,7 @@ from algebroproj_sym.declaring.claim import (
 )
 from algebroproj_sym.declaring.kind import FIELDS
 from algebroproj_sym.declaring.kinds import KINDS
-from algebroproj_sym.declaring.letters_in_entries import in_entries
+from algebroproj_sym.declaring.letters_in_entries import in_entries, lettered
 from algebroproj_sym.declaring.text_forms import Given, text_fields
 from algebroproj_sym.expressions import (
     ROUNDINGS,
@@ -37,7 +37,6 @@ from algebroproj_sym.expressions import (
     require_bounded,
     shape,
 )
-from algebroproj_sym.proving.statements import speaks_of_letters
 
 ROOM = 100
 """How many times as large as a text the form of a claim may be."""
@@ -63,10 +62,12 @@ def declared(
     where = f"claim {paper}:{number}"
     expected = options.pop("expect", KINDS[kind].when_it_holds)
     forms = {"printed": printed, "derived": derived, "corrected": options.pop("corrected", None)}
-    if KINDS[kind].of_entries and speaks_of_letters([derived]):
+    if KINDS[kind].of_entries and (lettered(forms.values()) or options.get("properties")):
         lists = {name: options.get(name, ()) for name in ("nonzero", "kernel")}
-        forms |= in_entries(forms | lists, options.pop("properties", {}), where)
-        options |= {name: value for name in lists if (value := forms.pop(name))}
+        found = in_entries(forms | lists, options.pop("properties", {}), where)
+        forms = {name: found.pop(name) for name in forms}
+        found["stated"].pop("kernel", None)
+        options |= {name: value for name, value in found.items() if value}
     given = Given(
         forms={name: form for name, form in forms.items() if form is not None},
         constraints=_sequence(options, "constraints", where),

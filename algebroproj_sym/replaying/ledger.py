@@ -14,6 +14,7 @@ from typing import Any, Literal, cast
 from algebroproj_sym.replaying.entry import require_entry
 from algebroproj_sym.replaying.evidence import PROOFS, REFUTATIONS
 from algebroproj_sym.replaying.identities import require_identity
+from algebroproj_sym.replaying.letters import require_expansion
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 from algebroproj_sym.replaying.statement import Statement
@@ -176,6 +177,8 @@ def _follow(record: Mapping[str, Any]) -> None:
     if LANGUAGES & record["setting"].keys():
         proves, refutes = partial(require_form, record), partial(require_no_form, record)
     else:
+        if "stated" in record["setting"]:
+            require_expansion(record)
         statement.require_meanings()
         proves, refutes = partial(PROOFS[kind], statement), partial(REFUTATIONS.get(kind, _no_refutation), statement)
     proof = {key: value for key, value in certificate.items() if key != "refutation"}

@@ -33,6 +33,7 @@ LONGEST_ENTRY = ROW - 20
 MOST_ROWS = 16
 MOST_DIFFERING = 4
 FULL = "To see everything in full, add --full."
+ENTRIES = "To see the entries, add --full."
 
 Line = tuple[str, str]
 
@@ -62,6 +63,7 @@ def explanation(
         *([("same as", f"({claim.same_as})")] if claim.same_as else []),
         ("derived in", module),
         *([("functions", ", ".join(functions))] if functions else []),
+        *([("", ENTRIES)] if claim.stated and not full else []),
         *([("", FULL)] if any("…" in line for _, line in about) else []),
     ]
     return text.append(_laid_out(lines), style="not bold")
@@ -82,6 +84,8 @@ def form_lines(claim: Claim, part: Part, most: int, *, full: bool = False) -> li
     """
     form = arranged(derived_form(claim)) if part == "derived" else as_declared(claim, part)
     rows = plain_rows(form)
+    if part in claim.stated:
+        return [*rows, *(f"= {row}" for row in plain_rows(getattr(claim, part)))] if full else rows
     if full or (sum(map(len, rows)) <= most and len(rows) <= MOST_ROWS):
         return rows
     named = in_names(claim, part)

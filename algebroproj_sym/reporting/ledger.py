@@ -104,7 +104,9 @@ def _setting(claim: Claim) -> dict[str, Any]:
         setting["assumptions"] = [*map(statement_text, claim.assumptions)]
     if claim.relation != "=":
         setting["relation"] = claim.relation
-    if claim.letters:
+    if claim.stated:
+        setting["stated"] = {"letters": dict(claim.letters), **{key: _texts(form) for key, form in claim.stated.items()}}
+    elif claim.letters:
         setting["letters"] = dict(claim.letters)
     if claim.variable is not None:
         setting["variable"] = claim.variable.name
@@ -113,6 +115,10 @@ def _setting(claim: Claim) -> dict[str, Any]:
     if claim.kind == "numeric":
         setting["rounding"] = claim.rounding
     return setting
+
+
+def _texts(form: Any) -> Any:
+    return [*map(str, form)] if isinstance(form, tuple) else str(form)
 
 
 def write_json(record: Mapping[str, Any], path: Path) -> None:

@@ -14,7 +14,7 @@ from typing import Any, Literal
 
 import sympy
 
-from algebroproj_sym.declaring.claim import Claim, DeclarationError, Statement
+from algebroproj_sym.declaring.claim import Claim, DeclarationError, Statement, as_stated
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.declaring.source import Source
 from algebroproj_sym.expressions import TextForm, columns, entries, over, rows, shape, size, vector, written
@@ -50,8 +50,8 @@ def as_declared(claim: Claim, part: Part) -> Statement | None:
     >>> claim.printed, shown(claim.printed)
     (-3*x + 3*y, '-3*x + 3*y')
     """
-    statement: Statement | None = getattr(claim, part)
-    if statement is None or isinstance(statement, Decimal | TextForm):
+    statement: Statement | None = as_stated(claim, part)
+    if statement is None or part in claim.stated or isinstance(statement, Decimal | TextForm):
         return statement
     node = claim.source.argument(part) if claim.source else None
     if claim.source is None or (not isinstance(statement, tuple) and size(statement, LONG) > LONG):

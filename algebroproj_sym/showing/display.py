@@ -9,13 +9,13 @@ from itertools import accumulate
 
 import sympy
 
-from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement
+from algebroproj_sym.declaring.claim import CORRECTED, Claim, Statement, as_stated
 from algebroproj_sym.declaring.judging import Judgement
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.expressions import Expression, TextForm, assumption, decimals, evaluate, leading, size
 from algebroproj_sym.expressions.arranging import arranged
 from algebroproj_sym.showing.arranging import Part, as_declared, shown
-from algebroproj_sym.showing.forms import derived_form
+from algebroproj_sym.showing.forms import derived_form, entries_of_letters
 from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.naming import Meaning, Named, in_names, latex_of_name, named_latex
 from algebroproj_sym.showing.text_latex import NEGATED, RELATIONS
@@ -86,6 +86,8 @@ def evidence_lines(
         lines.append(f"counterexample: {_listed(values, most)}")
     if claim.instead:
         lines.append(f"true instead: ({claim.instead})")
+    if full:
+        lines += [f"entries of {name}: {form}" for name, form in entries_of_letters(judgement).items()]
     return lines
 
 
@@ -99,7 +101,7 @@ def _rounding(judgement: Judgement) -> str:
 
 def conditions(claim: Claim, show: Callable[[object], str], most: int | None = None) -> list[str]:
     """Return under which conditions a claim is made, a line each; without them its formula may be false."""
-    given = (("zero", claim.constraints), ("not zero", claim.nonzero))
+    given = (("zero", claim.constraints), ("not zero", as_stated(claim, "nonzero")))
     lines = [f"claimed wherever {_are(what, factors, show, most)}" for what, factors in given if factors]
     assumed = [*map(show, claim.assumptions), *map(assumption, claim.assumed)]
     letters = [f"{show(sympy.Symbol(name))} is {described_letter(text)}" for name, text in claim.letters]

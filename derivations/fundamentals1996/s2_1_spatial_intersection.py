@@ -359,8 +359,8 @@ section.rank(
     "2.1/rank-C",
     "the rank of the matrix of correlation",
     printed=2,
-    derived=C,
-    kernel=[epipole_right],
+    derived=Pp.T * Skew(d_bold) * Ppp,
+    kernel=[Ppp.I * d_bold],
 )
 
 # %% [markdown]
@@ -525,8 +525,8 @@ section.rank(
     "2.1/rank-K",
     "the rank of the products on the left of (2.1.8)",
     printed=2,
-    derived=K,
-    kernel=[solve(P, d)],
+    derived=Pp.T * Skew(d_bold) * Pp,
+    kernel=[Pp.I * d_bold],
 )
 
 # %% [markdown]
@@ -566,7 +566,7 @@ section.identity(
 # $\boldsymbol\kappa = \det(\mathbf P)\, \mathbf P^* \mathbf d$.
 
 # %%
-section.structure("2.1.9#kappa", "K is skew-symmetric", derived=P.T * D * P)
+section.structure("2.1.9#kappa", "K is skew-symmetric", derived=Pp.T * Skew(d_bold) * Pp)
 section.identity(
     "2.1/beyond/kappa",
     "the three elements of K are the projection of the base",

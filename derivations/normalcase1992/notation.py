@@ -7,8 +7,9 @@
 
 # %%
 import sympy
+from sympy import cos, sin
 
-from algebroproj_sym.expressions import Matrix, columns, cross, diff, over, rows, vector
+from algebroproj_sym.expressions import Matrix, columns, cross, over, rows, vector
 
 c = sympy.Symbol("c")
 x, y, xp, yp, xpp, ypp = sympy.symbols("x y xp yp xpp ypp")
@@ -80,17 +81,11 @@ def correlation(left: Matrix, right: Matrix, base: Matrix) -> Matrix:
 # %% [markdown]
 # ## Angles
 #
-# Cosine and sine are two symbols; where they must belong to one angle, $c^2 + s^2 = 1$ is a constraint, and an exact
-# derivative with respect to the angle is $c\, \partial / \partial s - s\, \partial / \partial c$.
+# Tip and swing of the left image, tilt, tip and swing of the right one; of each its cosine and sine.
 
 # %%
-c_phip, s_phip, c_kappap, s_kappap = sympy.symbols("c_phip s_phip c_kappap s_kappap")
-c_omega, s_omega, c_phipp, s_phipp, c_kappapp, s_kappapp = sympy.symbols(
-    "c_omega s_omega c_phipp s_phipp c_kappapp s_kappapp"
-)
-PHI_LEFT, KAPPA_LEFT = (c_phip, s_phip), (c_kappap, s_kappap)
-ANGLES = sympy.symbols("phip kappap Omegapp phipp kappapp")
-OMEGA, PHI_RIGHT, KAPPA_RIGHT = (c_omega, s_omega), (c_phipp, s_phipp), (c_kappapp, s_kappapp)
+phip, kappap, Omegapp, phipp, kappapp = ANGLES = sympy.symbols("phip kappap Omegapp phipp kappapp")
+PHI_LEFT, KAPPA_LEFT, OMEGA, PHI_RIGHT, KAPPA_RIGHT = ((cos(angle), sin(angle)) for angle in ANGLES)
 
 
 def turn_omega(cosine: sympy.Expr, sine: sympy.Expr) -> Matrix:
@@ -103,23 +98,6 @@ def turn_phi(cosine: sympy.Expr, sine: sympy.Expr) -> Matrix:
 
 def turn_kappa(cosine: sympy.Expr, sine: sympy.Expr) -> Matrix:
     return Matrix([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
-
-
-def in_angles(expression):
-    """Return an expression with cosines and sines of angles for their letters."""
-    return expression.xreplace(
-        {
-            letter: function(angle)
-            for angle, pair in zip(ANGLES, (PHI_LEFT, KAPPA_LEFT, OMEGA, PHI_RIGHT, KAPPA_RIGHT), strict=True)
-            for function, letter in zip((sympy.cos, sympy.sin), pair, strict=True)
-        }
-    )
-
-
-def derivative(expression, angle: tuple[sympy.Symbol, sympy.Symbol]):
-    """Return the derivative of a polynomial in cosine and sine of an angle with respect to the angle."""
-    cosine, sine = angle
-    return cosine * diff(expression, sine) - sine * diff(expression, cosine)
 
 
 # %% [markdown]

@@ -132,13 +132,13 @@ section.identity(
     properties={Rpp: "rotation"},
     derived=C_bold * x0pp,
 )
-turned_right = rotation(*turn)
 section.rank(
     "1.2/rank",
     "rank of the matrix of correlation",
     printed=2,
-    derived=correlation(R_left, turned_right, b),
-    kernel=[turned_right.T * b],
+    derived=C_of_images,
+    properties={Rp: "rotation", Rpp: "rotation"},
+    kernel=[Rpp.T * b_bold],
 )
 
 # %% [markdown]

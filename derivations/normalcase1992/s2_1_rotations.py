@@ -11,7 +11,7 @@ from itertools import product
 import sympy
 
 from algebroproj_derivations.figures import SpaceDrawing
-from algebroproj_derivations.inserting import given
+from algebroproj_derivations.inserting import given, inserted
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import Matrix, determinant, over, vector
@@ -33,7 +33,7 @@ R_pp
 # **Print.**  The left matrix is that of the right image without tilt.
 
 # %%
-cw, sw, cf, sf, ck, sk = c_omega, s_omega, c_phipp, s_phipp, c_kappapp, s_kappapp
+(cw, sw), (cf, sf), (ck, sk) = OMEGA, PHI_RIGHT, KAPPA_RIGHT
 section.identity(
     "2.1.1",
     "matrix of orientation of the right image",
@@ -46,32 +46,31 @@ section.identity(
     ),
     derived=R_pp,
 )
-cf, sf, ck, sk = c_phip, s_phip, c_kappap, s_kappap
+(cf, sf), (ck, sk) = PHI_LEFT, KAPPA_LEFT
 section.identity(
     "2.1.2",
     "matrix of orientation of the left image",
     printed=Matrix([[cf * ck, -cf * sk, sf], [sk, ck, 0], [-sf * ck, sf * sk, cf]]),
     derived=R_p,
 )
-NO_TILT = sympy.Integer(1), sympy.Integer(0)
 section.identity(
     "2.1/no-tilt",
     "the left matrix is that of the right image without tilt",
     printed=R_p,
-    derived=R_pp.xreplace(given((*OMEGA, *PHI_RIGHT, *KAPPA_RIGHT), (*NO_TILT, *PHI_LEFT, *KAPPA_LEFT))),
+    derived=inserted(R_pp, (Omegapp, phipp, kappapp), (0, phip, kappap)),
 )
 
 # %% [markdown]
-# **Are they rotations?**  With the angles for the letters, they are orthogonal with determinant 1.
+# **Are they rotations?**  They are orthogonal with determinant 1.
 
 # %%
-section.identity("2.1/orthogonal#left", "the left matrix is orthogonal", printed=E3, derived=in_angles(R_p.T * R_p))
-section.identity("2.1/orthogonal#right", "the right matrix is orthogonal", printed=E3, derived=in_angles(R_pp * R_pp.T))
+section.identity("2.1/orthogonal#left", "the left matrix is orthogonal", printed=E3, derived=R_p.T * R_p)
+section.identity("2.1/orthogonal#right", "the right matrix is orthogonal", printed=E3, derived=R_pp * R_pp.T)
 section.identity(
     "2.1/beyond/determinants",
     "both matrices are rotations",
     printed=vector(1, 1),
-    derived=in_angles(vector(determinant(R_p), determinant(R_pp))),
+    derived=vector(determinant(R_p), determinant(R_pp)),
 )
 
 # %% [markdown]
@@ -140,7 +139,7 @@ section.identity(
 section.identity(
     "2.1/beyond/c32",
     "the element by which Z is divided",
-    printed=c_phip * (c_omega * c_kappapp - s_omega * s_phipp * s_kappapp),
+    printed=cos(phip) * (cos(Omegapp) * cos(kappapp) - sin(Omegapp) * sin(phipp) * sin(kappapp)),
     derived=correlation(R_p, R_pp, unit_base)[2, 1],
 )
 

@@ -9,7 +9,6 @@ import sympy
 
 from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
-from algebroproj_derivations.normalcase1992.s2_1_rotations import R_p
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import arctan2, cos_sin, let
 from algebroproj_sym.expressions import Matrix, adjugate, vector
@@ -21,7 +20,8 @@ C_symbols = Matrix(3, 3, lambda row, column: sympy.Symbol(f"c{row + 1}{column + 
 A_symbols = Matrix(3, 3, lambda row, column: sympy.Symbol(f"a{row + 1}{column + 1}"))
 axis_left, axis_right = vector(*sympy.symbols("u1p u2p u3p")), vector(*sympy.symbols("u1pp u2pp u3pp"))
 phi_left, kappa_left, tilt, phi_right, kappa_right = sympy.symbols("phip kappap omegapp phipp kappapp")
-turned = R_p * C_symbols
+TIP, SWING, RIGHT_SWING = (sympy.symbols(f"c_{angle} s_{angle}") for angle in ("phip", "kappap", "kappapp"))
+turned = turn_phi(*TIP) * turn_kappa(*SWING) * C_symbols
 
 
 def named(symbols: Matrix, values: Matrix):
@@ -47,12 +47,12 @@ section.kernel(
         named(axis_left, A_symbols.T * A_symbols.col(0)),
         named(axis_right, A_symbols * axis_left),
         arctan2(kappa_left, -axis_left[1], axis_left[0]),
-        cos_sin(*KAPPA_LEFT, kappa_left),
-        arctan2(phi_left, *tip_of(axis_left, *KAPPA_LEFT)),
-        cos_sin(*PHI_LEFT, phi_left),
+        cos_sin(*SWING, kappa_left),
+        arctan2(phi_left, *tip_of(axis_left, *SWING)),
+        cos_sin(*TIP, phi_left),
         arctan2(kappa_right, -axis_right[1], axis_right[0]),
-        cos_sin(*KAPPA_RIGHT, kappa_right),
-        arctan2(phi_right, *tip_of(axis_right, *KAPPA_RIGHT)),
+        cos_sin(*RIGHT_SWING, kappa_right),
+        arctan2(phi_right, *tip_of(axis_right, *RIGHT_SWING)),
         arctan2(tilt, turned[2, 2] * turned[1, 2], turned[1, 2] ** 2),
     ],
     derived={

@@ -7,14 +7,14 @@
 
 # %%
 import sympy
-from sympy import BlockMatrix, Eq, MatrixSymbol
+from sympy import Abs, BlockMatrix, Eq, MatrixSymbol, cos, pi, sin, sqrt, tan
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
-from algebroproj_derivations.normalcase1992.s2_1_rotations import R_p, R_pp
+from algebroproj_derivations.normalcase1992.s2_1_rotations import C_rational, R_p, R_pp, t3
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, dot, over, vector
+from algebroproj_sym.expressions import Matrix, diff, dot, over, vector
 from algebroproj_sym.expressions.letters import Skew
 
 section = Section("normalcase1992", "2.2", "Computation of the parameters")
@@ -59,27 +59,27 @@ base_left
 section.identity(
     "2.2/base#left",
     "image of the base in the left image",
-    printed=vector(c_phip * c_kappap, -c_phip * s_kappap, s_phip),
+    printed=vector(cos(phip) * cos(kappap), -cos(phip) * sin(kappap), sin(phip)),
     derived=base_left,
 )
 section.identity(
     "2.2/base#right",
     "image of the base in the right image",
-    printed=-vector(c_phipp * c_kappapp, -c_phipp * s_kappapp, s_phipp),
+    printed=-vector(cos(phipp) * cos(kappapp), -cos(phipp) * sin(kappapp), sin(phipp)),
     derived=base_right,
 )
 section.identity(
     "2.2/independent",
     "the epipoles do not depend on the tilt",
     printed=Matrix.zeros(3, 1),
-    derived=derivative(base_right, OMEGA),
+    derived=base_right.diff(Omegapp),
 )
 
 # %% [markdown]
 # **An example.**  A left image with the tip whose sine is $-7/25$.
 
 # %%
-EXAMPLE = given((c_phip, s_phip, c_kappap, s_kappap), map(sympy.Rational, ("24/25", "-7/25", "1", "0")))
+EXAMPLE = given((*PHI_LEFT, *KAPPA_LEFT), map(sympy.Rational, ("24/25", "-7/25", "1", "0")))
 picture = R_p.xreplace(EXAMPLE)
 corners = {f"{k}": picture * vector(x, y, -2) for k, (x, y) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1)), 1)}
 seen_base = picture.T * unit_base
@@ -101,7 +101,7 @@ SpaceDrawing(
 # **Definition.**  $\lambda_0 (x_0, y_0, -c)^T$ is the image of the base.
 
 # %%
-lam0, x0, y0, root = sympy.symbols("lam0 x0 y0 rho")
+lam0, x0, y0 = sympy.symbols("lam0 x0 y0")
 
 
 def epipole(base_image: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
@@ -109,9 +109,13 @@ def epipole(base_image: Matrix) -> dict[sympy.Symbol, sympy.Expr]:
     return given((x0, y0, c), (first, second, third))
 
 
+def equations(values: dict[sympy.Symbol, sympy.Expr]) -> list[Eq]:
+    return [Eq(symbol, value) for symbol, value in values.items()]
+
+
 IMAGES = (
-    ("'", "left", epipole(base_left), PHI_LEFT, KAPPA_LEFT),
-    ("''", "right", epipole(base_right), PHI_RIGHT, KAPPA_RIGHT),
+    ("'", "left", epipole(base_left), phip, kappap),
+    ("''", "right", epipole(base_right), phipp, kappapp),
 )
 
 # %% [markdown]
@@ -125,38 +129,42 @@ section.reference(
     meant="2.2.1",
     note="The equation stands in section 2.2; section 2.3 has a (2.3.1) of its own, to which section 3.2 refers.",
 )
-for primes, image, coordinates, (_, _), (c_kappa, s_kappa) in IMAGES:
+for primes, image, coordinates, _, kappa in IMAGES:
     section.identity(
-        f"2.2/2.3.1#kappa{primes}", f"swing of the {image} image", where=coordinates, derived=over(s_kappa, c_kappa)
+        f"2.2/2.3.1#kappa{primes}",
+        f"swing of the {image} image",
+        derived=tan(kappa),
+        constraints=equations(coordinates),
     )
 
 # %% [markdown]
 # **And the tip?**  The root $\sqrt{x_0^2 + y_0^2}$ is $\cos\varphi / |\lambda_0|$.  With the factors positive, as in
-# the displays, the sign of $\sin\varphi = \mp c \lambda_0$ differs between the images.
+# the displays, the sign of $\sin\varphi = \mp c \lambda_0$ differs between the images.  For the right image the tangent
+# is written as the quotient of both.
 
 # %%
-for primes, image, coordinates, (c_phi, _), _ in IMAGES:
+for primes, image, coordinates, phi, _ in IMAGES:
     section.identity(
         f"2.2/root{primes}",
         f"the root of the {image} image",
-        printed=in_angles((x0**2 + y0**2).xreplace(coordinates)),
-        derived=in_angles(over(c_phi, lam0) ** 2),
+        printed=sqrt(x0**2 + y0**2),
+        derived=over(cos(phi), Abs(lam0)),
+        constraints=equations(coordinates),
+        assumptions=[cos(phi) > 0],
     )
 section.identity(
     "2.2/2.3.1#phi'",
     "tip of the left image",
-    printed=-c / root,
-    where=IMAGES[0][2] | {root: over(c_phip, lam0)},
-    derived=over(s_phip, c_phip),
+    derived=tan(phip),
+    constraints=equations(IMAGES[0][2]),
+    assumptions=[lam0 > 0, cos(phip) > 0],
 )
 section.identity(
     "2.2/2.3.1#phi''",
     "tip of the right image",
-    printed=-c / root,
-    where=IMAGES[1][2] | {root: over(c_phipp, lam0)},
-    derived=over(s_phipp, c_phipp),
+    derived=over(lam0 * c, lam0 * sqrt(x0**2 + y0**2)),
     expect="error",
-    corrected=c / root,
+    corrected=over(c, sqrt(x0**2 + y0**2)),
     note="The equation is printed for both images.  With a positive factor lambda0'', that is x0'' < 0 if cos kappa'' "
     "> 0, the minus sign of the image of the base turns the sign around: in the example x0'' is -178.264 and phi'' "
     "+17.799 gon, not -17.8.  Ruled out: a negative factor, which means x0'' > 0, and a swing near 200 gon, which the "
@@ -169,13 +177,13 @@ section.identity(
 # **One equation for both images**, whatever the sign of the factor, has the swing in it:
 
 # %%
-for primes, image, coordinates, (c_phi, s_phi), (c_kappa, _) in IMAGES:
+for primes, image, coordinates, phi, kappa in IMAGES:
     section.identity(
         f"2.2/beyond/phi{primes}",
         f"tip of the {image} image with its sign",
-        printed=-c * c_kappa / x0,
-        where=coordinates,
-        derived=over(s_phi, c_phi),
+        printed=-c * cos(kappa) / x0,
+        constraints=equations(coordinates),
+        derived=tan(phi),
     )
 
 # %% [markdown]
@@ -198,16 +206,16 @@ for place, (u2, u3) in enumerate(((i2, i3), (j2, j3))):
     section.identity(
         f"2.2/tilt#{place + 1}3",
         f"element c{place + 1}3",
-        printed=(u2 * c_omega + u3 * s_omega) * c_phipp,
+        printed=(u2 * cos(Omegapp) + u3 * sin(Omegapp)) * cos(phipp),
         derived=column[place],
         expect="misprint",
-        corrected=-(u2 * c_omega + u3 * s_omega) * c_phipp,
+        corrected=-(u2 * cos(Omegapp) + u3 * sin(Omegapp)) * cos(phipp),
         note=SIGN,
         same_as="2.2/tilt#13" if place else "",
     )
-section.identity("2.2/tilt#33", "element c33", printed=-k3 * s_omega * c_phipp, derived=column[2])
-OF_C = given((z13, z23, z33), (over(element, c32) for element in column))
-section.identity("2.2/cosine", "cosine of the tip from the last equation", where=OF_C, derived=c_phipp)
+section.identity("2.2/tilt#33", "element c33", printed=-k3 * sin(Omegapp) * cos(phipp), derived=column[2])
+OF_C = equations(given((z13, z23, z33), (over(element, c32) for element in column)))
+section.identity("2.2/cosine", "cosine of the tip from the last equation", constraints=OF_C, derived=cos(phipp))
 
 # %% [markdown]
 # **Print.**  Put into the first or the second equation, it gives the tangent of the tilt: two forms, which agree for an
@@ -223,19 +231,19 @@ section.reference(
     same_as="2.2/ref-2.3.1",
 )
 section.identity(
-    "2.2/2.3.2", "both forms of the tangent of the tilt", where=OF_C, derived=vector(*(over(s_omega, c_omega),) * 2)
+    "2.2/2.3.2", "both forms of the tangent of the tilt", constraints=OF_C, derived=vector(*(tan(Omegapp),) * 2)
 )
 
 # %% [markdown]
-# Would other elements do?  None of the derivatives of the nine elements with respect to the tilt is zero: any will do.
+# Would other elements do?  None of the derivatives of the nine elements with respect to the tilt, or to the tangent of
+# its half, is zero: any will do.
 
 # %%
-rates = derivative(correlation(R_p, R_pp, unit_base), OMEGA)
 section.structure(
     "2.2/any",
     "the tilt occurs in every element of the matrix of correlation",
     printed=Matrix(3, 3, sympy.symbols("d:3:3")),
-    derived=rates,
+    derived=C_rational.applyfunc(lambda element: diff(element, t3)),
 )
 
 # %% [markdown]
@@ -254,9 +262,9 @@ second_product = (z33 * j2 * (z13 * k3 - z33 * i3)).xreplace(AT_LEFT)
 section.identity(
     "2.2/symmetric",
     "the two forms agree where the epipole satisfies the equation of the third column",
-    printed=in_angles(first_product),
-    derived=in_angles(second_product),
-    constraints=[in_angles(third_component)],
+    printed=first_product,
+    derived=second_product,
+    constraints=[third_component],
     witness=given((*ANGLES[:2], z13, z23, z33), (0, 0, 0, 5, 4)),
 )
 
@@ -268,8 +276,8 @@ section.identity(
 section.identity(
     "2.2/beyond/difference",
     "difference of the two forms",
-    printed=in_angles(-z33 * third_component),
-    derived=in_angles(first_product - second_product),
+    printed=-z33 * third_component,
+    derived=first_product - second_product,
 )
 
 # %% [markdown]
@@ -281,31 +289,28 @@ section.identity(
 
 
 # %%
-def opposite(*angle: sympy.Symbol) -> tuple[sympy.Expr, ...]:
-    return tuple(-value for value in angle)
-
-
-def reversed_angle(cosine: sympy.Symbol, sine: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
-    return cosine, -sine
-
-
 C = correlation(R_p, R_pp, unit_base)
-tip_and_swing = turn_phi(*PHI_RIGHT) * turn_kappa(*KAPPA_RIGHT)
+
+
+def with_other_angles(angles: dict[sympy.Symbol, sympy.Expr]) -> Matrix:
+    """Return the matrix of correlation of other angles, as it stands."""
+    with sympy.evaluate(False):
+        return C.xreplace(angles)
+
+
 section.identity(
     "2.2/beyond/opposite",
     "a tilt that differs by half a turn changes the sign of the matrix",
     printed=-C,
-    derived=correlation(R_p, turn_omega(*opposite(*OMEGA)) * tip_and_swing, unit_base),
-)
-half_turned_left = turn_phi(*reversed_angle(*PHI_LEFT)) * turn_kappa(*opposite(*KAPPA_LEFT))
-half_turned_right = (
-    turn_omega(*reversed_angle(*OMEGA)) * turn_phi(*reversed_angle(*PHI_RIGHT)) * turn_kappa(*opposite(*KAPPA_RIGHT))
+    derived=with_other_angles({Omegapp: Omegapp + pi}),
 )
 section.identity(
     "2.2/beyond/half-turn",
     "both swings increased by half a turn and the other angles reversed change the sign of the matrix",
     printed=-C,
-    derived=correlation(half_turned_left, half_turned_right, unit_base),
+    derived=with_other_angles(
+        {phip: -phip, kappap: kappap + pi, Omegapp: -Omegapp, phipp: -phipp, kappapp: kappapp + pi}
+    ),
 )
 
 # %% [markdown]
@@ -331,6 +336,6 @@ turned = R_p * C
 section.identity(
     "2.2/beyond/tilt",
     "cosine and sine of the tilt from the matrix and the left orientation",
-    printed=in_angles(vector(-c_omega * c_phipp, -s_omega * c_phipp)),
-    derived=in_angles(vector(turned[1, 2], turned[2, 2])),
+    printed=vector(-cos(Omegapp) * cos(phipp), -sin(Omegapp) * cos(phipp)),
+    derived=vector(turned[1, 2], turned[2, 2]),
 )

@@ -20,7 +20,6 @@ from algebroproj_sym.expressions import (
     dot,
     homogeneous,
     inverse,
-    linear_system,
     over,
     taylor,
     vector,
@@ -182,19 +181,12 @@ section.identity(
 turn = turn_omega(*OMEGA) * turn_phi(*PHI_RIGHT) * turn_kappa(*KAPPA_RIGHT)
 p_rotated = turn_phi(*PHI_LEFT) * turn_kappa(*KAPPA_LEFT) * projector_left, turn * projector_right
 rotated = dot(p_rotated[0], B * p_rotated[1])
-NO_TURN = given((c_omega, s_omega, c_phipp, s_phipp, c_kappapp, s_kappapp), map(sympy.Integer, (1, 0, 1, 0, 1, 0)))
-NO_TURN_LEFT = given((c_phip, c_kappap, s_phip, s_kappap), (1, 1, 0, 0))
 coefficients_of_projectors = vector(p1p * p2pp, p1p * p3pp, p2p * p2pp + p3p * p3pp, -p1pp * p2p, -p1pp * p3p)
 section.identity(
     "2.3/beyond/finite",
     "the coefficients from finite rotations",
-    printed=coefficients_of_projectors,
-    derived=vector(
-        *(
-            (linear_system([rotated], angle)[0] * vector(angle[1], -angle[0])).xreplace(NO_TURN).subs(NO_TURN_LEFT)[0]
-            for angle in (PHI_LEFT, KAPPA_LEFT, OMEGA, PHI_RIGHT, KAPPA_RIGHT)
-        )
-    ),
+    printed=dot(projector_left, B * projector_right) - dot(coefficients_of_projectors, vector(*ANGLES)),
+    derived=taylor(rotated, ANGLES, 1),
 )
 
 # %% [markdown]

@@ -4,8 +4,12 @@
 # The model point and the similarity transformation as functions.
 
 # %%
-import sympy
+from itertools import chain
 
+import sympy
+from sympy import cos, sin
+
+from algebroproj_derivations.inserting import given
 from algebroproj_derivations.okamoto1981.notation import *
 from algebroproj_derivations.okamoto1981.s2_1_algebraic_consideration import model
 from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
@@ -13,7 +17,6 @@ from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
     Kappa,
     Omega,
     Phi,
-    cosines_and_sines,
     length1,
     length2,
     m,
@@ -31,6 +34,10 @@ section = Section("okamoto1981", "2.2", "General orientation problem, geometrica
 
 # %%
 base_length = sympy.Symbol("base")
+cosines_and_sines = {angle: sympy.symbols(f"c_{angle} s_{angle}") for angle in (Phi, Omega, Kappa)}
+in_letters = given(
+    (function(angle) for angle in cosines_and_sines for function in (cos, sin)), chain(*cosines_and_sines.values())
+)
 section.kernel(
     "collinearity.model_point",
     "Model point on the left ray, from reduced transformed picture coordinates.",
@@ -59,7 +66,7 @@ section.kernel(
         "translation": center,
     },
     through=[cos_sin(*values, angle) for angle, values in cosines_and_sines.items()],
-    derived=object_of_model.xreplace({m: sympy.Symbol("scale")}),
+    derived=object_of_model.xreplace({m: sympy.Symbol("scale"), **in_letters}),
     claims=["38"],
     describe={
         "X_model": "Model point (XM, YM, ZM); unit of the model.",

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from itertools import combinations
 
 import sympy
+from sympy import cos, sin, sqrt
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
@@ -116,9 +117,7 @@ section.identity(
     "direction cosines",
     printed=1,
     derived=dot(direction_left, direction_left),
-    constraints=[length1**2 - dot(reduced_left, reduced_left)],
-    nonzero=[length1],
-    witness={X1: 1, Y1: 2, Z1: 2, length1: 3},
+    constraints=[length1 - sqrt(dot(reduced_left, reduced_left))],
 )
 
 # %% [markdown]
@@ -487,10 +486,9 @@ SpaceDrawing(
 
 # %%
 Phi, Omega, Kappa = sympy.symbols("Phi Omega Kappa")
-cosines_and_sines = {angle: sympy.symbols(f"c_{angle} s_{angle}") for angle in (Phi, Omega, Kappa)}
-(cos_1, sin_1), (cos_2, sin_2), (cos_3, sin_3) = cosines_and_sines.values()
 m = sympy.Symbol("m")
-of_model = rotation((ABOUT_Y, cos_1, sin_1), (ABOUT_X, cos_2, sin_2), (ABOUT_Z, cos_3, sin_3))
+turns = zip((ABOUT_Y, ABOUT_X, ABOUT_Z), (Phi, Omega, Kappa), strict=True)
+of_model = rotation(*((axis, cos(angle), sin(angle)) for axis, angle in turns))
 object_of_model = m * of_model * model + center
 
 # %% [markdown]
@@ -498,17 +496,7 @@ object_of_model = m * of_model * model + center
 
 # %%
 section.identity("38", "similarity transformation", derived=object_of_model)
-with_angles = {
-    letter: function(angle)
-    for angle, pair in cosines_and_sines.items()
-    for function, letter in zip((sympy.cos, sympy.sin), pair, strict=True)
-}
-section.identity(
-    "38#rotation",
-    "the three matrices are a rotation",
-    printed=E3,
-    derived=(of_model.T * of_model).xreplace(with_angles),
-)
+section.identity("38#rotation", "the three matrices are a rotation", printed=E3, derived=of_model.T * of_model)
 
 # %% [markdown]
 # ## Two letters $m$

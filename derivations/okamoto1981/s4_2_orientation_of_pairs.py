@@ -7,6 +7,7 @@
 
 # %%
 import sympy
+from sympy import Eq, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given, inserted
@@ -31,7 +32,6 @@ from algebroproj_derivations.okamoto1981.s1_2_space_correspondence import (
 from algebroproj_derivations.okamoto1981.s1_2_space_correspondence import d as d_of_space
 from algebroproj_derivations.okamoto1981.s1_2_space_correspondence import measured as measured_in_space
 from algebroproj_derivations.okamoto1981.s2_2_geometrical_consideration import (
-    about,
     angles_left,
     angles_right,
     coplanarity_of,
@@ -68,34 +68,33 @@ section = Section("okamoto1981", "4.2", "Usual case, orientation problem of a st
 # %%
 
 
-def usual_picture(rotations: Matrix, measured: Matrix, principal_point: Matrix, distance: Scalar) -> Matrix:
-    """Return the reduced transformed coordinates of a measured point where the comparator is parallel."""
-    return inserted(
-        inserted(reduced, (*d, *rotation_matrix), (*E3, *rotations)),
-        (xc, yc, xco, yco, c),
-        (*measured, *principal_point, distance),
-    )
+def usual_picture(measured: Matrix, principal_point: Matrix, distance: Scalar) -> Matrix:
+    """Return the picture point of a measured point where the comparator is parallel."""
+    parallel = inserted(reduced, (*d, *rotation_matrix), (*E3, *E3)).doit()
+    return inserted(parallel, (xc, yc, xco, yco, c), (*measured, *principal_point, distance))
 
 
 # %% [markdown]
-# **Print.**
+# **Print.**  The rotations are those of (27) and (28).  What is printed holds for any matrices in their place.
 
 # %%
 xc1, yc1, xc2, yc2, xh1, yh1, xh2, yh2, c1, c2 = sympy.symbols("xc1 yc1 xc2 yc2 xH1 yH1 xH2 yH2 c1 c2")
+D_phi1, D_kappa1, D_phi2, D_omega2, D_kappa2 = (
+    MatrixSymbol(f"D_{name}", 3, 3) for name in ("phi1", "kappa1", "phi2", "omega2", "kappa2")
+)
+x1_bold, x2_bold = MatrixSymbol("x1", 3, 1), MatrixSymbol("x2", 3, 1)
 section.identity("51", "condition of coplanarity", derived=reduced_condition)
-rotation_left = about(ABOUT_Y, "1") * about(ABOUT_Z, "1")
 section.identity(
     "52",
     "reduced transformed coordinates of the left picture",
-    printed=rotation_left * vector(xc1 - xh1, yc1 - yh1, -c1),
-    derived=usual_picture(rotation_left, vector(xc1, yc1), vector(xh1, yh1), c1),
+    derived=D_phi1 * D_kappa1 * x1_bold,
+    constraints=[Eq(x1_bold, usual_picture(vector(xc1, yc1), vector(xh1, yh1), c1))],
 )
-rotation_right = about(ABOUT_Y, "2") * about(ABOUT_X, "2") * about(ABOUT_Z, "2")
 section.identity(
     "53",
     "reduced transformed coordinates of the right picture",
-    printed=rotation_right * vector(xc2 - xh2, yc2 - yh2, -c2),
-    derived=usual_picture(rotation_right, vector(xc2, yc2), vector(xh2, yh2), c2),
+    derived=D_phi2 * D_omega2 * D_kappa2 * x2_bold,
+    constraints=[Eq(x2_bold, usual_picture(vector(xc2, yc2), vector(xh2, yh2), c2))],
 )
 
 # %% [markdown]

@@ -9,6 +9,7 @@
 from itertools import combinations
 
 import sympy
+from sympy import MatrixSymbol
 
 from algebroproj_derivations.cameras import inhomogeneous
 from algebroproj_derivations.figures import SpaceDrawing
@@ -45,7 +46,7 @@ section.identity(
 # **Rank 4.**  A regular matrix relates two spaces of three dimensions, in both directions.
 
 # %%
-section.rank("1.1/regular#rank", "a general matrix is regular", printed=4, derived=P)
+section.rank("1.1/regular#rank", "a general matrix is regular", printed=4, derived=MatrixSymbol("P", 4, 4))
 section.identity(
     "1.1/regular#inverse",
     "a regular transformation relates the two spaces in both directions",

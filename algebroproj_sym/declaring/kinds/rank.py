@@ -186,7 +186,7 @@ RANK = Kind(
     rank,
     compare,
     "The generic rank of the matrix.",
-    takes=("kernel",),
+    takes=("kernel", "letters"),
     of_entries=True,
     is_reduced=False,
     printed="Printed: the rank",

@@ -66,6 +66,7 @@ STRUCTURE = Kind(
     structure,
     compare,
     "The pattern says which entries are zero, equal or opposite.",
+    takes=("letters",),
     one_shape=True,
     of_entries=True,
     printed="Printed: the pattern",

@@ -136,7 +136,7 @@ VANISHING = Kind(
     compare,
     "The expression is zero exactly where one of the printed factors is.",
     transcribe=transcribed_factors,
-    takes=("nonzero",),
+    takes=("nonzero", "letters"),
     of_entries=True,
     printed="Printed: where it is zero",
     derived="Derived: the expression",

@@ -183,6 +183,18 @@ def shape_in_text(name: str, text: str) -> Shape:
     return _declared(name, text)[0]
 
 
+def letter_in_text(name: str, text: str) -> Letter:
+    """Return a letter that is declared as text.
+
+    Examples
+    --------
+    >>> letter_in_text("R", "3x3 rotation").shape
+    (3, 3)
+    """
+    shape, listed = _declared(name, text)
+    return declared_letters({name: shape}, {name: listed})[name]
+
+
 def _shapes(reading: Reading) -> dict[str, Shape]:
     return {name: Reading().term(letter, name).shape for name, letter in reading.letters.items()}
 

@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
+from typing import Any
 
 import sympy
 
@@ -77,10 +78,12 @@ def exact_points(statement: Statement, tries: int) -> Iterator[Point]:
         list(some) for size in range(1, MOST_ENDS + 1) for some in combinations(dict.fromkeys(ends), size)
     ]
     found, seen = 0, set[tuple[Term, ...]]()
-    rounds = 0
+    rounds, solved = 0, list[list[list[tuple[str, Term]]]]()
     while names and rounds < tries and found < tries:
-        for some in chosen:
-            for solution in _solved([*equations, *some], names):
+        for place, some in enumerate(chosen):
+            if rounds == 0:
+                solved.append([])
+            for solution in solved[place] if rounds else _kept(_solved([*equations, *some], names), solved[place]):
                 point = _filled(solution, names, pools, generator, rounds)
                 key = tuple(point[name] for name in names)
                 if key not in seen:
@@ -126,6 +129,13 @@ def _solved(equations: Sequence[Term], names: Sequence[str]) -> Iterator[list[tu
         else:
             continue
         return
+
+
+def _kept(solutions: Iterator[list[tuple[str, Term]]], kept: list[list[tuple[str, Term]]]) -> Iterator[Any]:
+    """Yield solutions, and keep them."""
+    for solution in solutions:
+        kept.append(solution)
+        yield solution
 
 
 def _filled(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
 from typing import Any
@@ -33,7 +33,7 @@ from algebroproj_sym.proving.reals.reading import (
     zero_of,
 )
 from algebroproj_sym.proving.reals.samples import samples_at
-from algebroproj_sym.proving.reals.search import Search
+from algebroproj_sym.proving.reals.search import plain_proof, searched_proof
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.complex_numbers import real_statements
@@ -184,8 +184,11 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
         met += islice(places(statement, FIRST_TRIES if has_integrals else ALL_TRIES, ALL), 1)
         if met and met[0].fails:
             return _refuted(record, statement, met[0])
-    elif not has_integrals and (refuted := _failing(statement, QUICK_TRIES, QUICK_TRIES, 0)):
-        return _refuted(record, statement, refuted)
+    elif not has_integrals:
+        if plain := _proved(record, statement, met, statement.hypotheses(), search=plain_proof):
+            return plain
+        if refuted := _failing(statement, QUICK_TRIES, QUICK_TRIES, 0):
+            return _refuted(record, statement, refuted)
     reason = UNDECIDED if met else NOWHERE
     if has_integrals:
         found = _integrated(record, statement, met)
@@ -251,12 +254,13 @@ def _proved(
     met: Sequence[Place],
     hypotheses: Sequence[str],
     integrals: Sequence[Any] = (),
+    search: Callable[..., Any] = searched_proof,
 ) -> dict[str, Any] | None:
     if not met:
         return None
     begin()
     try:
-        proof = Search(statement.theory(), [statement.goal], samples_at(place.point for place in met)).proof()
+        proof = search(statement.theory(), [statement.goal], samples_at(place.point for place in met))
     except (EffortExceededError, NotReplayable, Rejected):
         return None
     if proof is None:

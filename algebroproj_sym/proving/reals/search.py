@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import combinations
 from math import pi
@@ -34,6 +35,17 @@ MOST_NUMBERS = 12
 Node = dict[str, Any]
 
 
+@dataclass
+class Case:
+    """What is known in a case, whether the goal is reached in it, and the cases that it has been divided into."""
+
+    knowledge: Knowledge
+    split: tuple[str, ...] = ()
+    reached: bool | None = None
+    choices: list[tuple[str, tuple[str, ...]]] | None = None
+    parts: dict[tuple[str, str], Case] = field(default_factory=dict)
+
+
 class Search:
     """A search for a proof of relations of terms to zero, within a number of cases.
 
@@ -63,23 +75,33 @@ class Search:
         self.cases = 0
 
     def proof(self) -> Node | None:
-        """Return a proof; None if none was found."""
-        return self._node(Knowledge(self.theory, self.samples, self.effort), 0, ())
+        """Return a proof with as few cases within one another as there are; None if none was found."""
+        whole = Case(Knowledge(self.theory, self.samples, self.effort))
+        found = (self._node(whole, further) for further in range(DEEPEST + 1))
+        return next((node for node in found if node is not None), None)
 
-    def _node(self, knowledge: Knowledge, depth: int, split: tuple[str, ...]) -> Node | None:
-        self.cases += 1
-        if self.cases > MOST_CASES:
-            return None
-        if _contradicts(knowledge, depth) or self._reached(knowledge):
+    def _node(self, case: Case, further: int) -> Node | None:
+        """Return the proof of a case, with further ones within it up to some depth."""
+        knowledge = case.knowledge
+        if case.reached is None:
+            self.cases += 1
+            if self.cases > MOST_CASES:
+                return None
+            case.reached = _contradicts(knowledge, len(case.split)) or self._reached(knowledge)
+        if case.reached:
             end = "contradiction" if knowledge.theory.contradictory else "goal"
             return {"steps": knowledge.steps, "end": end}
-        if depth >= DEEPEST:
+        if not further:
             return None
-        for polynomial, relations in self._choices(knowledge, split)[:3]:
-            text = knowledge.text(polynomial)
+        if case.choices is None:
+            found = self._choices(knowledge, case.split)[:3]
+            case.choices = [(knowledge.text(polynomial), relations) for polynomial, relations in found]
+        for text, relations in case.choices:
             parts = []
             for relation in relations:
-                part = self._node(knowledge.case(relation, text), depth + 1, (*split, text))
+                if (relation, text) not in case.parts:
+                    case.parts[relation, text] = Case(knowledge.case(relation, text), (*case.split, text))
+                part = self._node(case.parts[relation, text], further - 1)
                 if part is None:
                     break
                 parts.append({"assumed": relation, **part})
@@ -225,6 +247,25 @@ class Search:
         self, theory: Theory, goals: Sequence[Condition], samples: Sequence[Sample], effort: list[int]
     ) -> Node | None:
         return Search(theory, goals, samples, self.level + 1, effort).proof()
+
+
+def searched_proof(theory: Theory, goals: Sequence[Condition], samples: Sequence[Sample]) -> Node | None:
+    """Return a proof of relations to zero; None if none was found."""
+    return Search(theory, goals, samples).proof()
+
+
+def plain_proof(theory: Theory, goals: Sequence[Condition], samples: Sequence[Sample]) -> Node | None:
+    """Return a proof of equalities by addition theorems and rewriting alone; None if that does not do."""
+    knowledge = Knowledge(theory, samples)
+    for relation, term in goals:
+        if relation != "=" or not knowledge.step("defined", term=written(term)):
+            return None
+        goal = theory.term(term.args[0]) - theory.term(term.args[1].args[0])
+        if not knowledge.zero(goal, quick=True):
+            normalised(knowledge)
+            if not knowledge.zero(goal):
+                return None
+    return {"steps": knowledge.steps, "end": "contradiction" if theory.contradictory else "goal"}
 
 
 def _are_equal(knowledge: Knowledge, left: Element, right: Element) -> bool:

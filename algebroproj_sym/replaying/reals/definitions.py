@@ -478,8 +478,8 @@ def replaced(term: Term, name: str, value: Term) -> Term:
     >>> written(replaced(read("sin(x)/x"), "x", constant(3)))
     'sin(3)/3'
     """
-    if name not in term.symbols():
-        return term
     if term.kind == "symbol":
-        return value
+        return value if term.value == name else term
+    if not term.args or (term.kind in CALCULUS and name not in term.symbols()):
+        return term
     return Term(term.kind, term.value, tuple(replaced(part, name, value) for part in term.args))

@@ -11,7 +11,7 @@ import sympy
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import KINDS, Claim, Judgement
-from algebroproj_sym.declaring.claim import CORRECTED
+from algebroproj_sym.declaring.claim import CORRECTED, as_stated
 from algebroproj_sym.expressions import TextForm, assumption, evaluate, shape
 from algebroproj_sym.expressions.arranging import arranged
 from algebroproj_sym.reporting.explaining import apart, plain_rows
@@ -157,7 +157,7 @@ def conditions(judgement: Judgement) -> Markup:
     claim = judgement.claim
     given = [Markup("{} is {}").format(symbol(name), described_letter(text)) for name, text in claim.letters]
     given += [_condition(constraint, "=") for constraint in (*claim.constraints, *claim.assumptions)]
-    given += [_condition(factor, "≠") for factor in dict.fromkeys((*claim.nonzero, *judgement.hypotheses))]
+    given += [_condition(factor, "≠") for factor in dict.fromkeys((*as_stated(claim, "nonzero"), *judgement.hypotheses))]
     given += [Markup("{}").format(assumption(assumed)) for assumed in claim.assumed]
     if (judgement.certificate or {}).get("scope") == "for every size":
         given.append(Markup("and the sizes may be any others that fit"))

@@ -13,11 +13,13 @@ from algebroproj_sym.declaring import Judgement, statement_text
 from algebroproj_sym.declaring.claim import CORRECTED
 from algebroproj_sym.expressions import Matrix, TextForm
 from algebroproj_sym.proving import point_record
-from algebroproj_sym.reporting.explaining import sides_at_counterexample
+from algebroproj_sym.reporting.explaining import plain_rows, sides_at_counterexample
 from algebroproj_sym.reporting.site.comparison import place_of
 from algebroproj_sym.reporting.site.formulas import folded, in_line, symbol
 from algebroproj_sym.reporting.site.mathml import math
 from algebroproj_sym.reporting.site.tables import Table
+from algebroproj_sym.showing.forms import entries_of_letters
+from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.text_latex import latex_of_text
 
 LONGEST_VALUE = 1200
@@ -57,6 +59,7 @@ def evidence(judgement: Judgement) -> tuple[tuple[str, ...], list[Table]]:
     tables = [
         *_counterexample(judgement),
         *_data("Refutation of the printed form", _rest(refutation, judgement)),
+        *_letters(judgement),
         *(_points(certificate)),
         *_cofactors(certificate),
         *_data("Certificate", _rest(certificate, judgement)),
@@ -127,11 +130,20 @@ def _points(certificate: Mapping[str, Any]) -> list[Table]:
     return [_point(caption, certificate[key]) for key, caption in captions.items() if certificate.get(key)]
 
 
+def _letters(judgement: Judgement) -> list[Table]:
+    """Return the entries of the letters, and what was decided about them."""
+    claim = judgement.claim
+    letters = [(symbol(name), in_line(math(latex(form)))) for name, form in entries_of_letters(judgement).items()]
+    found = [Table("Entries of the letters", ("letter", "entries"), letters)] if letters else []
+    parts = [part for part in ("printed", "derived", "corrected") if part in claim.stated]
+    rows = [(part, _code("; ".join(plain_rows(getattr(claim, part))))) for part in parts]
+    return [*found, Table("Written out", ("form", "entries"), rows)] if rows else found
+
+
 def _cofactors(certificate: Mapping[str, Any]) -> list[Table]:
     listed = certificate.get("entries", ())
     if isinstance(listed, Mapping):
-        letters = [(symbol(name), in_line(math(latex_of_text(TextForm(text, ()))))) for name, text in listed.items()]
-        return [Table("Entries of the letters", ("letter", "entries"), letters)]
+        return []
     entries = [(f"entry {k}", entry) for k, entry in enumerate(listed, 1)]
     rows = [
         (f"{name}, constraint {int(i) + 1}", str(entry["exponent"]), _code(entry["multiplier"]), _code(cofactor))

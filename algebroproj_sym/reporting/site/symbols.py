@@ -15,6 +15,7 @@ import sympy
 from markupsafe import Markup
 
 from algebroproj_sym.declaring import Claim
+from algebroproj_sym.declaring.claim import as_stated
 from algebroproj_sym.expressions import TextForm, symbols_of
 from algebroproj_sym.reading import UnreadableError, symbols_for, tables_in
 from algebroproj_sym.reporting.site.addresses import symbol_cards, symbols_page
@@ -119,13 +120,16 @@ def _in_order(name: str) -> list[str]:
 
 def names_of(claim: Claim) -> list[str]:
     """Return the names of the symbols in the forms of a claim."""
-    found = {name for form in (claim.printed, claim.corrected, claim.derived) for name in _names(form)}
+    forms = (as_stated(claim, part) for part in ("printed", "corrected", "derived"))
+    found = {name for form in forms for name in _names(form)}
     return sorted(found)
 
 
 def _names(form: Any) -> list[str]:
     if isinstance(form, TextForm):
         return form.names
+    if isinstance(form, tuple):
+        return [name for part in form for name in _names(part)]
     return [symbol.name for symbol in symbols_of([form])] if hasattr(form, "free_symbols") else []
 
 

@@ -113,6 +113,10 @@ CONTRACT = {
     stereo.triangulate: ([(3, 3), (3,), (2,), (2,)], [(3,)]),
     stereo.residuals: ([(3,), (3, 3), (3,), (2,), (2,)], [(2,), (2,)]),
     stereo.sampson: ([(3, 3), (2,), (2,)], [(), (4,)]),
+    stereo.fundamental_matrix: ([(3, 3), (3, 3), (3, 3)], [(3, 3)]),
+    stereo.relative: ([(3, 3), (3,), (3, 3), (3,)], [(3, 3), (3,)]),
+    projection.from_camera: ([(3, 4), (4, 3)], [(3,), (2,), (3, 2)]),
+    projection.to_camera: ([(3,), (2,), (3, 2), (4, 3)], [(3, 4)]),
 }
 FUNCTIONS = {function: arguments for function, (arguments, _) in CONTRACT.items()}
 RESULTS = {function: results for function, (_, results) in CONTRACT.items()}
@@ -122,7 +126,9 @@ DRIVERS = {
     minimal.five_pairs,
     minimal.orientations,
     minimal.seven_pairs,
+    stereo.corrected,
     stereo.poses,
+    stereo.rectify,
 }
 TRIGONOMETRIC = {
     collinearity.coefficients,

@@ -22,8 +22,10 @@ from algebroproj_sym.generating.runtime.accuracy import sentences
 from algebroproj_sym.generating.writing import PACKAGE, drift, write
 from algebroproj_sym.verifying.shipped import function_of, load_package
 
+HAND_WRITTEN = ("drivers.py", "epipolar.py", "five_pairs.py", "isolating.py", "poses.py", "solvers.py")
 SHARED = {
-    *("__init__.py", "drivers.py", "five_pairs.py", "isolating.py", "poses.py", "solvers.py", "py.typed"),
+    *("__init__.py", "py.typed"),
+    *HAND_WRITTEN,
     *(
         f"_c/{name}"
         for name in ("compiled.c", "calls.h", "kernels.h", "solvers.h", "systems.h", "moves.h", "loops.h", "fours.h")
@@ -33,7 +35,6 @@ SHARED = {
 }
 # One worker makes all files.
 pytestmark = pytest.mark.xdist_group("package")
-HAND_WRITTEN = ("drivers.py", "five_pairs.py", "isolating.py", "poses.py", "solvers.py")
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 

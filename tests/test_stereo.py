@@ -2,10 +2,11 @@
 
 from fractions import Fraction
 
+import mpmath
 import numpy as np
 import pytest
 
-from algebroproj import minimal, plain, stereo
+from algebroproj import minimal, plain, projection, stereo
 from algebroproj_sym.study.conditioning import jacobian
 
 
@@ -176,3 +177,166 @@ def test_what_is_no_matrix_or_point_is_refused_by_name():
         stereo.poses(np.eye(3), [[0, 0], [1, 1]], [[0, 0]])
     with pytest.raises(ValueError, match=r"x_left: expected finite numbers, got nan"):
         stereo.poses(np.eye(3), [[0, np.nan]], [[0, 0]])
+
+
+def stationary(form, left, right):
+    """Return the squares of all changes of a pair that satisfy the equation and are along its gradient.
+
+    With the multiplier m the change is ``-m (1 + m H)^-1 g``, and the equation is a polynomial in m.
+    """
+    u, v = np.append(left, 1.0), np.append(right, 1.0)
+    hessian = np.block([[np.zeros((2, 2)), form[:2, :2]], [form[:2, :2].T, np.zeros((2, 2))]])
+    values, vectors = np.linalg.eigh(hessian)
+    gradient = vectors.T @ np.concatenate([(form @ v)[:2], (form.T @ u)[:2]])
+    factors = [np.polynomial.Polynomial([1.0, value]) ** 2 for value in values]
+    whole = np.prod(factors)
+    m = np.polynomial.Polynomial([0.0, 1.0])
+    polynomial = (u @ form @ v) * whole
+    for k, (value, g) in enumerate(zip(values, gradient, strict=True)):
+        others = np.prod([factor for j, factor in enumerate(factors) if j != k])
+        polynomial += others * (0.5 * value * (m * g) ** 2 - m * g**2 * np.polynomial.Polynomial([1.0, value]))
+    roots = polynomial.roots()
+    found = []
+    for root in roots[np.abs(roots.imag) < 1e-3 * (1 + np.abs(roots))].real:
+        with np.errstate(all="ignore"):
+            for _ in range(8):  # Newton's steps: multiple poles make the polynomial inexact
+                below = 1 + root * values
+                change = root * gradient / below
+                error = u @ form @ v + (0.5 * values * change**2 - gradient * change).sum()
+                root += error / (gradient**2 / below**3).sum()
+        if abs(error) < 1e-12:
+            found.append((change**2).sum())
+    return np.array(found)
+
+
+@pytest.mark.parametrize("noise", [1e-4, 1e-3, 1e-2])
+def test_a_corrected_pair_is_the_nearest_one(noise):
+    turn, base, _, left, right = scene(8, 40)
+    generator = np.random.default_rng(8)
+    left, right = (points + noise * generator.normal(size=points.shape) for points in (left, right))
+    form = cross_matrix(base) @ turn
+    found = stereo.corrected(form, left, right)
+    ones = np.ones((40, 1))
+    equation = (np.hstack([found.x_left, ones]) @ form * np.hstack([found.x_right, ones])).sum(axis=1)
+    assert np.abs(equation).max() < 1e-12
+    least = [np.nanmin(stationary(form, *each)) for each in zip(left, right, strict=True)]
+    np.testing.assert_allclose(found.distance2, least, rtol=1e-6)
+    sampson = stereo.sampson(form, left, right)[0]
+    np.testing.assert_allclose(found.distance2, sampson, rtol=20 * noise)
+
+
+def test_beside_epipoles_the_nearest_of_all_pairs_is_found():
+    left, right = np.random.default_rng(1).normal(size=(2, 100, 2))
+    form = cross_matrix(np.array([0, 0, 1.0]))
+    least = [np.nanmin(stationary(form, *each)) for each in zip(left, right, strict=True)]
+    np.testing.assert_allclose(stereo.corrected(form, 1e-3 * left, 1e-3 * right).distance2, np.multiply(least, 1e-6))
+
+
+def test_of_two_pairs_that_are_nearly_as_near_the_nearer_one_is_found():
+    form = cross_matrix(np.array([0, 0, 1.0]))
+    found = stereo.corrected(form, [[1, 1e-9], [1, -1e-9], [0, 0]], [[0, 1], [0, 1], [0.5, 2]])
+    np.testing.assert_allclose(found.x_left, [[0.5, 0.5], [0.5, -0.5], [0, 0]], atol=1e-6)
+    np.testing.assert_allclose(found.distance2, [1 - 1e-9, 1 - 1e-9, 0], atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("form", "left"),
+    [
+        (cross_matrix(np.array([0, 0, 1.0])), [1, 0]),  # Two pairs are nearest.
+        (np.diag([0, 0, 1.0]), [0, 0]),  # No pair satisfies the equation.
+        (np.zeros((3, 3)), [0, 0]),
+        (np.full((3, 3), np.inf), [0, 0]),
+        (np.eye(3), [np.nan, 0]),
+    ],
+)
+def test_where_no_pair_is_nearest_there_is_none(form, left):
+    assert all(np.isnan(part).all() for part in stereo.corrected(form, left, [0, 1]))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_rectified_images_have_homologous_points_in_the_same_rows(seed):
+    turn, base, _, left, right = scene(seed)
+    first, second = stereo.rectify(turn, base)
+    np.testing.assert_allclose([first @ first.T, second @ second.T], [np.eye(3)] * 2, atol=1e-14)
+    np.testing.assert_allclose(np.linalg.det([first, second]), 1)
+    rays = [np.insert(points, 2, 1.0, axis=1) @ axes.T for points, axes in ((left, first), (right, second))]
+    heights = [each[:, 1] / each[:, 2] for each in rays]
+    np.testing.assert_allclose(*heights, rtol=1e-9)
+
+
+def rectified_with_digits(turn, base):
+    """Return the first rotation by its definition, with 60 digits."""
+    with mpmath.workdps(60):
+        turn, base = mpmath.matrix(turn.tolist()), mpmath.matrix(base.tolist())
+        optical = turn[:, 2] + mpmath.matrix([0, 0, 1])
+        third = optical - base * ((optical.T * base)[0] / (base.T * base)[0])
+        first, third = (list(each / mpmath.norm(each)) for each in (base, third))
+        second = [third[k - 2] * first[k - 1] - third[k - 1] * first[k - 2] for k in range(3)]
+        left = mpmath.matrix([first, second, third])
+        return left, left * turn
+
+
+@pytest.mark.parametrize("kind", ["any", "forwards", "along the sum", "opposite", "huge", "tiny"])
+def test_rectifying_rotations_err_by_a_few_units_in_the_last_place_however_hard_they_are(kind):
+    generator = np.random.default_rng(4)
+    for exponent in range(12):
+        turn, base, near = rotation(generator.normal(size=4)), generator.normal(size=3), 10.0**-exponent
+        if kind == "forwards":
+            turn, base = rotation(np.array([1, 0, 0, 0]) + near * generator.normal(size=4)), [0, 0, 1] + near * base
+        elif kind == "along the sum":
+            base = turn[:, 2] + [0, 0, 1] + near * base
+        elif kind == "opposite":
+            turn = rotation(generator.normal(size=4) * [near, 1, 1, near])
+        base = base * {"huge": 2.0**1020, "tiny": 2.0**-1020}.get(kind, 1)
+        for found, exact in zip(stereo.rectify(turn, base), rectified_with_digits(turn, base), strict=True):
+            assert mpmath.norm(mpmath.matrix(found.tolist()) - exact, mpmath.inf) < 2.0**-49
+
+
+@pytest.mark.parametrize(
+    ("turn", "base"),
+    [
+        (np.eye(3), [0, 0, 1]),  # The base is along the sum of the optical axes.
+        (np.eye(3), [2.0**-53, 0, 1]),
+        (np.diag([1, -1, -1]), [1, 0, 0]),  # The sum of the optical axes is zero.
+        (np.eye(3), [0, 0, 0]),
+        (np.eye(3), [np.inf, 0, 0]),
+        (np.full((3, 3), np.nan), [1, 0, 0]),
+    ],
+)
+def test_where_no_axis_is_determined_there_are_no_rotations(turn, base):
+    assert np.isnan(stereo.rectify(turn, base)).all()
+
+
+def test_many_pairs_are_rectified_and_corrected_at_once_and_wrong_shapes_are_named():
+    turn, base, _, left, right = scene(12)
+    rotations = stereo.rectify(np.stack([turn] * 4), np.stack([base] * 3)[:, None])
+    assert [part.shape for part in rotations] == [(3, 4, 3, 3)] * 2
+    found = stereo.corrected(cross_matrix(base) @ turn, left[:, None], right)
+    assert [part.shape for part in found] == [(12, 12, 2), (12, 12, 2), (12, 12)]
+    with pytest.raises(ValueError, match=r"b: expected the shape \(\.\.\., 3\), got \(2,\)"):
+        stereo.rectify(turn, [1, 2])
+    with pytest.raises(ValueError, match="C: expected real numbers, got the type complex128"):
+        stereo.corrected(1j * turn, [1, 2], [1, 2])
+    with pytest.raises(ValueError, match="rectify: expected leading shapes that broadcast"):
+        stereo.rectify(np.stack([turn] * 2), np.stack([base] * 3))
+
+
+def test_cameras_of_computer_vision_and_the_parameters_of_1996_are_the_same():
+    generator = np.random.default_rng(3)
+    for _ in range(5):
+        turns = [rotation(generator.normal(size=4) + np.array([4, 0, 0, 0])) for _ in range(2)]
+        moves = generator.normal(size=(2, 3))
+        calibrations = [np.array([[f, s, 500], [0, f + 5, 400], [0, 0, 1]]) for f, s in ((1000, 2), (1200, -1))]
+        points = generator.uniform((-1, -1, 6), (1, 1, 8), (12, 3))
+        cameras = [k @ np.column_stack([r, t]) for k, r, t in zip(calibrations, turns, moves, strict=True)]
+        pixels = [np.insert(points, 3, 1.0, axis=1) @ camera.T for camera in cameras]
+        turn, base = stereo.relative(turns[0], moves[0], turns[1], moves[1])
+        seen = [points @ r.T + t for r, t in zip(turns, moves, strict=True)]
+        np.testing.assert_allclose(seen[1] @ turn.T + base, seen[0], rtol=1e-9, atol=1e-9)
+        fundamental = stereo.fundamental_matrix(cross_matrix(base) @ turn, *calibrations)
+        left = fundamental @ pixels[0].T
+        assert np.abs((pixels[1].T * left).sum(axis=0)).max() < 1e-9 * np.abs(left).max() * 1000
+        for camera in cameras:
+            again = projection.to_camera(*projection.from_camera(-2 * camera, points[:4]), points[:4])
+            scale = np.linalg.norm(camera) / np.linalg.norm(again) * np.sign((camera * again).sum())
+            np.testing.assert_allclose(scale * again, camera, atol=1e-9 * np.abs(camera).max())

@@ -934,6 +934,25 @@ static FUSED_TUNED int projection_center_from_mu_fours(double *const *data, cons
     return in_range(range[0]);
 }
 
+static FUSED_TUNED int projection_from_camera_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[24], out[11], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 12);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 12);
+        read_four(in + 8, data[0] + i * steps[0] + 8, 12);
+        read_four(in + 12, data[1] + i * steps[1], 12);
+        read_four(in + 16, data[1] + i * steps[1] + 4, 12);
+        read_four(in + 20, data[1] + i * steps[1] + 8, 12);
+        projection_from_camera_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_3(out + 0, data[2] + i * steps[2]);
+        write_2(out + 3, data[3] + i * steps[3]);
+        write_four(out + 5, data[4] + i * steps[4], 6);
+        write_four(out + 7, data[4] + i * steps[4] + 2, 6);
+    }
+    return in_range(range[0]);
+}
+
 static FUSED_TUNED int projection_mu_from_center_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[5], out[3], range[1] = {most_headroom};
@@ -1077,6 +1096,25 @@ static FUSED_TUNED int projection_reconstruction_matrix_from_mu_fours(double *co
     return in_range(range[0]);
 }
 
+static FUSED_TUNED int projection_to_camera_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[23], out[12], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_3(in + 0, data[0] + i * steps[0]);
+        read_2(in + 3, data[1] + i * steps[1]);
+        read_four(in + 5, data[2] + i * steps[2], 6);
+        read_four(in + 7, data[2] + i * steps[2] + 2, 6);
+        read_four(in + 11, data[3] + i * steps[3], 12);
+        read_four(in + 15, data[3] + i * steps[3] + 4, 12);
+        read_four(in + 19, data[3] + i * steps[3] + 8, 12);
+        projection_to_camera_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[4] + i * steps[4], 12);
+        write_four(out + 4, data[4] + i * steps[4] + 4, 12);
+        write_four(out + 8, data[4] + i * steps[4] + 8, 12);
+    }
+    return in_range(range[0]);
+}
+
 static FUSED_TUNED int space_homography_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[4], out[16], range[1] = {most_headroom};
@@ -1140,6 +1178,48 @@ static FUSED_TUNED int stereo_depths_fours(double *const *data, const npy_intp *
         stereo_depths_four((const four (*)[1])in, (four (*)[1])out, range, 1);
         write_1(out + 0, data[4] + i * steps[4]);
         write_1(out + 1, data[5] + i * steps[5]);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int stereo_fundamental_matrix_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[27], out[9], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_four(in + 9, data[1] + i * steps[1], 9);
+        read_four(in + 13, data[1] + i * steps[1] + 4, 9);
+        read_one(in + 17, data[1] + i * steps[1] + 8, 9);
+        read_four(in + 18, data[2] + i * steps[2], 9);
+        read_four(in + 22, data[2] + i * steps[2] + 4, 9);
+        read_one(in + 26, data[2] + i * steps[2] + 8, 9);
+        stereo_fundamental_matrix_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[3] + i * steps[3], 9);
+        write_four(out + 4, data[3] + i * steps[3] + 4, 9);
+        write_one(out + 8, data[3] + i * steps[3] + 8, 9);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int stereo_relative_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[24], out[12], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_3(in + 9, data[1] + i * steps[1]);
+        read_four(in + 12, data[2] + i * steps[2], 9);
+        read_four(in + 16, data[2] + i * steps[2] + 4, 9);
+        read_one(in + 20, data[2] + i * steps[2] + 8, 9);
+        read_3(in + 21, data[3] + i * steps[3]);
+        stereo_relative_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[4] + i * steps[4], 9);
+        write_four(out + 4, data[4] + i * steps[4] + 4, 9);
+        write_one(out + 8, data[4] + i * steps[4] + 8, 9);
+        write_3(out + 9, data[5] + i * steps[5]);
     }
     return in_range(range[0]);
 }

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "exceeded", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "2aaf656c2dd50be8"
+DIGEST = "a356cc9d1fd1a690"
 """What identifies the C source that belongs to this package."""
 
 

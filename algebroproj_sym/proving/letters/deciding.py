@@ -518,7 +518,7 @@ class _Question:
     ) -> Iterator[RationalFunction]:
         """Yield the entries of the difference of the sides."""
         numbers = Field(field.lift)
-        values = {symbol.name: value for symbol, value in field.variables.items()} | signs
+        values = {symbol.name: value for symbol, value in field.variables.items()} | dict(signs)
         letters = {k: entries_of(each.entries, {}, values, numbers) for k, each in expansion.letters.items()}
         left, right = (entries_of(side, letters, values, numbers) for side in self.plain.terms[:2])
         yield from (a - b for rows in zip(left, right, strict=True) for a, b in zip(*rows, strict=True))

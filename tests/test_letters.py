@@ -1022,7 +1022,7 @@ def test_a_question_that_costs_too_much_ends_open(monkeypatch):
     for module in (deciding, constrained):
         monkeypatch.setattr(module, "MOST_OF_SEARCH", 10_000)
     asked = {"constraints": ["A**2 + B**2 = 0"], "letters": {"A": "3x3", "B": "3x3"}}
-    assert prove("det(A)", "det(B)", **asked).certificate["reason"].startswith("neither a proof nor")
+    assert prove("det(A)", "det(B)", **asked).certificate["reason"].startswith("no proof was found in words, none")
     assert len({*refused}) > 2
     assert len(refused) < 300
 
@@ -1036,6 +1036,16 @@ def test_entries_that_would_cost_too_much_are_left():
     assert (record["verdict"], record["reason"]) == (
         "open",
         "no proof was found in words, and one by entries costs too much",
+    )
+
+
+def test_products_of_exponentials_end_and_say_what_was_tried():
+    letters = {"a": "3x1 unit", "b": "3x1 unit"}
+    turned = "exp(x*skew(a))*exp(y*skew(b))*exp(-x*skew(a))*exp(-y*skew(exp(x*skew(a))*b))"
+    found = prove(turned, "eye(3)", letters=letters)
+    assert (found.verdict, found.certificate["reason"]) == (
+        "open",
+        "a proof in words costs too much, and one by entries costs too much",
     )
 
 

@@ -105,7 +105,10 @@ def _setting(claim: Claim) -> dict[str, Any]:
     if claim.relation != "=":
         setting["relation"] = claim.relation
     if claim.stated:
-        setting["stated"] = {"letters": dict(claim.letters), **{key: _texts(form) for key, form in claim.stated.items()}}
+        setting["stated"] = {
+            "letters": dict(claim.letters),
+            **{key: _texts(form) for key, form in claim.stated.items()},
+        }
     elif claim.letters:
         setting["letters"] = dict(claim.letters)
     if claim.variable is not None:

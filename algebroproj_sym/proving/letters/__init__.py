@@ -23,7 +23,7 @@ from algebroproj_sym.expressions.letters import (
 )
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.letters.deciding import Found, Point, decide
-from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_letters
+from algebroproj_sym.proving.letters.properties import PROPERTIES, Letter, declared_letters
 from algebroproj_sym.proving.letters.statements import Statement
 from algebroproj_sym.proving.proof import Proof
 

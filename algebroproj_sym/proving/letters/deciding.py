@@ -42,7 +42,7 @@ from algebroproj_sym.proving.points import rational_zeros
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.proof import Decision, UndefinedError
 from algebroproj_sym.proving.prove import prove as decided
-from algebroproj_sym.proving.rational_function import RationalFunctionField
+from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
 
 LARGEST_TURN = 3
 MOST_DEGREE = 20
@@ -54,6 +54,9 @@ CONSTRAINED_TRIES = 60
 SPARSE_TRIES = 200
 MOST_OF_SEARCH = 1_000_000
 MOST_PRODUCTS = 50_000_000
+MOST_TERMS = 50_000
+MOST_EVALUATED = 500_000
+"""How long a difference may be that is compared with constraints; how many products the points of a search may take."""
 
 _CIRCLE = [(Fraction(a, c), Fraction(b, c)) for a, b, c in ((3, 4, 5), (-4, 3, 5), (5, 12, 13), (-8, 15, 17))]
 _NUMBERS = Field(Fraction)
@@ -186,14 +189,7 @@ class _Question:
         refuting = refuting or self._differing(self._points(FIRST_TRIES), ENOUGH_POINTS)
         if refuting is not None:
             return self._refuted(refuting)
-        found = self._in_words()
-        reason = self._without_entries()
-        if found is None and not reason:
-            reason = "neither a proof nor exact matrices at which the sides differ were found"
-            try:
-                found = self._by_entries()
-            except EffortExceededError:
-                reason = "no proof was found in words, and one by entries costs too much"
+        found, reason = self._proof()
         if found is None:
             refuting = self._differing(self._points(MORE_TRIES), MORE_TRIES)
             return self._open(reason) if refuting is None else self._refuted(refuting)
@@ -201,16 +197,32 @@ class _Question:
             return self._open("no exact matrices were found at which both sides are defined and all conditions hold")
         return found
 
+    def _proof(self) -> tuple[Found | None, str]:
+        """Return what words or entries decide; if they decide nothing, what was tried."""
+        words = "no proof was found in words"
+        try:
+            if found := self._in_words():
+                return found, ""
+        except EffortExceededError:
+            words = "a proof in words costs too much"
+        if reason := self._without_entries():
+            return None, f"{words}, and {reason}"
+        try:
+            found = self._by_entries()
+        except EffortExceededError:
+            return None, f"{words}, and one by entries costs too much"
+        return found, f"{words}, none was found by entries, and no exact matrices at which the sides differ"
+
     def _without_entries(self) -> str:
         """Return why entries decide nothing; empty if they may."""
         if self.size_names:
-            return "no proof was found in words, and sizes with names have no entries"
+            return "sizes with names have no entries"
         turning = [each for each in self.statement.letters.values() if "orthogonal" in each.properties]
         if any(int(letter.shape[0]) > LARGEST_TURN for letter in turning):
-            return f"no proof was found in words, and rotations have entries up to {LARGEST_TURN}x{LARGEST_TURN} only"
+            return f"rotations have entries up to {LARGEST_TURN}x{LARGEST_TURN} only"
         degree = max(degree_of(side, self.letters) for side in self.plain.terms[:2])
         if self.angles and degree > MOST_DEGREE:
-            return f"no proof was found in words, and entries have degree {degree}: those up to {MOST_DEGREE} are tried"
+            return f"entries have degree {degree}: those up to {MOST_DEGREE} are tried"
         return ""
 
     def _open(self, reason: str) -> Found:
@@ -221,7 +233,7 @@ class _Question:
     def _differing(self, points: Iterator[Point], enough: int) -> Point | None:
         """Return a point at which the sides differ; the first other one is the witness."""
         count = 0
-        for point in points:
+        for point in islice(points, max(ENOUGH_POINTS, MOST_EVALUATED // self.products)):
             differs = self.differs_at(point)
             if differs:
                 return point
@@ -231,6 +243,13 @@ class _Question:
                 if count == enough:
                     break
         return None
+
+    @cached_property
+    def products(self) -> int:
+        """About how many products of entries the sides and conditions take at a point."""
+        parts = {part for term in self.statement.terms for part in factors_of(term)}
+        shapes = [[size if isinstance(size, int) else 2 for size in part.shape] for part in parts]
+        return sum(rows * columns * max(rows, columns) for rows, columns in shapes)
 
     def differs_at(self, point: Point) -> bool | None:
         """Whether the sides differ at a point; None where a condition fails or a side is undefined."""
@@ -477,18 +496,15 @@ class _Question:
 
     def _by_entries(self) -> Found | None:
         expansion = _Expansion(self.plain)
-        if expansion.equations:
-            return self._constrained(expansion)
         field = RationalFunctionField(expansion.symbols, self.engine, Work(MOST_PRODUCTS).spend)
-        numbers = Field(field.lift)
-        named = {symbol.name: value for symbol, value in field.variables.items()}
+        if expansion.equations:
+            with suppress(ZeroDivisionError):
+                Work(MOST_TERMS).spend(sum(len(entry.numerator) for entry in self._difference(expansion, field, {})))
+            return self._constrained(expansion)
         try:
             for signs in product((1, -1), repeat=len(expansion.signs)):
-                values = named | {name: field.lift(Fraction(s)) for name, s in zip(expansion.signs, signs, strict=True)}
-                letters = {k: entries_of(each.entries, {}, values, numbers) for k, each in expansion.letters.items()}
-                sides = (entries_of(side, letters, values, numbers) for side in self.plain.terms[:2])
-                pairs = zip(*sides, strict=True)
-                if any(not (a - b).is_zero for rows in pairs for a, b in zip(*rows, strict=True)):
+                values = {name: field.lift(Fraction(s)) for name, s in zip(expansion.signs, signs, strict=True)}
+                if any(not entry.is_zero for entry in self._difference(expansion, field, values)):
                     return None
         except ZeroDivisionError:
             raise self._undefined() from None
@@ -496,6 +512,16 @@ class _Question:
         return self._proved(
             {"method": "entries", "entries": expansion.texts(), "denominators": divisors}, self._scope({})
         )
+
+    def _difference(
+        self, expansion: _Expansion, field: RationalFunctionField, signs: Mapping[str, RationalFunction]
+    ) -> Iterator[RationalFunction]:
+        """Yield the entries of the difference of the sides."""
+        numbers = Field(field.lift)
+        values = {symbol.name: value for symbol, value in field.variables.items()} | dict(signs)
+        letters = {k: entries_of(each.entries, {}, values, numbers) for k, each in expansion.letters.items()}
+        left, right = (entries_of(side, letters, values, numbers) for side in self.plain.terms[:2])
+        yield from (a - b for rows in zip(left, right, strict=True) for a, b in zip(*rows, strict=True))
 
     def _undefined(self) -> UndefinedError:
         texts = " and ".join(map(letters_text, self.statement.terms[:2]))

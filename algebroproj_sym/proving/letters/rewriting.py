@@ -189,6 +189,7 @@ class _Search:
         rest, done, parts = whole, Poly(whole.shape, {}), list[Part]()
         self.left = MOST_STEPS
         while rest and self.left:
+            self.algebra.work.spend(len(rest.terms))
             monomial = max(rest.terms, key=order)
             part = self._step(monomial, rest)
             if part is None:

@@ -15,9 +15,11 @@ from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
 from algebroproj_sym.expressions.letters import ONE, Shape, Size, Term, made, number
+from algebroproj_sym.proving.buchberger import Work
 from algebroproj_sym.proving.letters.properties import Letter
 
 MOST_TERMS = 3_000
+MOST_PRODUCTS = 20_000
 LONG = 10
 
 
@@ -146,11 +148,14 @@ class Algebra:
         What is declared.
     is_sized : bool
         Whether something was computed that holds for the given sizes alone.
+    work : Work
+        How many words may be multiplied, or compared, before all is given up.
     """
 
     def __init__(self, letters: Mapping[str, Letter]) -> None:
         self.letters = letters
         self.is_sized = False
+        self.work = Work(MOST_PRODUCTS)
         self._known: dict[Term, Poly] = {}
 
     # -- from terms
@@ -252,6 +257,7 @@ class Algebra:
         """Return the product; a number may stand on either side."""
         if len(left.terms) * len(right.terms) > MOST_TERMS:
             raise NotWordsError(f"more than {MOST_TERMS} words")
+        self.work.spend(len(left.terms) * len(right.terms))
         shape = (
             right.shape if left.shape == ONE else left.shape if right.shape == ONE else (left.shape[0], right.shape[1])
         )

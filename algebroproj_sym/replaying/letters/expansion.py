@@ -1,4 +1,4 @@
-"""Checking that the entries of a claim about entries, such as a rank, are those of the letters in which it is stated."""
+"""Checking that what a claim about entries, such as a rank, states in letters has these entries."""
 
 from __future__ import annotations
 

@@ -157,7 +157,9 @@ def conditions(judgement: Judgement) -> Markup:
     claim = judgement.claim
     given = [Markup("{} is {}").format(symbol(name), described_letter(text)) for name, text in claim.letters]
     given += [_condition(constraint, "=") for constraint in (*claim.constraints, *claim.assumptions)]
-    given += [_condition(factor, "≠") for factor in dict.fromkeys((*as_stated(claim, "nonzero"), *judgement.hypotheses))]
+    given += [
+        _condition(factor, "≠") for factor in dict.fromkeys((*as_stated(claim, "nonzero"), *judgement.hypotheses))
+    ]
     given += [Markup("{}").format(assumption(assumed)) for assumed in claim.assumed]
     if (judgement.certificate or {}).get("scope") == "for every size":
         given.append(Markup("and the sizes may be any others that fit"))

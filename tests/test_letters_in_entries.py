@@ -84,6 +84,12 @@ def test_letters_are_shown_and_entries_on_demand():
     assert "R_q0" not in short + markdown(judgement)
     assert "entries of R: rotation(block([R_q0], [R_q1], [R_q2], [R_q3]))" in full
     assert "            = [" in full
+
+
+@pytest.mark.extra("report")
+def test_the_site_shows_letters_and_their_entries_beneath():
+    section = Section("mine", "1", "Mine")
+    judgement = judge(section.rank("1.1", "rank", printed=2, derived=Skew(t) * R, **ESSENTIAL))
     (_, (_, shown)), _ = comparison(judgement)
     assert "R_" not in shown
     assert [table.caption for table in evidence(judgement)[1]][:2] == ["Entries of the letters", "Written out"]

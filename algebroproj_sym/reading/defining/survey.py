@@ -122,7 +122,8 @@ class Survey:
                 first, *others = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
                 symbols = frozenset(symbol for side in (first, *others) for symbol in symbols_in(side))
                 letter, _ = defined_by(first)
-                found[letter] = found.get(letter, symbols) | symbols
+                if letter:
+                    found[letter] = found.get(letter, symbols) | symbols
         return found
 
     @cached_property

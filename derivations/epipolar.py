@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .solvers import broadcast
+from .solvers import array_of, broadcast
 
 __all__ = ["Corrected", "Rectified", "corrected", "rectify"]
 
@@ -71,6 +71,8 @@ def rectify(R: ArrayLike, b: ArrayLike) -> Rectified:  # noqa: N803 - the usual 
     ------
     ValueError
         If an argument lacks its core shape or is not real, or the leading shapes do not broadcast.
+    TypeError
+        If an argument has a mask.
 
     Notes
     -----
@@ -87,7 +89,7 @@ def rectify(R: ArrayLike, b: ArrayLike) -> Rectified:  # noqa: N803 - the usual 
     """
     from ._runtime.pairs import DoubleDouble
 
-    turn, base = _floats(R, "R", (3, 3)), _floats(b, "b", (3,))
+    turn, base = (array_of(x, name, core).astype(np.float64) for x, name, core in ((R, "R", (3, 3)), (b, "b", (3,))))
     broadcast("rectify", turn.shape[:-2], base.shape[:-1])
     with np.errstate(all="ignore"):
         base = np.ldexp(base, -np.frexp(np.abs(base).max(axis=-1, keepdims=True))[1])
@@ -128,6 +130,8 @@ def corrected(C: ArrayLike, x_left: ArrayLike, x_right: ArrayLike) -> Corrected:
     ------
     ValueError
         If an argument lacks its core shape or is not real, or the leading shapes do not broadcast.
+    TypeError
+        If an argument has a mask.
 
     Examples
     --------
@@ -138,7 +142,8 @@ def corrected(C: ArrayLike, x_left: ArrayLike, x_right: ArrayLike) -> Corrected:
     >>> float(([*found.x_left, 1] @ np.array(E) @ [*found.x_right, 1]).round(15))
     0.0
     """
-    form, left, right = _floats(C, "C", (3, 3)), _floats(x_left, "x_left", (2,)), _floats(x_right, "x_right", (2,))
+    given = (C, "C", (3, 3)), (x_left, "x_left", (2,)), (x_right, "x_right", (2,))
+    form, left, right = (array_of(x, name, core).astype(np.float64) for x, name, core in given)
     broadcast("corrected", form.shape[:-2], left.shape[:-1], right.shape[:-1])
     with np.errstate(all="ignore"):
         form = form / np.abs(form).max(axis=(-2, -1), keepdims=True)
@@ -156,17 +161,6 @@ def corrected(C: ArrayLike, x_left: ArrayLike, x_right: ArrayLike) -> Corrected:
         found = resting & (np.abs(rest) <= UNDETERMINED * terms)
     points = [np.where(found[..., None], x, np.nan) for x in (x_left, x_right)]
     return Corrected(*points, np.where(found, (change**2).sum(axis=-1), np.nan)[()])
-
-
-def _floats(value: ArrayLike, name: str, core: tuple[int, ...]) -> NDArray[np.float64]:
-    """Return an argument as an array of floating-point numbers."""
-    array = np.asarray(value)
-    if array.shape[-len(core) :] != core:
-        expected = ", ".join(map(str, core))
-        raise ValueError(f"{name}: expected the shape (..., {expected}), got {array.shape}")
-    if np.iscomplexobj(array):
-        raise ValueError(f"{name}: expected real numbers, got the type {array.dtype}")
-    return array.astype(np.float64)
 
 
 def _applied(matrix: NDArray[np.float64], vector: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -251,15 +251,21 @@ def broadcast(function: str, *shapes: tuple[int, ...]) -> tuple[int, ...]:
         raise ValueError(f"{function}: expected leading shapes that broadcast, got {got}") from None
 
 
-def points_of(value: ArrayLike, name: str, count: int, size: int = 2) -> NDArray[Any]:
-    """Return an argument as an array of finite real numbers, integers as objects."""
+def array_of(value: ArrayLike, name: str, core: tuple[int, ...]) -> NDArray[Any]:
+    """Return an argument as an array of real numbers."""
     if isinstance(value, np.ma.MaskedArray):
         raise TypeError(f"{name}: expected an array without a mask, got a masked array")
-    points = np.asarray(value)
-    if points.shape[-2:] != (count, size):
-        raise ValueError(f"{name}: expected the shape (..., {count}, {size}), got {points.shape}")
-    if np.iscomplexobj(points):
-        raise ValueError(f"{name}: expected real numbers, got the type {points.dtype}")
+    array = np.asarray(value)
+    if array.shape[-len(core) :] != core:
+        raise ValueError(f"{name}: expected the shape (..., {', '.join(map(str, core))}), got {array.shape}")
+    if np.iscomplexobj(array):
+        raise ValueError(f"{name}: expected real numbers, got the type {array.dtype}")
+    return array
+
+
+def points_of(value: ArrayLike, name: str, count: int, size: int = 2) -> NDArray[Any]:
+    """Return an argument as an array of finite real numbers, integers as objects."""
+    points = array_of(value, name, (count, size))
     finite = np.isfinite(points.astype(np.float64))
     if not finite.all():
         raise ValueError(f"{name}: expected finite numbers, got {points[~finite][0]}")

@@ -179,6 +179,25 @@ def test_what_is_no_matrix_or_point_is_refused_by_name():
         stereo.poses(np.eye(3), [[0, np.nan]], [[0, 0]])
 
 
+@pytest.mark.parametrize("place", range(3))
+@pytest.mark.parametrize(
+    ("function", "shapes"),
+    [
+        (stereo.poses, [(3, 3), (1, 2), (1, 2)]),
+        (stereo.corrected, [(3, 3), (2,), (2,)]),
+        (stereo.rectify, [(3, 3), (3,)]),
+    ],
+)
+def test_masks_and_complex_numbers_are_refused(function, shapes, place):
+    place %= len(shapes)
+    arguments = [np.ones(shape) for shape in shapes]
+    masked = np.ma.array(arguments[place], mask=True)
+    with pytest.raises(TypeError, match="expected an array without a mask, got a masked array"):
+        function(*arguments[:place], masked, *arguments[place + 1 :])
+    with pytest.raises(ValueError, match="expected real numbers, got the type complex128"):
+        function(*arguments[:place], 1j * arguments[place], *arguments[place + 1 :])
+
+
 def stationary(form, left, right):
     """Return the squares of all changes of a pair that satisfy the equation and are along its gradient.
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .solvers import broadcast, points_of
+from .solvers import array_of, broadcast, points_of
 
 __all__ = ["Poses", "poses"]
 
@@ -64,7 +64,7 @@ def poses(E: ArrayLike, x_left: ArrayLike, x_right: ArrayLike) -> Poses:  # noqa
         If an argument lacks its core shape, the numbers of points differ, the leading shapes do not broadcast, or a
         coordinate is not real and finite.
     TypeError
-        If the points have a mask.
+        If an argument has a mask.
 
     Examples
     --------
@@ -77,9 +77,7 @@ def poses(E: ArrayLike, x_left: ArrayLike, x_right: ArrayLike) -> Poses:  # noqa
     """
     from . import stereo
 
-    essential = np.asarray(E, dtype=np.float64)
-    if essential.shape[-2:] != (3, 3):
-        raise ValueError(f"E: expected the shape (..., 3, 3), got {essential.shape}")
+    essential = array_of(E, "E", (3, 3)).astype(np.float64)
     count = np.shape(x_left)[-2] if np.ndim(x_left) > 1 else 1
     left, right = (
         points_of(value, name, count).astype(np.float64) for value, name in ((x_left, "x_left"), (x_right, "x_right"))

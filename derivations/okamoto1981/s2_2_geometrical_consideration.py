@@ -476,15 +476,15 @@ section.identity("38#rotation", "the three matrices are a rotation", printed=E3,
 # **Question.**  The quotient of distances is the same for all pairs of points, and (37) calls it $m$.  Is it the $m$ of
 # (38)?
 #
-# **Definition.**  A similar model, here not turned, as a rotation does not change distances, and the squares of the
-# distances of its points.
+# **Definition.**  A similar model, here not turned, as a rotation does not change distances.
 
 # %%
 first_model, second_model = vector(*sympy.symbols("XM_i YM_i ZM_i")), vector(*sympy.symbols("XM_k YM_k ZM_k"))
 first_object, second_object = vector(*sympy.symbols("X_i Y_i Z_i")), vector(*sympy.symbols("X_k Y_k Z_k"))
-object_segment = dot(first_object - second_object, first_object - second_object)
+difference, object_difference = first_model - second_model, first_object - second_object
+object_segment = dot(object_difference, object_difference)
 scale = sympy.Symbol("s")
-similar = list((first_model - second_model) - scale * (first_object - second_object))
+similar = list(difference - scale * object_difference)
 
 # %% [markdown]
 # **Print.**  The numerator of (37) subtracts a point from itself.
@@ -493,30 +493,31 @@ similar = list((first_model - second_model) - scale * (first_object - second_obj
 section.identity(
     "37",
     "quotient of the line segments of model and object",
-    printed=dot(first_model - first_model, first_model - first_model) / object_segment,
-    derived=scale**2,
+    printed=sqrt(dot(first_model - first_model, first_model - first_model) / object_segment),
+    derived=scale,
     constraints=similar,
     nonzero=[object_segment],
+    assumptions=[scale > 0],
     expect="misprint",
-    corrected=dot(first_model - second_model, first_model - second_model) / object_segment,
-    note="Squared, and for a model that is not turned, which does not change distances (38#rotation).  The numerator "
-    "is printed with the index Mi twice; the second must be Mk, as the denominator shows.  The scan alone cannot tell "
-    "a slip of the scan from one of the print.",
+    corrected=sqrt(dot(difference, difference) / object_segment),
+    note="For a model that is not turned, which does not change distances (38#rotation).  The numerator is printed "
+    "with the index Mi twice; the second must be Mk, as the denominator shows.  The scan alone cannot tell a slip of "
+    "the scan from one of the print.",
 )
 
 # %% [markdown]
 # In (37) $m$ is model over object.  In (38) it multiplies the model to give the object: it is the reciprocal.
 
 # %%
-difference = first_model - second_model
 section.identity(
     "38#m",
     "the scale of (38) in the quotient of (37)",
-    printed=m**2,
-    derived=over(dot(difference, difference), dot(m * difference, m * difference)),
+    printed=m,
+    derived=sqrt(dot(difference, difference) / dot(m * difference, m * difference)),
+    assumptions=[m > 0],
     expect="misprint",
-    corrected=1 / m**2,
+    corrected=1 / m,
     note="(37) defines m as model over object, (38) multiplies the model by m to get the object: one of the two is the "
-    "reciprocal of the other.  Squared and without the rotation, as in 37.  Read as two different numbers with one "
+    "reciprocal of the other.  Without the rotation, as in 37.  Read as two different numbers with one "
     "letter both equations are right.",
 )

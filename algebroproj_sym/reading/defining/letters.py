@@ -27,6 +27,7 @@ MOST_PARTS = 1_000
 _STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 _COLUMN = re.compile(rf"{_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
 _LATIN = re.compile(rf"{_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{_STYLE}[a-z]")
+_ZERO = r"\mathbf{0}"
 _TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
 _SIZES = "nmklpqrstuvw"
 _OF_LETTERS = ("sin", "cos", "norm")
@@ -184,6 +185,8 @@ class _Reader:
         """Return what a symbol stands for."""
         if symbol in self._known:
             return self._known[symbol]
+        if symbol == _ZERO:
+            return _number("0")
         vocabulary = self._vocabulary
         if (
             symbol in vocabulary.given.symbols
@@ -239,6 +242,10 @@ class _Reader:
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
         return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
+
+    def may_be_square(self, symbol: str) -> bool:
+        """Whether a letter is a bold capital of which nothing says the size."""
+        return _TABLE.search(symbol) is not None and self._vocabulary.size_of(symbol) is None
 
     def whole(self, name: str, arguments: list[_Part], shape: Shape, *, is_call: bool = False) -> _Part:
         """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text."""
@@ -410,6 +417,8 @@ class _Parts(_Gathering):
             raise _refused(f"the power {text[:20]}")
         if base.square is not None and int(text) == 2:
             return _number_of(base.square, base)
+        if base.shape[1].value == 1 and base.shape[0].value != 1 and int(text) == 2:
+            return _number_of(lambda: f"dot({base.text()}, {base.text()})", base)
         if not base.is_number:
             base.shape[0].unite(base.shape[1])
             if abs(int(text)) > MOST_MATRIX_POWER:
@@ -418,6 +427,8 @@ class _Parts(_Gathering):
 
     def marked(self, base: _Part, mark: Token) -> _Part:
         if mark == "T":
+            if base.is_zero:
+                return base
             return _Part(base.shape[::-1], lambda: f"({base.text()}).T", base)
         if mark == "hat" and not base.is_number:
             _vector(base, 3)
@@ -485,6 +496,8 @@ class _Parts(_Gathering):
         return reduce(_times, [*outer, *rest[:first], whole, *rest[last:]])
 
     def absolute(self, inside: _Part) -> _Part:
+        if not inside.is_number and any(map(self.reader.may_be_square, inside.symbols)):
+            raise UnreadableError("what stands between bars may be a determinant, or a length")
         return self.norm(inside)
 
     def norm(self, inside: _Part) -> _Part:

@@ -6,6 +6,7 @@ r"""Phrases by which a document says what a letter is: its size, or a property s
     $R$ is a rotation matrix, the rotation matrix $R$,       likewise orthogonal, symmetric, skew-symmetric,
     $n$ is a unit vector, the unit vector $n$                positive definite and diagonal matrices
     $I$ is the identity matrix, the identity matrix $I$
+    $P$ and $Q$ are symmetric matrices                       likewise
 
 Behind "if", "when", "unless", "not" or "whether" a phrase says nothing.
 """
@@ -35,6 +36,10 @@ _KINDS = (
 )
 _ANY = "|".join(f"({kind})" for kind, _ in _KINDS)
 _AFTER = re.compile(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_ARE = re.compile(
+    r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*are\s+(?:the )?"
+    rf"(?:{_ANY.replace('matrix', 'matrices').replace('vector', 'vectors')})(?![\w-])"
+)
 _BE = re.compile(rf"^\$?\s*be\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
 _LET = re.compile(r"\blet(?: the \w+)?\s*\$?$", re.IGNORECASE)
 _BEFORE = re.compile(rf"(?<![\w-])(?:{_ANY})\s*$")
@@ -42,8 +47,17 @@ _OF = re.compile(r"\bof (?:the |an? )?[\w -]*$")
 _ADJECTIVES = ("skew", "symmetric", "diagonal", "positive definite")
 """What may belong to another noun, unless "matrix" follows."""
 _DOUBTS = re.compile(
-    r"\b(?:if|when|whenever|unless|not|whether|no longer|assum\w+|suppos\w+|non)\b[^.]*$", re.IGNORECASE
+    r"\b(?:if|when|whenever|unless|not|nor|neither|none|whether|no longer|assum\w+|suppos\w+|non)\b[^.]*$",
+    re.IGNORECASE,
 )
+_LIMITED = re.compile(
+    r"^\s*\$|^[^.;]*\b(?:if|iff|when|whenever|unless|provided|only|except|times|plus|minus|multiplied|scaled|divided|up to)\b",
+    re.IGNORECASE,
+)
+_OF_IT = re.compile(
+    r"\bof(?: the| an?)?(?: (?:matrix|matrices|vectors?|tensors?))?\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$"
+)
+"""What is said of the square of a letter is not said of the letter."""
 Value = TypeVar("Value")
 _SPACE_OF = re.compile(
     r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
@@ -106,8 +120,9 @@ def _kind_of(statement: Statement) -> str:
     before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
     if _DOUBTS.search(before[-200:]):
         return ""
-    if match := _AFTER.match(after) or (_LET.search(before) and _BE.match(after)):
-        return _KINDS[(match.lastindex or 1) - 1][1]
+    if match := _AFTER.match(after) or _ARE.match(after) or (_LET.search(before) and _BE.match(after)):
+        doubtful = _OF_IT.search(before) or _LIMITED.search(after[match.end() :])
+        return "" if doubtful else _KINDS[(match.lastindex or 1) - 1][1]
     match = _BEFORE.search(before)
     if match is None or _OF.search(before[: match.start()]):
         return ""

@@ -51,7 +51,8 @@ _DOUBTS = re.compile(
     re.IGNORECASE,
 )
 _LIMITED = re.compile(
-    r"^\s*\$|^[^.;]*\b(?:if|iff|when|whenever|unless|provided|only|except|times|plus|minus|multiplied|scaled|divided|up to)\b",
+    r"^\s*\$|"
+    r"^[^.;]*\b(?:if|iff|when|whenever|unless|provided|only|except|times|plus|minus|multiplied|scaled|divided|up to)\b",
     re.IGNORECASE,
 )
 _OF_IT = re.compile(

@@ -55,6 +55,8 @@ _LIMITED = re.compile(
     r"^[^.;]*\b(?:if|iff|when|whenever|unless|provided|only|except|times|plus|minus|multiplied|scaled|divided|up to)\b",
     re.IGNORECASE,
 )
+_NO = re.compile(r"\b(?:no|not|never|neither|nor|none|without)\b(?: [\w-]+){0,3} ?\$?$", re.IGNORECASE)
+_NOT = re.compile(r"^\$?\s*(?:(?:does|do|is|are|need|can|must) ?not|fails|is (?:false|wrong|impossible))\b")
 _OF_IT = re.compile(
     r"\bof(?: the| an?)?(?: (?:matrix|matrices|vectors?|tensors?))?\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$"
 )
@@ -103,6 +105,8 @@ def _agreed(found: Iterable[tuple[str, Value]]) -> dict[str, Value]:
 
 def _sizes(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[int, int]]]:
     for each in statements:
+        if _is_denied(each):
+            continue
         if match := _SPACE_OF.match(each.latex):
             yield from ((symbol, (int(match[2]), int(match[3] or 1))) for symbol in _symbols(match[1]))
         elif match := _ROTATIONS.match(each.latex):
@@ -112,9 +116,15 @@ def _sizes(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[int, in
 def _properties(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[str, ...]]]:
     for each in statements:
         if match := _ROTATIONS.match(each.latex):
-            yield from ((symbol, ("rotation",)) for symbol in _symbols(match[1]))
+            yield from ((symbol, ("rotation",)) for symbol in _symbols(match[1]) if not _is_denied(each))
         elif each.display.environment == "inline" and (kind := _kind_of(each)):
             yield from ((symbol, (kind,)) for symbol in _symbols(each.latex, 1) if "dot" not in symbol)
+
+
+def _is_denied(statement: Statement) -> bool:
+    """Whether the words beside a formula say that it does not hold."""
+    before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
+    return bool(_NO.search(before) or _NOT.match(after))
 
 
 def _kind_of(statement: Statement) -> str:

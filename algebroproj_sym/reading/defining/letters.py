@@ -15,8 +15,8 @@ from lark import Token, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
+from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
-from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
 
@@ -215,6 +215,11 @@ class _Reader:
         """The symbols that have a definition."""
         return self._vocabulary.definitions
 
+    def depends(self, part: _Part, index: str) -> bool:
+        """Whether a part may depend on the index of a sum."""
+        related = self._vocabulary.dependence.related(index)
+        return any(each in related or not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in part.symbols)
+
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
         return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
@@ -262,23 +267,12 @@ class _Reader:
         return found
 
 
-def letters_in(name: str) -> frozenset[str]:
-    """Return the letters in the name of a sum, an integral or a function."""
-    return frozenset(re.findall(r"(?<![a-zA-Z\\])[a-zA-Z](?![a-zA-Z])", name))
-
-
 def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[str]) -> None:
     """Refuse a sum, an integral or a limit whose index or variable is a letter with a value."""
     bound = re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", re.sub(r"^\\[a-z]+|\^.*$|\\(?:in|to)(?![a-z])", "", name))
     bound += [each[2:] for each in symbols if each.startswith("d ")]
     if defined := [each for each in bound if each in definitions]:
         raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")
-
-
-def index_of(name: str) -> str:
-    """Return the index of a sum; empty for what is no sum over one index."""
-    match = re.match(r"\\sum_\{([a-z])(?:=.*)?\}", name)
-    return match[1] if match else ""
 
 
 def base_of(function: str) -> str:
@@ -448,14 +442,15 @@ class _Parts(_Gathering):
         """Return a sum of products: what does not depend on the index stands before or behind it."""
         numbers = [each for each in factors if each.is_number]
         rest = [each for each in factors if not each.is_number]
-        depends = [depends_on(each.symbols, index) for each in rest]
+        depends = [self.reader.depends(each, index) for each in rest]
         first = depends.index(True) if True in depends else len(rest)
         last = len(rest) - depends[::-1].index(True) if True in depends else len(rest)
-        within = [each for each in numbers if depends_on(each.symbols, index)]
+        within = [each for each in numbers if self.reader.depends(each, index)]
         middle = rest[first:last]
         inner = _in_order(within, reduce(_times, middle) if middle else None)
-        outer = [each for each in numbers if not depends_on(each.symbols, index)]
+        outer = [each for each in numbers if not self.reader.depends(each, index)]
         whole = self.reader.whole(name, [inner], inner.shape)
+        whole.symbols = frozenset().union(*(_without(index, each) for each in whole.symbols))
         return reduce(_times, [*outer, *rest[:first], whole, *rest[last:]])
 
     def absolute(self, inside: _Part) -> _Part:
@@ -546,26 +541,10 @@ def _in_order(numbers: list[_Part], rest: _Part | None) -> _Part:
     return _Part(shape, text, *parts)
 
 
-def depends_on(symbols: Iterable[str], index: str) -> bool:
-    """Whether an index stands in symbols, or may do so."""
-    return any(not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in symbols)
-
-
-ANY = "any"
-
-
-def letters_of_symbol(symbol: str) -> frozenset[str]:
-    r"""Return a letter and its scripts, on which it depends; "any" for a symbol that may depend on others.
-
-    Examples
-    --------
-    >>> sorted(letters_of_symbol("x_{ij}")), sorted(letters_of_symbol("d x"))
-    (['i', 'j', 'x'], ['any'])
-    """
-    if " " in symbol or "/" in symbol:
-        return frozenset((ANY,))
-    letter, _, below, above = split_symbol(symbol)
-    return frozenset((letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")))
+def _without(index: str, symbol: str) -> frozenset[str]:
+    """Return on what a sum over an index depends by a symbol: by x_i on x alone."""
+    letters = letters_of_symbol(symbol)
+    return letters - {index} if index in letters else frozenset((symbol,))
 
 
 def _divided(above: _Part, below: _Part) -> _Part:

@@ -9,7 +9,7 @@ letter in which it is linear.  A derivative, such as ``\dot V`` or
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
@@ -29,7 +29,11 @@ MOST_PREMISES = 300
 """From how many equations before one it may follow, besides those that it names."""
 MOST_NEAR = 3
 """How many equations before one may be premises of it, though words beside them speak of a case."""
-_CITED = re.compile(r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\((\d+(?:\.\d+)*[a-z]?)\)")
+_CITED = re.compile(
+    r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\{(?:eq|numref)\}`([^`]*)`|\((\d+(?:\.\d+)*[a-z]?)\)"
+)
+_VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
+"""What may be given as a whole: a value of a function, and a square."""
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
 _DERIVATIVE = re.compile(r"(d|\\partial)(.+)/\1(.+)")
@@ -78,6 +82,13 @@ class Premise:
             if symbol and not is_one_value(parameters, other):
                 return self._of(symbol, parameters, other)
         return None
+
+    @property
+    def values(self) -> Iterator[tuple[Formula, Formula]]:
+        """Yield the sides that are a value of a function, or a square, each with the other side."""
+        for side, other in ((self.left, self.right), (self.right, self.left)):
+            if side.data in _VALUES:
+                yield side, other
 
     def _of(self, symbol: str, parameters: tuple[str, ...], value: Formula) -> Definition:
         role: Role = "case" if self.special else "premise"
@@ -130,7 +141,7 @@ def cited_in(words: str) -> frozenset[str]:
     >>> sorted(cited_in(r"Put (3) and Eq.~\eqref{eq:area} into \ref{a,b}"))
     ['3', 'a', 'b', 'eq:area']
     """
-    found = (match[1] or match[2] for match in _CITED.finditer(words))
+    found = (match[1] or match[2] or match[3] for match in _CITED.finditer(words))
     return frozenset(name.strip() for names in found for name in names.split(","))
 
 
@@ -172,6 +183,52 @@ def extended(vocabulary: Vocabulary, given: Iterable[Definition]) -> Vocabulary:
             found.define(before)
     found.forget()
     return found
+
+
+def given_values(
+    premises: Iterable[Premise], vocabulary: Vocabulary, sides: Sequence[Formula]
+) -> dict[Formula, Definition]:
+    """Return the values that premises give, such as E(X), each with a letter that stands for what they say.
+
+    Only those are returned that stand in some sides, or in what others are.  A function with a definition is given at
+    its own letters alone; elsewhere it is computed.
+    """
+    said = {
+        value: premise._of(f"{vocabulary.text(value)} ", (), other)
+        for premise in premises
+        for value, other in premise.values
+        if str(value.children[0]) not in vocabulary.definitions and value not in [*_within(other)]
+    }
+    found: dict[Formula, Definition] = {}
+    waiting = [each for side in sides for each in _within(side)]
+    while waiting:
+        value = waiting.pop()
+        symbol, parameters = defined_by(value)
+        known = vocabulary.definitions.get(symbol) if parameters else None
+        if known is not None and known.usable and known.parameters == parameters:
+            said[value] = replace(known, symbol=f"{vocabulary.text(value)} ", parameters=())
+        if value in said and value not in found:
+            found[value] = said[value]
+            waiting += _within(said[value].tree)
+    return {value: replace(each, tree=with_given(each.tree, found)) for value, each in found.items()}
+
+
+def _within(tree: Formula) -> Iterator[Formula]:
+    """Yield the values in a formula that are none of the index of a sum, or of what a derivative is by."""
+    if tree.data in _VALUES:
+        yield tree
+    for child in tree.children if tree.data not in ("big", "slope") else ():
+        if isinstance(child, Tree):
+            yield from _within(child)
+
+
+def with_given(tree: Formula, given: Mapping[Formula, Definition]) -> Formula:
+    """Return a formula in which letters stand for the values that are given."""
+    if tree in given:
+        return _letter(given[tree].symbol)
+    if tree.data in ("big", "slope"):
+        return tree
+    return Tree(tree.data, [with_given(each, given) if isinstance(each, Tree) else each for each in tree.children])
 
 
 def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: frozenset[str]) -> list[Definition]:

@@ -13,7 +13,9 @@ from algebroproj_sym.reading.defining.premises import (
     computed,
     derivatives_in,
     extended,
+    given_values,
     neighbours,
+    with_given,
 )
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -29,7 +31,7 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import Asked, decide
-from algebroproj_sym.reading.judging.doubts import NOT_GIVEN, doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import Sides, Way, asked_of, both_sides, rests_of, used_by
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.words import (
@@ -117,6 +119,7 @@ class _Pass:
         self.vocabulary = survey.vocabulary()
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
+        self.alone = set[str]()
         self.introduced = False
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
@@ -224,6 +227,7 @@ class _Pass:
         for left, right in pairs:
             given = where, display.part, display.place, names, special, words
             self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
+            self.alone |= {defined_by(left)[0], defined_by(right)[0]}
 
     # -- definitions
 
@@ -312,10 +316,24 @@ class _Pass:
             if (ids := tuple(map(id, used))) not in seen:
                 seen.append(ids)
                 yield Way(left, right, known, doubt_of_premises(self.beside, formula, index, known))
+        yield from self._with_given_values(statement, left, right, vocabulary)
         (ours, made), (theirs, more) = (computed(side, vocabulary, self.survey.occurring) for side in (left, right))
         if made or more:
             known = extended(vocabulary, [*made, *more])
             yield Way(ours, theirs, known, doubt_of(self.beside, formula, index, vocabulary))
+
+    def _with_given_values(
+        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
+    ) -> Iterator[Way]:
+        """Yield a relation in which values that equations above give, such as E(X), stand for what they say."""
+        premises = applicable(self.premises, statement.display.part, cited_in(statement.display.before))
+        values = given_values(premises, vocabulary, (left, right))
+        if any(each.role != "definition" for each in values.values()):
+            ours, theirs = (with_given(side, values) for side in (left, right))
+            given = [each.gives for each in premises if each.gives is not None]
+            lone = {symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol}
+            for plain in ([], [each for each in given if each.symbol not in lone]):
+                yield Way(ours, theirs, extended(vocabulary, [*plain, *values.values()]), A_VALUE)
 
     def _under_equations(
         self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary

@@ -164,12 +164,9 @@ class _Reader:
         if symbol in self._known:
             return self._known[symbol]
         vocabulary = self._vocabulary
-        if (
-            symbol in vocabulary.given.symbols
-            or vocabulary.constant(symbol) is not None
-            or symbol == r"\infty"
-            or is_operator(symbol)
-        ):
+        if vocabulary.constant(symbol) is not None:
+            return self.whole(symbol, [], (_Size(1), _Size(1)))
+        if symbol in vocabulary.given.symbols or symbol == r"\infty" or is_operator(symbol):
             raise UnreadableError(f"{symbol} stands for no letter")
         part = self._letter(symbol)
         part.symbols = vocabulary.behind(symbol)
@@ -379,6 +376,8 @@ class _Parts(_Gathering):
 
     def power(self, base: _Part, exponent: _Part) -> _Part:
         text = exponent.text().replace(" ", "").strip("()").lstrip("+")
+        if base.is_number and exponent.is_number and not re.fullmatch(r"-?\d{1,2}", text):
+            return self.reader.whole("power", [base, exponent], base.shape)
         if not re.fullmatch(r"-?\d{1,2}", text):
             raise _refused(f"the power {text[:20]}")
         if base.square is not None and int(text) == 2:
@@ -405,11 +404,11 @@ class _Parts(_Gathering):
         raise _refused("a derivative")
 
     def factorial(self, base: _Part) -> _Part:
-        raise _refused("a factorial")
+        return self.reader.whole("factorial", [_scalar(base, "a factorial")], base.shape)
 
     def function(self, name: Token, arguments: list[_Part]) -> _Part:
         if len(arguments) != 1:
-            raise _refused(f"{name} of {len(arguments)} arguments")
+            return self.reader.whole(str(name), arguments, (_Size(1), _Size(1)))
         (argument,) = arguments
         if name in ("det", "tr", "Tr", "trace"):
             argument.shape[0].unite(argument.shape[1])

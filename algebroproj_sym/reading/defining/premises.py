@@ -36,8 +36,8 @@ _VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
 """What may be given as a whole: a value of a function, and a square."""
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
-_DERIVATIVE = re.compile(r"(d|\\partial)(.+)/\1(.+)")
-_OPERATOR = re.compile(r"(d|\\partial)/\1([a-zA-Z]|\\[a-z]+)")
+_DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
+_OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
 
 
 @dataclass(frozen=True)
@@ -197,7 +197,7 @@ def given_values(
         value: premise._of(f"{vocabulary.text(value)} ", (), other)
         for premise in premises
         for value, other in premise.values
-        if str(value.children[0]) not in vocabulary.definitions and value not in [*_within(other)]
+        if not _is_defined(value, vocabulary) and value not in [*_within(other)]
     }
     found: dict[Formula, Definition] = {}
     waiting = [each for side in sides for each in _within(side)]
@@ -211,6 +211,15 @@ def given_values(
             found[value] = said[value]
             waiting += _within(said[value].tree)
     return {value: replace(each, tree=with_given(each.tree, found)) for value, each in found.items()}
+
+
+def _is_defined(value: Formula, vocabulary: Vocabulary) -> bool:
+    """Whether a definition says what a value of a function is: one with as many letters."""
+    head, *rest = value.children
+    known = vocabulary.definitions.get(str(head)) if value.data == "call" else None
+    return known is not None and [len(each.children) for each in rest if isinstance(each, Tree)] == [
+        len(known.parameters)
+    ]
 
 
 def _within(tree: Formula) -> Iterator[Formula]:
@@ -284,7 +293,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
     match = _OPERATOR.fullmatch(str(tree.children[0])) if tree.data == "big" else None
     if match is None:
         return found, made
-    sign, variable = match.groups()
+    sign, order, variable = match.groups()
     body = found.children[1]
     letters = vocabulary.letters_of(body) - {each.symbol for each in made}
     others = sorted(letters - {variable})
@@ -302,7 +311,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
         return found, made
     where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
-    made.append(Definition(symbol, (), _slope(body, variable), where, -1, True))
+    made.append(Definition(symbol, (), _slope(body, variable, order), where, -1, True))
     return _letter(symbol), made
 
 
@@ -318,7 +327,7 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
 
 
 def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Definition | None:
-    sign, above, below = match.groups()
+    sign, order, above, below = match.groups()
     function = _by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), "")
     definition = vocabulary.definitions.get(function)
     if definition is None or not definition.usable:
@@ -335,7 +344,7 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     others = sorted(letters - {variable}) if sign == "d" else []
     if vocabulary.depends(others, variable):
         return None
-    return _made(symbol, _slope(value, variable), definition, others, vocabulary)
+    return _made(symbol, _slope(value, variable, order), definition, others, vocabulary)
 
 
 def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
@@ -393,8 +402,10 @@ def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
     return f", where {', '.join(map(vocabulary.name, letters))} {verb} not change" if letters else ""
 
 
-def _slope(value: Formula, variable: str) -> Formula:
-    return Tree("slope", [value, _letter(variable)])
+def _slope(value: Formula, variable: str, order: str | None = None) -> Formula:
+    for _ in range(int((order or "^1")[1:])):
+        value = Tree("slope", [value, _letter(variable)])
+    return value
 
 
 def _letter(symbol: str) -> Formula:

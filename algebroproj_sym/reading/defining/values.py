@@ -37,11 +37,20 @@ class Uncomputed:
 
     def call(self, name: str, arguments: Sequence[Any]) -> Any:
         """Return the value of a function that nothing defines."""
-        vocabulary = self._vocabulary
-        if name in vocabulary.definitions or vocabulary.is_matrix(name) or any(map(shape, arguments)):
+        if self._vocabulary.is_matrix(name):
             raise UnreadableError(f"no definition of the function {name} is known")
         key = f"{name}({', '.join(map(text, arguments))})"
-        kind = FREE if self._first.setdefault(base_of(name), key) == key else WHOLE
+        is_free = name not in self._vocabulary.definitions and self._first.setdefault(base_of(name), key) == key
+        return self._value(name, arguments, FREE if is_free else WHOLE)
+
+    def known(self, name: str, arguments: Sequence[Any]) -> Any:
+        """Return the value of a function that is known, and not computed."""
+        return self._value(name, arguments, WHOLE)
+
+    def _value(self, name: str, arguments: Sequence[Any], kind: str) -> Any:
+        if any(map(shape, arguments)):
+            raise UnreadableError(f"{name} is of numbers, got a matrix")
+        key = f"{name}({', '.join(map(text, arguments))})"
         return self._letter(key, kind, self._on(*arguments) | letters_in(name) | letters_of_symbol(name))
 
     def big(self, name: str, body: Any) -> Any:

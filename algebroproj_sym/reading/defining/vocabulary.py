@@ -325,6 +325,8 @@ class Vocabulary:
     def _function(self, definition: Definition, values: Mapping[str, Any]) -> Callable[..., Any]:
         def function(*arguments: Any) -> Any:
             if len(arguments) != len(definition.parameters):
+                if self.uncomputed is not None:
+                    return self.uncomputed.call(definition.symbol, arguments)
                 raise UnreadableError(f"{definition.symbol} is a function of {len(definition.parameters)} arguments")
             if (hidden := self._hidden_in(definition)) and not self._are(arguments, definition.parameters):
                 raise UnreadableError(f"{definition.symbol} depends on {hidden} in a way that is not computed")

@@ -120,6 +120,7 @@ class _Pass:
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
         self.alone = set[str]()
+        self.alone = set[str]()
         self.introduced = False
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
@@ -228,6 +229,7 @@ class _Pass:
             given = where, display.part, display.place, names, special, words
             self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
             self.alone |= {defined_by(left)[0], defined_by(right)[0]}
+            self.alone |= {defined_by(left)[0], defined_by(right)[0]}
 
     # -- definitions
 
@@ -259,6 +261,33 @@ class _Pass:
         words, place = beside(statement, "").words, statement.display.place
         made = Definition(*given, explicit, not statement.condition, place=place, words=words)
         return replace(made, usable=made.usable and computes(made, self.vocabulary))
+
+    def _gives(self, statement: Statement, left: Formula, right: Formula) -> bool:
+        """Whether an equation is the first one that gives its letter, though the letter was used before.
+
+        No word of its own sentence may speak of a case.  Where an equation near it may give the letter as well, its
+        sentence must say that it is introduced.
+        """
+        square = left.data == "power" and not symbols_in(left.children[1])  # type: ignore[arg-type]  # two trees
+        base: Formula = left.children[0] if square else left  # type: ignore[assignment]  # likewise
+        symbol, parameters = defined_by(base)
+        if not symbol or not symbols_in(right) or is_one_value(parameters, right):
+            return False
+        if self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
+            return False
+        if (
+            self.beside.case_of_sentence
+            or symbol in self.vocabulary.definitions
+            or (square and symbol in self.asserted)
+        ):
+            return False
+        if derivatives_in((left,), self.vocabulary, self.survey.occurring):
+            return False
+        near = neighbours(self.premises, statement.display.part, cited_in(statement.display.before))
+        tied = not self.beside.names and any(
+            each.gives is None and symbol in (*symbols_in(each.left), *symbols_in(each.right)) for each in near
+        )
+        return not (tied or symbol in self.alone or is_circular(symbol, right, self.vocabulary))
 
     # -- relations
 
@@ -293,7 +322,8 @@ class _Pass:
             if not way.reads and (known := way.vocabulary.with_identity(*way.sides)) is not None
         ]
         chained = len(formula.sides) > 2
-        asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained)
+        gives = index == 0 and self._gives(statement, left, right)
+        asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
         return asked.link, asked
 
     def _others(self, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:

@@ -101,6 +101,16 @@ class Beside:
         return _case_in(f"{self.condition} {self.behind}")
 
     @property
+    def case_of_sentence(self) -> str:
+        """Likewise, in its own sentence."""
+        return _case_in(f"{self.sentence} {self.condition} {self.behind}")
+
+    @property
+    def names(self) -> bool:
+        """Whether its own sentence says what something is or stands for."""
+        return _NAMES.search(self.sentence) is not None
+
+    @property
     def is_conditional(self) -> bool:
         """Whether its own sentence speaks of a condition."""
         return CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
@@ -173,6 +183,7 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     return next((each for each in words if each.lower() not in known), "")
 
 
+_NAMES = re.compile(r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for)\b", re.IGNORECASE)
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")

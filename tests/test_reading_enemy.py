@@ -263,7 +263,7 @@ FALSE = {
     "over": r"\[ {1 \over 2} + {1 \over 3} = {5 \over 7} \]",
     "over in a chain": r"\[ s = {1 \over a} - {1 \over b} = {a - b \over a b}. \]",
     "factorials of numbers": r"\[ 3! + 2! = 9 \]",
-    "count of a sum": r"The mean is $m := \sum_{i=0}^{1} 1$ but \[ 2^3 + 1 = 8 \]",
+    "quotient of factorials": r"\[ \frac{5!}{3!} = 10 \]",
     "polar": r"\[ x = r\cos t, \quad y = r \sin t. \] Thus \[ x^2 + y^2 = 2 r^2. \]",
 }
 

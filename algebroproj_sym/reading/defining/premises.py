@@ -318,7 +318,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
 def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
     if "/" in symbol:
         match = _DERIVATIVE.fullmatch(symbol)
-        return None if match is None else _of_quotient(symbol, match, vocabulary)
+        return None if match is None else _of_quotient(symbol, match, vocabulary) or _as_dots(symbol, match, occurring)
     if "'" in symbol:
         return _of_prime(symbol, vocabulary)
     bare = _without_dot(symbol)
@@ -345,6 +345,14 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     if vocabulary.depends(others, variable):
         return None
     return _made(symbol, _slope(value, variable, order), definition, others, vocabulary)
+
+
+def _as_dots(symbol: str, match: re.Match[str], occurring: frozenset[str]) -> Definition | None:
+    r"""Return a derivative by t as the letter with dots, as in ``\frac{dx}{dt} = \dot x``; None if there is none."""
+    sign, order, above, below = match.groups()
+    dotted = {None: _with_dot(above), "^2": _with_dot(_with_dot(above))}.get(order, "")
+    rate = _by_bare(sorted(occurring)).get(dotted) if (sign, below) == ("d", "t") else None
+    return Definition(symbol, (), _letter(rate), "a dot as the derivative by t", -1, True) if rate else None
 
 
 def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:

@@ -221,7 +221,7 @@ class _Pass:
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
         sides = formula.sides[defines:]
-        pairs = [(sides[0], sides[-1]), *(pairwise(sides) if len(sides) > 2 else ())] if len(sides) > 1 else []
+        pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
         special, words = bool(self.beside.case()), self.beside.words
         where, display = _where(statement), statement.display

@@ -23,6 +23,13 @@ CASES = re.compile(
 """Words by which an equation may be about a case, so that it contradicts nothing."""
 CONDITIONAL = re.compile(r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case)\b", re.IGNORECASE)
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
+_ONLY_SOMETIMES = re.compile(
+    CONDITIONAL.pattern
+    + r"|\b(?:cases?|assum\w+|suppose|approximat\w*|neglect\w*|limit\w*|otherwise|instead|special\w*|"
+    r"setting|equilibrium|at rest|steady|stationary|extrem\w+|absence|ignor\w+|drop\w*|false|without|except)\b",
+    re.IGNORECASE,
+)
+"""Words by which an equation says what a letter is in a case, and not what it is."""
 HENCE = re.compile(
     r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|we (?:get|obtain|find|have|arrive)|gives?|"
     r"giving|yields?|yielding|becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
@@ -102,8 +109,9 @@ class Beside:
 
     @property
     def case_of_sentence(self) -> str:
-        """Likewise, in its own sentence."""
-        return _case_in(f"{self.sentence} {self.condition} {self.behind}")
+        """Return a word of its own sentence by which the equation holds in a case only; empty for none."""
+        found = _ONLY_SOMETIMES.search(f"{self.sentence} {self.condition} {self.behind}")
+        return found.group() if found else ""
 
     @property
     def names(self) -> bool:

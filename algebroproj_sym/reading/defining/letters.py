@@ -16,8 +16,8 @@ from lark import Token, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
+from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
-from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
 
@@ -188,12 +188,9 @@ class _Reader:
         if symbol == _ZERO:
             return _number("0")
         vocabulary = self._vocabulary
-        if (
-            symbol in vocabulary.given.symbols
-            or vocabulary.constant(symbol) is not None
-            or symbol == r"\infty"
-            or is_operator(symbol)
-        ):
+        if vocabulary.constant(symbol) is not None:
+            return self.whole(symbol, [], (_Size(1), _Size(1)))
+        if symbol in vocabulary.given.symbols or symbol == r"\infty" or is_operator(symbol):
             raise UnreadableError(f"{symbol} stands for no letter")
         part = self._letter(symbol)
         part.symbols = vocabulary.behind(symbol)
@@ -238,6 +235,11 @@ class _Reader:
     def definitions(self) -> Collection[str]:
         """The symbols that have a definition."""
         return self._vocabulary.definitions
+
+    def depends(self, part: _Part, index: str) -> bool:
+        """Whether a part may depend on the index of a sum."""
+        related = self._vocabulary.dependence.related(index)
+        return any(each in related or not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in part.symbols)
 
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
@@ -292,23 +294,12 @@ class _Reader:
         return found
 
 
-def letters_in(name: str) -> frozenset[str]:
-    """Return the letters in the name of a sum, an integral or a function."""
-    return frozenset(re.findall(r"(?<![a-zA-Z\\])[a-zA-Z](?![a-zA-Z])", name))
-
-
 def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[str]) -> None:
     """Refuse a sum, an integral or a limit whose index or variable is a letter with a value."""
     bound = re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", re.sub(r"^\\[a-z]+|\^.*$|\\(?:in|to)(?![a-z])", "", name))
     bound += [each[2:] for each in symbols if each.startswith("d ")]
     if defined := [each for each in bound if each in definitions]:
         raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")
-
-
-def index_of(name: str) -> str:
-    """Return the index of a sum; empty for what is no sum over one index."""
-    match = re.match(r"\\sum_\{([a-z])(?:=.*)?\}", name)
-    return match[1] if match else ""
 
 
 def base_of(function: str) -> str:
@@ -413,6 +404,8 @@ class _Parts(_Gathering):
 
     def power(self, base: _Part, exponent: _Part) -> _Part:
         text = exponent.text().replace(" ", "").strip("()").lstrip("+")
+        if base.is_number and exponent.is_number and not re.fullmatch(r"-?\d{1,2}", text):
+            return self.reader.whole("power", [base, exponent], base.shape)
         if not re.fullmatch(r"-?\d{1,2}", text):
             raise _refused(f"the power {text[:20]}")
         if base.square is not None and int(text) == 2:
@@ -443,11 +436,11 @@ class _Parts(_Gathering):
         raise _refused("a derivative")
 
     def factorial(self, base: _Part) -> _Part:
-        raise _refused("a factorial")
+        return self.reader.whole("factorial", [_scalar(base, "a factorial")], base.shape)
 
     def function(self, name: Token, arguments: list[_Part]) -> _Part:
         if len(arguments) != 1:
-            raise _refused(f"{name} of {len(arguments)} arguments")
+            return self.reader.whole(str(name), arguments, (_Size(1), _Size(1)))
         (argument,) = arguments
         if name in ("det", "tr", "Tr", "trace"):
             argument.shape[0].unite(argument.shape[1])
@@ -485,14 +478,15 @@ class _Parts(_Gathering):
         """Return a sum of products: what does not depend on the index stands before or behind it."""
         numbers = [each for each in factors if each.is_number]
         rest = [each for each in factors if not each.is_number]
-        depends = [depends_on(each.symbols, index) for each in rest]
+        depends = [self.reader.depends(each, index) for each in rest]
         first = depends.index(True) if True in depends else len(rest)
         last = len(rest) - depends[::-1].index(True) if True in depends else len(rest)
-        within = [each for each in numbers if depends_on(each.symbols, index)]
+        within = [each for each in numbers if self.reader.depends(each, index)]
         middle = rest[first:last]
         inner = _in_order(within, reduce(_times, middle) if middle else None)
-        outer = [each for each in numbers if not depends_on(each.symbols, index)]
+        outer = [each for each in numbers if not self.reader.depends(each, index)]
         whole = self.reader.whole(name, [inner], inner.shape)
+        whole.symbols = frozenset().union(*(_without(index, each) for each in whole.symbols))
         return reduce(_times, [*outer, *rest[:first], whole, *rest[last:]])
 
     def absolute(self, inside: _Part) -> _Part:
@@ -585,26 +579,10 @@ def _in_order(numbers: list[_Part], rest: _Part | None) -> _Part:
     return _Part(shape, text, *parts)
 
 
-def depends_on(symbols: Iterable[str], index: str) -> bool:
-    """Whether an index stands in symbols, or may do so."""
-    return any(not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in symbols)
-
-
-ANY = "any"
-
-
-def letters_of_symbol(symbol: str) -> frozenset[str]:
-    r"""Return a letter and its scripts, on which it depends; "any" for a symbol that may depend on others.
-
-    Examples
-    --------
-    >>> sorted(letters_of_symbol("x_{ij}")), sorted(letters_of_symbol("d x"))
-    (['i', 'j', 'x'], ['any'])
-    """
-    if " " in symbol or "/" in symbol:
-        return frozenset((ANY,))
-    letter, _, below, above = split_symbol(symbol)
-    return frozenset((letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")))
+def _without(index: str, symbol: str) -> frozenset[str]:
+    """Return on what a sum over an index depends by a symbol: by x_i on x alone."""
+    letters = letters_of_symbol(symbol)
+    return letters - {index} if index in letters else frozenset((symbol,))
 
 
 def _divided(above: _Part, below: _Part) -> _Part:

@@ -164,6 +164,7 @@ class _Reader:
         self._functions: dict[str, str] = {}
         self._wholes: dict[str, tuple[str, Shape]] = {}
         self._called: dict[str, str] = {}
+        self._applied: set[str] = set()
 
     def part(self, tree: Formula) -> _Part:
         """Return a formula as a part, with all definitions put in."""
@@ -244,6 +245,26 @@ class _Reader:
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
         return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
+
+    def applied(self, function: str, arguments: list[_Part]) -> _Part:
+        """Return the value of a function that a definition gives; letters in it are those of the arguments, too."""
+        definition = self._vocabulary.definitions[function]
+        parameters = definition.parameters
+        if not definition.usable or len(arguments) != len(parameters) or function in self._applied:
+            raise _refused(f"the value of the function {function}")
+        if hidden := self._vocabulary.hidden_behind(definition):
+            raise UnreadableError(f"{function} depends on {hidden} in a way that is not computed")
+        outside = self._known
+        self._known = {
+            **{each: part for each, part in outside.items() if not {*parameters} & self._vocabulary.behind(each)},
+            **dict(zip(parameters, arguments, strict=True)),
+        }
+        self._applied.add(function)
+        try:
+            return self.part(definition.tree)
+        finally:
+            self._known = outside
+            self._applied.remove(function)
 
     def may_be_square(self, symbol: str) -> bool:
         """Whether a letter is a bold capital of which nothing says the size."""
@@ -394,7 +415,7 @@ class _Parts(_Gathering):
     def call(self, token: Token, arguments: Any) -> _Part:
         name = str(token)
         if name in self.reader.definitions:
-            raise _refused(f"the value of the function {name}")
+            return self.reader.applied(name, arguments)
         columns = (_Size(), _Size(1)) if self.reader.column.search(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
         part = self.reader.whole(name, arguments, shape, is_call=True)

@@ -86,6 +86,8 @@ def test_what_does_not_hold_does_not_follow(latex):
         r"\[ \boldsymbol\sigma = \frac1J \mathbf{F} \mathbf{S} \mathbf{F}^T \]",
         r"Let $R \in SO(3)$. \[ T := \begin{bmatrix} R & \mathbf{t} \\ \mathbf{0}^T & 1 \end{bmatrix} \] "
         r"\[ T^{-1} = \begin{bmatrix} R^T & -R^T \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \]",
+        r"For a rotation matrix $R$ \[ T := \begin{bmatrix} R & \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \] "
+        r"\[ T^{-1} = \begin{bmatrix} R^T & -R^T \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \]",
         r"\[ \mathbf{A}\mathbf{0} = \mathbf{0} \]",
         JACOBIAN + r"\[ \mathbf{J}_l(\boldsymbol\omega) = \mathbf{J}_l(-\boldsymbol\omega)^T \]",
         JACOBIAN

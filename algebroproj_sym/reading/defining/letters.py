@@ -116,32 +116,33 @@ class _Part:
 def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
     """Return the question whether two sides are equal, with vectors and matrices as letters.
 
-    Bold Greek letters are tensors if they cannot be columns.
+    Bold Greek letters are tensors if they cannot be columns.  A rotation has three dimensions if blocks need a size.
 
     Raises
     ------
     UnreadableError
         If shapes do not fit, or something is read and not computed.
     """
-    return _with_tensors(vocabulary, lambda reader: _asked(reader, left, right))
+    return _first_read(vocabulary, lambda reader: _asked(reader, left, right))
 
 
 def has_shape(vocabulary: Vocabulary, tree: Formula) -> bool:
     """Whether a formula can be written with vectors and matrices as letters."""
     try:
-        _with_tensors(vocabulary, lambda reader: reader.part(tree))
+        _first_read(vocabulary, lambda reader: reader.part(tree))
     except UnreadableError:
         return False
     return True
 
 
-def _with_tensors(vocabulary: Vocabulary, read: Callable[[_Reader], Read]) -> Read:
-    """Return what is read with bold Greek letters as columns, or else as letters of any shape."""
+def _first_read(vocabulary: Vocabulary, read: Callable[[_Reader], Read]) -> Read:
+    """Return what is read with bold Greek letters as columns, or as tensors, or with rotations of three dimensions."""
     try:
         return read(_Reader(vocabulary, _COLUMN))
     except UnreadableError as error:
-        with suppress(UnreadableError):
-            return read(_Reader(vocabulary, _LATIN))
+        for reader in (_Reader(vocabulary, _LATIN), _Reader(vocabulary, _COLUMN, _Size(3))):
+            with suppress(UnreadableError):
+                return read(reader)
         raise error
 
 
@@ -154,9 +155,10 @@ def _asked(reader: _Reader, left: Formula, right: Formula) -> Question:
 
 
 class _Reader:
-    def __init__(self, vocabulary: Vocabulary, column: re.Pattern[str]) -> None:
+    def __init__(self, vocabulary: Vocabulary, column: re.Pattern[str], of_rotations: _Size | None = None) -> None:
         self._vocabulary = vocabulary
         self.column = column
+        self._of_rotations = of_rotations
         self._letters: dict[str, Shape] = {}
         self._known: dict[str, _Part] = {}
         self._sizes: dict[_Size, str] = {}
@@ -210,6 +212,8 @@ class _Reader:
             columns.unite(_Size(1))
         elif properties:
             rows.unite(columns)
+            if self._of_rotations and "rotation" in properties:
+                rows.unite(self._of_rotations)
         if "identity" in properties:
             return _Part((rows, columns), lambda: f"eye({self.size(rows)})")
         shape = self._letters.setdefault(symbol, (rows, columns))

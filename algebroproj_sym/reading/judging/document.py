@@ -161,7 +161,8 @@ class _Pass:
         before = statement.display.before
         if len(formula.sides) == 2 and DEFINES.search(before) and not CONDITIONAL.search(last_sentence(before)):
             definition = self._definition(statement, formula, explicit=True, late=True)
-            if definition is not None and definition.symbol not in self.vocabulary.definitions:
+            values = definition is not None and is_one_value(definition.parameters, definition.tree)
+            if definition is not None and not values and definition.symbol not in self.vocabulary.definitions:
                 self.vocabulary.define(definition)
         if len(formula.sides) > 1:
             self._note(statement, formula)

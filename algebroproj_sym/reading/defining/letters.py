@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable
+from contextlib import suppress
 from functools import reduce
-from typing import Any
+from typing import Any, TypeVar
 
 from lark import Token, v_args
 from lark.exceptions import VisitError
@@ -20,12 +21,17 @@ from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
 
+Read = TypeVar("Read")
 MOST_PARTS = 1_000
 """How many parts a side may have, with all definitions put in."""
 _STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 _COLUMN = re.compile(rf"{_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
+_LATIN = re.compile(rf"{_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{_STYLE}[a-z]")
+_ZERO = r"\mathbf{0}"
 _TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
 _SIZES = "nmklpqrstuvw"
+_OF_LETTERS = ("sin", "cos", "norm")
+"""Functions that the prover takes as they are."""
 FREE = "free"
 """How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
 WHOLE = "whole"
@@ -110,12 +116,36 @@ class _Part:
 def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
     """Return the question whether two sides are equal, with vectors and matrices as letters.
 
+    Bold Greek letters are tensors if they cannot be columns.
+
     Raises
     ------
     UnreadableError
         If shapes do not fit, or something is read and not computed.
     """
-    reader = _Reader(vocabulary)
+    return _with_tensors(vocabulary, lambda reader: _asked(reader, left, right))
+
+
+def has_shape(vocabulary: Vocabulary, tree: Formula) -> bool:
+    """Whether a formula can be written with vectors and matrices as letters."""
+    try:
+        _with_tensors(vocabulary, lambda reader: reader.part(tree))
+    except UnreadableError:
+        return False
+    return True
+
+
+def _with_tensors(vocabulary: Vocabulary, read: Callable[[_Reader], Read]) -> Read:
+    """Return what is read with bold Greek letters as columns, or else as letters of any shape."""
+    try:
+        return read(_Reader(vocabulary, _COLUMN))
+    except UnreadableError as error:
+        with suppress(UnreadableError):
+            return read(_Reader(vocabulary, _LATIN))
+        raise error
+
+
+def _asked(reader: _Reader, left: Formula, right: Formula) -> Question:
     sides = [reader.part(tree) for tree in (left, right)]
     zero = next((place for place, side in enumerate(sides) if side.is_zero), None)
     if zero is None:
@@ -123,18 +153,10 @@ def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
     return reader.question(sides)
 
 
-def has_shape(vocabulary: Vocabulary, tree: Formula) -> bool:
-    """Whether a formula can be written with vectors and matrices as letters."""
-    try:
-        _Reader(vocabulary).part(tree)
-    except UnreadableError:
-        return False
-    return True
-
-
 class _Reader:
-    def __init__(self, vocabulary: Vocabulary) -> None:
+    def __init__(self, vocabulary: Vocabulary, column: re.Pattern[str]) -> None:
         self._vocabulary = vocabulary
+        self.column = column
         self._letters: dict[str, Shape] = {}
         self._known: dict[str, _Part] = {}
         self._sizes: dict[_Size, str] = {}
@@ -163,6 +185,8 @@ class _Reader:
         """Return what a symbol stands for."""
         if symbol in self._known:
             return self._known[symbol]
+        if symbol == _ZERO:
+            return _number("0")
         vocabulary = self._vocabulary
         if vocabulary.constant(symbol) is not None:
             return self.whole(symbol, [], (_Size(1), _Size(1)))
@@ -181,7 +205,7 @@ class _Reader:
         if size is None and not properties and not vocabulary.is_matrix(symbol):
             return _number(name)
         rows, columns = (_Size(), _Size()) if size is None else (_Size(size[0]), _Size(size[1]))
-        if "unit" in properties or (size is None and _COLUMN.search(symbol)):
+        if "unit" in properties or (size is None and self.column.search(symbol)):
             columns.unite(_Size(1))
         elif properties:
             rows.unite(columns)
@@ -221,10 +245,17 @@ class _Reader:
         """Whether a symbol is a vector or a matrix."""
         return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
 
+    def may_be_square(self, symbol: str) -> bool:
+        """Whether a letter is a bold capital of which nothing says the size."""
+        return _TABLE.search(symbol) is not None and self._vocabulary.size_of(symbol) is None
+
     def whole(self, name: str, arguments: list[_Part], shape: Shape, *, is_call: bool = False) -> _Part:
         """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text."""
+        is_open = shape[0].value is None or shape[1].value is None
 
         def text() -> str:
+            if is_open and shape[0].value == shape[1].value == 1:
+                raise UnreadableError(f"the shapes fit only if {name} is a number")
             key = f"{name}({', '.join(each.text() for each in arguments)})"
             kind = FREE if is_call and self._called.setdefault(base_of(name), key) == key else WHOLE
             own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}'", shape))
@@ -244,9 +275,11 @@ class _Reader:
         letters = {}
         for symbol, shape in self._letters.items():
             listed = ", ".join(sorted(self._vocabulary.properties_of(symbol)))
-            text = f"{self.size(shape[0])}x{self.size(shape[1])}{' ' if listed else ''}{listed}"
+            text = f"{self.size(shape[0])}x{self.size(shape[1])}"
             if text != "1x1":
-                letters[self._vocabulary.name(symbol)] = text
+                letters[self._vocabulary.name(symbol)] = f"{text} {listed}".strip()
+            elif self._vocabulary.size_of(symbol) is None:
+                raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is a number")
         for own, shape in self._wholes.values():
             if (text := f"{self.size(shape[0])}x{self.size(shape[1])}") != "1x1":
                 letters[own] = text
@@ -256,11 +289,8 @@ class _Reader:
         found = []
         for call, name in self._functions.items():
             kind, _, argument = call.partition("(")
-            if kind in ("sqrt", "norm"):
-                inside = argument[:-1]
-                found.append(f"{name}^2 = {inside if kind == 'sqrt' else f'dot({inside}, {inside})'}")
-            elif kind == "sin" and (other := self._functions.get(f"cos({argument}")):
-                found.append(f"{name}^2 + {other}^2 = 1")
+            if kind == "sqrt":
+                found.append(f"{name}^2 = {argument[:-1]}")
         return found
 
 
@@ -338,9 +368,7 @@ class _Parts(_Gathering):
     def product(self, first: _Part, *rest: Any) -> _Part:
         found = first
         for sign, other in zip(rest[::2], rest[1::2], strict=True):
-            if sign.type == "CIRCLED":
-                raise _refused("a product in a circle")
-            found = _joined(sign.type, found, other)
+            found = _joined(str(sign) if sign.type == "CIRCLED" else sign.type, found, other)
         return found
 
     def quotient(self, *parts: _Part) -> _Part:
@@ -367,7 +395,7 @@ class _Parts(_Gathering):
         name = str(token)
         if name in self.reader.definitions:
             raise _refused(f"the value of the function {name}")
-        columns = (_Size(), _Size(1)) if _COLUMN.search(name) else (_Size(), _Size())
+        columns = (_Size(), _Size(1)) if self.reader.column.search(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
         part = self.reader.whole(name, arguments, shape, is_call=True)
         part.is_table = _TABLE.search(name) is not None
@@ -382,6 +410,8 @@ class _Parts(_Gathering):
             raise _refused(f"the power {text[:20]}")
         if base.square is not None and int(text) == 2:
             return _number_of(base.square, base)
+        if base.shape[1].value == 1 and base.shape[0].value != 1 and int(text) == 2:
+            return _number_of(lambda: f"dot({base.text()}, {base.text()})", base)
         if not base.is_number:
             base.shape[0].unite(base.shape[1])
             if abs(int(text)) > MOST_MATRIX_POWER:
@@ -390,6 +420,8 @@ class _Parts(_Gathering):
 
     def marked(self, base: _Part, mark: Token) -> _Part:
         if mark == "T":
+            if base.is_zero:
+                return base
             return _Part(base.shape[::-1], lambda: f"({base.text()}).T", base)
         if mark == "hat" and not base.is_number:
             _vector(base, 3)
@@ -414,9 +446,14 @@ class _Parts(_Gathering):
             argument.shape[0].unite(argument.shape[1])
             kind = "det" if name == "det" else "trace"
             return _number_of(lambda: f"{kind}({argument.text()})", argument)
+        if name == "exp" and argument.shape[0].value != 1:
+            argument.shape[0].unite(argument.shape[1])
+            return _Part(argument.shape, lambda: f"exp({argument.text()})", argument)
         return self._value(str(name), _scalar(argument, str(name)))
 
     def _value(self, name: str, argument: _Part) -> _Part:
+        if name in _OF_LETTERS:
+            return _number_of(lambda: f"{name}({argument.text()})", argument)
         return _number_of(lambda: self.reader.function(name, argument.text()), argument)
 
     def raised_function(self, name: Token, exponent: _Part, arguments: list[_Part]) -> _Part:
@@ -453,6 +490,8 @@ class _Parts(_Gathering):
         return reduce(_times, [*outer, *rest[:first], whole, *rest[last:]])
 
     def absolute(self, inside: _Part) -> _Part:
+        if not inside.is_number and any(map(self.reader.may_be_square, inside.symbols)):
+            raise UnreadableError("what stands between bars may be a determinant, or a length")
         return self.norm(inside)
 
     def norm(self, inside: _Part) -> _Part:
@@ -555,6 +594,12 @@ def _divided(above: _Part, below: _Part) -> _Part:
 
 
 def _joined(kind: str, left: _Part, right: _Part) -> _Part:
+    """Return a product with a point or a cross, or ``A : B``, the sum of the products of their entries."""
+    if kind in (":", "colon") and 1 not in (left.shape[1].value, right.shape[1].value):
+        _same_shape(left, right)
+        return _number_of(lambda: f"trace(({left.text()}).T*{right.text()})", left, right)
+    if kind not in ("DOT", "CROSS"):
+        raise _refused("a product in a circle")
     if left.is_number or right.is_number:
         return _times(left, right)
     if kind == "DOT" and left.shape[1].value == 1 and right.shape[1].value == 1:

@@ -123,8 +123,7 @@ class Vocabulary:
         shapes = {each for each in map(self._shape_of, trees) if each and each[0] == each[1]}
         if len(shapes) == 1:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
-        else:
-            found._properties |= dict.fromkeys(letters, ("identity",))
+        found._properties = found._properties | dict.fromkeys(letters, ("identity",))
         return found
 
     def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:

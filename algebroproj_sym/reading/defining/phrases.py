@@ -91,7 +91,7 @@ def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
     return frozenset(found)
 
 
-_THINGS = r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?)"
+_THINGS = r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?|operators?|rotations?|sets?|events?|groups?)"
 _THING_BEFORE = re.compile(rf"\b{_THINGS}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
 _THING_AFTER = re.compile(rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{_THINGS}\b")
 

@@ -164,20 +164,21 @@ class _Pass:
         says = DEFINES.search(before) and not CONDITIONAL.search(sentence)
         if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
             definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
-            if not says and not self._is_only_one(definition):
-                definition = None
-            if definition is not None and definition.symbol not in self.vocabulary.definitions:
+            if (
+                definition is not None
+                and not is_one_value(definition.parameters, definition.tree)
+                and (says or self._is_only_one(definition))
+                and definition.symbol not in self.vocabulary.definitions
+            ):
                 self.vocabulary.define(definition)
         if len(formula.sides) > 1:
             self._note(statement, formula)
             self._restate(formula)
 
-    def _is_only_one(self, definition: Definition | None) -> bool:
+    def _is_only_one(self, definition: Definition) -> bool:
         """Whether a letter is given by letters, and by no other equation of the document."""
         ties = self.survey.dependence.ties
-        return (
-            definition is not None and bool(definition.symbols) and sum(t.given == definition.symbol for t in ties) == 1
-        )
+        return bool(definition.symbols) and sum(tie.given == definition.symbol for tie in ties) == 1
 
     def _restate(self, formula: Parsed) -> None:
         """Take notice that a letter with a definition is given within the text, and otherwise."""

@@ -122,7 +122,6 @@ class _Pass:
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
         self.alone = set[str]()
-        self.alone = set[str]()
         self.introduced = False
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
@@ -233,6 +232,8 @@ class _Pass:
         """Keep an equation as a premise of what stands behind it."""
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
+        if self.beside.is_denied:
+            return
         sides = formula.sides[defines:]
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
@@ -241,7 +242,6 @@ class _Pass:
         for left, right in pairs:
             given = where, display.part, display.place, names, special, words
             self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
-            self.alone |= {defined_by(left)[0], defined_by(right)[0]}
             self.alone |= {defined_by(left)[0], defined_by(right)[0]}
 
     # -- definitions

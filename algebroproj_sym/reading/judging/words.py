@@ -128,8 +128,12 @@ class Beside:
     @property
     def is_conditional(self) -> bool:
         """Whether its own sentence speaks of a condition, or denies it."""
-        words = f"{self.sentence} {self.condition} {self.behind}"
-        return CONDITIONAL.search(words) is not None or _DENIED.search(words) is not None
+        return self.is_denied or CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+
+    @property
+    def is_denied(self) -> bool:
+        """Whether its own sentence says that it does not hold."""
+        return _DENIED.search(f"{self.sentence} {self.condition} {self.behind}") is not None
 
     @property
     def words(self) -> frozenset[str]:

@@ -57,7 +57,6 @@ def checked():
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("checked")
 def test_check_prints_one_json_object_of_the_contract(checked):
     assert checked["schema"] == 1
     assert all(set(claim) >= KEYS for claim in checked["claims"])
@@ -67,7 +66,6 @@ def test_check_prints_one_json_object_of_the_contract(checked):
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("checked")
 def test_every_numbered_equation_of_the_sections_done_has_a_claim(checked):
     numbers = {claim["number"].split("#")[0] for claim in checked["claims"]}
     last = {"1.1": 7, "1.2": 3, "1.3": 8, "1.4": 6, "1.5": 7, "1.6": 6}
@@ -93,7 +91,6 @@ def test_every_numbered_equation_of_the_other_papers_has_a_claim(paper, numbers)
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("checked")
 def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
     numbers = [claim["number"] for claim in checked["claims"]]
     assert sum(number.startswith("4/a#") for number in numbers) == 16 * 3
@@ -101,7 +98,6 @@ def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("checked")
 def test_a_false_or_misprinted_identity_carries_an_exact_point_at_which_it_fails(checked):
     refuted = [
         claim

@@ -34,7 +34,6 @@ SHARED = {
     *(f"_runtime/{name}.py" for name in runtime_modules(["arctan2", "cos_sin", "systems"])),
 }
 # One worker makes all files.
-pytestmark = pytest.mark.xdist_group("package")
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 

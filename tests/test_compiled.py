@@ -38,7 +38,7 @@ def numbers(shape, dtype, seed=0):
         special = generator.choice(np.array(SPECIAL), shape).astype(dtype)
     chance = generator.random(shape)
     chance[: shape[0] // 2] = 1
-    return np.where(chance < 0.02, special, drawn)
+    return np.where(chance < 0.04, special, drawn)
 
 
 def arguments_of(kernel, dtype, batch=(POINTS,)):

@@ -53,7 +53,6 @@ READ_PAGE = """() => {
 
 pytestmark = [
     pytest.mark.whole,
-    pytest.mark.xdist_group("browser"),
     pytest.mark.skipif(
         CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium; install Debian's package chromium"
     ),

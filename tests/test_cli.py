@@ -57,7 +57,6 @@ def checked():
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("checked")
 def test_check_prints_one_json_object_of_the_contract(checked):
     assert checked["schema"] == 1
     assert all(set(claim) >= KEYS for claim in checked["claims"])
@@ -67,7 +66,6 @@ def test_check_prints_one_json_object_of_the_contract(checked):
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("checked")
 def test_every_numbered_equation_of_the_sections_done_has_a_claim(checked):
     numbers = {claim["number"].split("#")[0] for claim in checked["claims"]}
     last = {"1.1": 7, "1.2": 3, "1.3": 8, "1.4": 6, "1.5": 7, "1.6": 6}
@@ -93,7 +91,6 @@ def test_every_numbered_equation_of_the_other_papers_has_a_claim(paper, numbers)
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("checked")
 def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
     numbers = [claim["number"] for claim in checked["claims"]]
     assert sum(number.startswith("4/a#") for number in numbers) == 16 * 3
@@ -101,7 +98,6 @@ def test_every_cell_of_section_4_a_and_b_has_a_claim(checked):
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("checked")
 def test_a_false_or_misprinted_identity_carries_an_exact_point_at_which_it_fails(checked):
     refuted = [
         claim
@@ -202,25 +198,48 @@ def test_check_finds_drift_and_nothing_else(built, tmp_path):
     assert run("verify", "space", "affine.plane_frame", "--package", str(out), "--samples", "4").exit_code == 0
 
 
+def files_in(folder):
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
 @pytest.mark.whole
-def test_build_is_complete_and_repeatable_and_what_the_repository_says(built, tmp_path, repository):
-    """Another hash seed and number of workers give the same bytes."""
-    command = [sys.executable, "-m", "algebroproj_sym", "build", "--out", str(tmp_path), "--jobs", "1"]
-    result = subprocess.run(command, env={**os.environ, "PYTHONHASHSEED": "2"}, capture_output=True, text=True)
-    assert result.returncode == 0, result.stdout + result.stderr
-    first, second = (
-        {str(p.relative_to(out)): p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file()}
-        for out in (built, tmp_path)
-    )
-    assert first.keys() == second.keys()
-    assert [name for name in first if first[name] != second[name]] == []
-    require_all_files(first)
-    require_the_tables(json.loads(first["ledger.json"]), repository)
+def test_build_is_complete_and_what_the_repository_says(built, repository):
+    """The repository holds what another build has made, with another hash seed and number of workers."""
+    files = files_in(built)
+    require_all_files(files)
+    require_the_tables(json.loads(files["ledger.json"]), repository)
     package = {
-        path.removeprefix("algebroproj/"): first[path].decode() for path in first if path.startswith("algebroproj/")
+        path.removeprefix("algebroproj/"): text.decode()
+        for path, text in files.items()
+        if path.startswith("algebroproj/")
     }
     assert drift(package, repository / "generated" / "algebroproj") == []
-    assert first["findings.md"] == (repository / "FINDINGS.md").read_bytes()
+    assert files["findings.md"] == (repository / "FINDINGS.md").read_bytes()
+
+
+LEDGER = """
+import sys
+from pathlib import Path
+from algebroproj_sym.declaring import derivations_of, judge_all, quotes_of, select
+from algebroproj_sym.reporting.ledger import ledger, write_json
+write_json(ledger([*judge_all(select())], quotes_of(derivations_of()), timed=False), Path(sys.argv[1]))
+"""
+
+
+@pytest.mark.whole
+def test_another_hash_seed_and_number_of_workers_give_the_same(built, tmp_path):
+    """All claims, and the functions of one paper; those of all are compared with the repository."""
+    build = ["-m", "algebroproj_sym", "build", "--derivations", "okamoto1981", "--jobs", "1", "--out", str(tmp_path)]
+    for arguments in (["-c", LEDGER, str(tmp_path / "whole.json")], build):
+        command = [sys.executable, *arguments]
+        result = subprocess.run(command, env={**os.environ, "PYTHONHASHSEED": "2"}, capture_output=True, text=True)
+        assert result.returncode == 0, result.stdout + result.stderr
+    first, second = files_in(built), files_in(tmp_path)
+    assert first["ledger.json"] == second["whole.json"]
+    assert first["algebroproj/collinearity.py"] == second["algebroproj/collinearity.py"]
+    whole, part = (json.loads(files["accuracy.json"])["functions"] for files in (first, second))
+    assert len(part) > 10
+    assert [function for function in part if function not in whole] == []
 
 
 def require_all_files(files):

@@ -22,8 +22,6 @@ from algebroproj_sym.verifying.identity import SPECIAL, same_bits
 from algebroproj_sym.verifying.proof_of_cpp_source import cpp_source_is_proved, function_is_proved, header_of
 from algebroproj_sym.verifying.shipped import call, function_of, without_twin
 
-# One worker makes all files.
-pytestmark = pytest.mark.xdist_group("package")
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 COMPILER = shutil.which("g++")
 OPTIONS = ["-std=c++17", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-O1"]

@@ -4,11 +4,8 @@ import os
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "docs"))
 from pages import DOCS, PAGES, README, blocks, compared, perform, renewed
 
 INSTALLATION = "tutorial"

@@ -31,7 +31,6 @@ from algebroproj_sym.replaying import replay_identity
 from algebroproj_sym.replaying.letters import series as replayed
 from algebroproj_sym.reporting.answers import answers_record
 
-pytestmark = pytest.mark.xdist_group("letters")
 V, X, N1 = {"v": "3x1"}, {"r": "3x1", "f": "3x1"}, {"n": "3x1 unit"}
 MOTION = "block([r], [f])"
 TURN = "sin(norm(v))/norm(v)*skew(v) + (1 - cos(norm(v)))/norm(v)**2*skew(v)**2"

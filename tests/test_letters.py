@@ -48,7 +48,6 @@ from algebroproj_sym.replaying.letters import checking
 from algebroproj_sym.reporting.answers import answers_record
 
 CORPUS = Path(__file__).resolve().parent / "corpus" / "letters.json"
-pytestmark = pytest.mark.xdist_group("letters")
 ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))
 
 

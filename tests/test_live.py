@@ -255,7 +255,6 @@ def page(served, browser):
 
 @pytest.mark.whole
 @pytest.mark.extra("dev")
-@pytest.mark.xdist_group("browser")
 @pytest.mark.skipif(CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium")
 @pytest.mark.skipif(shutil.which("npm") is None, reason="NOT TESTED IN A BROWSER: there is no npm")
 class TestBrowser:
@@ -345,7 +344,6 @@ WORKER = """window.Worker = class {
 
 
 @pytest.mark.extra("dev")
-@pytest.mark.xdist_group("browser")
 @pytest.mark.skipif(CHROMIUM is None, reason="NOT TESTED IN A BROWSER: there is no Chromium")
 def test_a_verdict_is_shown_only_beside_the_question_that_it_answers(tmp_path, browser):
     """When a form is changed, a verdict of the earlier form vanishes, and one that comes later is not shown."""

@@ -25,8 +25,6 @@ from algebroproj_sym.reporting.site.markdown import latex_html, markdown_html
 from algebroproj_sym.scaffolding import create
 from algebroproj_sym.showing.notebook import latex_of_form
 
-pytestmark = pytest.mark.xdist_group("notebooks")
-
 PLAIN = """
 import sympy
 from algebroproj_sym import Section

@@ -33,8 +33,6 @@ SHARED = {
     *("_c/plain_kernels.h", "_c/plain_loops.h"),
     *(f"_runtime/{name}.py" for name in runtime_modules(["arctan2", "cos_sin", "systems"])),
 }
-# One worker makes all files.
-pytestmark = pytest.mark.xdist_group("package")
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "Examples")
 
 
@@ -96,10 +94,6 @@ def test_every_function_is_exported(rendered):
             assert {*assigned} <= {f"{name}_{what}" for name in upper for what in ("SIGNATURE", "FACTORS")}
             hand_written = [driver.name for driver in drivers() if f"{driver.module}.py" == name]
             assert ast.literal_eval(exported) == [function.name for function in functions_of(text)] + hand_written
-
-
-def test_rendering_twice_gives_the_same_text(rendered, lowered):
-    assert render([lowered(kernel.qualified_name) for kernel in kernels()], drivers()) == rendered
 
 
 def test_the_order_of_the_kernels_of_other_modules_does_not_matter(files):

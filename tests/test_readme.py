@@ -4,11 +4,8 @@ import os
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "docs"))
 from pages import DOCS, README, blocks, compared, perform
 
 TEXT = README.read_text(encoding="utf-8")

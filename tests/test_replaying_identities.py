@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 import sympy
 from click.testing import CliRunner
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from tampering import at_path, leaves, tampered
 
 from algebroproj_sym import prove
 from algebroproj_sym.cli import main
@@ -191,51 +192,17 @@ def test_a_difference_of_squares_is_no_sum():
 # Tampering: a change of one number, sign, operation or symbol.
 
 
-def leaves(node, path=()):
-    if isinstance(node, dict):
-        for key, value in node.items():
-            yield from leaves(value, (*path, key))
-    elif isinstance(node, list):
-        for place, value in enumerate(node):
-            yield from leaves(value, (*path, place))
-    elif isinstance(node, int | str) and not isinstance(node, bool):
-        yield path
-
-
-def at_path(record, path):
-    for key in path:
-        record = record[key]
-    return record
-
-
-def changes_of(value, names):
-    if isinstance(value, int):
-        return [value + 1, value - 1]
-    found = []
-    for match in re.finditer(r"(?<![\w.])\d+(?!\w)|\+|(?<=\S) - |\*(?!\*)(?<!\*\*)|(?<!\w)[A-Za-z_]\w*", value):
-        token = match.group()
-        swapped = {"+": ["-"], " - ": [" + "], "*": ["+"]}
-        news = [str(int(token) + 1)] if token.isdecimal() else swapped.get(token, [n for n in names if n != token][:2])
-        found += [value[: match.start()] + new + value[match.end() :] for new in news]
-    return found
-
-
-def tampered(record, data, keys):
+def changed_somewhere(data, record, *keys):
     paths = [path for key in keys for path in leaves(record[key], (key,)) if path[-1] != "method"]
-    path = data.draw(st.sampled_from(paths))
-    names = sorted({*re.findall(r"[a-z]\w*", json.dumps([record[key] for key in ("lhs", "rhs", "constraints")]))})
-    options = changes_of(at_path(record, path), names)
-    assume(options)
-    changed = copy.deepcopy(record)
-    at_path(changed, path[:-1])[path[-1]] = data.draw(st.sampled_from(options))
-    return changed, path
+    statement = json.dumps([record[key] for key in ("lhs", "rhs", "constraints")])
+    return tampered(data, record, paths, {*re.findall(r"[a-z]\w*", statement)})
 
 
 @settings(max_examples=2 * settings.default.max_examples)
 @given(data=st.data())
 def test_a_changed_statement_is_rejected_or_as_true(records, data):
     record = records[data.draw(st.sampled_from(sorted(records)))]
-    changed, path = tampered(record, data, ["lhs", "rhs", "constraints", "nonzero"])
+    changed, path = changed_somewhere(data, record, "lhs", "rhs", "constraints", "nonzero")
     if replay_identity(changed).status == "replayed":
         proof = prove(changed["lhs"], changed["rhs"], constraints=changed["constraints"], nonzero=changed["nonzero"])
         assert proof.verdict == record["verdict"], path
@@ -254,7 +221,7 @@ IDLE = ("units", "witness", "root between", "translations", "values", "power", "
 @given(data=st.data())
 def test_changed_evidence_is_rejected_where_it_is_used(records, data):
     record = records[data.draw(st.sampled_from(sorted(records)))]
-    changed, path = tampered(record, data, ["certificate"])
+    changed, path = changed_somewhere(data, record, "certificate")
     if replay_identity(changed).status == "replayed":
         of_nothing = path[-1] in ("factor", "exponent") and '"goal": "0"' in json.dumps(record["certificate"])
         idle = of_nothing or bool({*IDLE} & {*path}) or not json.dumps(record["certificate"]).count("cofactors")
@@ -264,7 +231,7 @@ def test_changed_evidence_is_rejected_where_it_is_used(records, data):
 @settings(max_examples=6)
 @given(data=st.data())
 def test_a_change_anywhere_in_cases_is_rejected(powers, data):
-    changed, path = tampered(powers, data, ["certificate"])
+    changed, path = changed_somewhere(data, powers, "certificate")
     if replay_identity(changed).status == "replayed":
         assert {*IDLE} & {*path} or same(at_path(powers, path), at_path(changed, path)), path
 

@@ -1,11 +1,10 @@
 """`rounded` gives the machine number nearest to the exact result, whatever the input."""
 
-import sys
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
+from hard_inputs import hard, roundings
 from hypothesis import example, given
 from hypothesis import strategies as st
 
@@ -13,9 +12,6 @@ import algebroproj
 from algebroproj import metric, optics, projection
 from algebroproj_sym.declaring import ELEMENTARY, kernels
 from algebroproj_sym.generating.runtime.rounding import nearest
-
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "benchmarks"))
-from hard_inputs import hard, roundings
 
 RATIONAL = [k.qualified_name for k in kernels() if not {stage.primitive for stage in k.stages} & {*ELEMENTARY}]
 LONG = {"critical.quadric", "critical.determinant"}

@@ -45,8 +45,6 @@ from algebroproj_sym.reporting.site.symbols import symbols_in
 from algebroproj_sym.showing.latex import latex
 from algebroproj_sym.showing.names import latex_name, plain_name
 
-# One worker writes the site.
-pytestmark = pytest.mark.xdist_group("site")
 SELECTORS = ("fundamentals1996:1.2", "fundamentals1996:2.2", "rhodos1990")
 VOID = {"meta", "link", "input", "br", "hr", "img", "wbr"}
 x, y, z, u31, up31 = sympy.symbols("x y z u31 up31")

@@ -378,7 +378,6 @@ def undisturbed(tmp_path_factory):
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("sweeps")
 def test_a_killed_sweep_loses_nothing_and_doubles_nothing(undisturbed, tmp_path):
     with subprocess.Popen(command(tmp_path), stdout=subprocess.DEVNULL) as process:
         wait_for(lambda: len(list((tmp_path / "chunks").glob("0*.nc"))) >= 3)
@@ -400,7 +399,6 @@ def test_a_killed_sweep_loses_nothing_and_doubles_nothing(undisturbed, tmp_path)
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("sweeps")
 def test_a_killed_worker_ends_a_sweep_with_a_message_and_it_goes_on_later(undisturbed, tmp_path):
     arguments = command(tmp_path, "--jobs", "2")
     with subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
@@ -451,14 +449,12 @@ def cluster(folder):
 
 
 @pytest.mark.whole
-@pytest.mark.xdist_group("sweeps")
 def test_a_cluster_gives_the_same_bytes(undisturbed, tmp_path):
     with cluster(tmp_path) as url:
         subprocess.run(command(tmp_path / "out", "--scheduler", url), check=True, capture_output=True)
     assert (tmp_path / "out" / "example.nc").read_bytes() == undisturbed
 
 
-@pytest.mark.xdist_group("sweeps")
 def test_local_processes_give_the_same_bytes(undisturbed, tmp_path):
     sweep = Sweep(example.STUDY, tmp_path, {}, 120, 10)
     prepare(sweep)

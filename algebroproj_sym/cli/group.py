@@ -38,8 +38,8 @@ class Group(click.Group):
     A command is imported when it is run.  What it does, in a line, is known before.
     """
 
-    def __init__(self, *, summaries: Mapping[str, str] | None = None, **settings: Any) -> None:
-        known = {name: click.Command(name, short_help=does) for name, does in (summaries or {}).items()}
+    def __init__(self, *, summaries: Mapping[str, str], **settings: Any) -> None:
+        known = {name: click.Command(name, short_help=does) for name, does in summaries.items()}
         super().__init__(commands=known, **settings)
 
     def list_commands(self, context: click.Context) -> list[str]:

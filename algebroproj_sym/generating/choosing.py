@@ -71,12 +71,13 @@ def lower(kernel: Kernel) -> Lowered:
     """
     if not kernel.is_rational:
         return lowered_form(mirrored(kernel)[0])
-    lowered = list(_distinct(kernel))
+    simple = factored(kernel)
+    lowered = list(_distinct(kernel, simple))
     if len(lowered) == 1:
         return lowered[0]
     places = [place for place, output in enumerate(lowered[0].plain.outputs) if not isinstance(output, int)]
     inputs, truths = _truths(lowered[0].plain, stratified(lowered[0], SAMPLES), places)
-    zeros = _truths(lowered[0].plain, _on_sums(kernel), places)
+    zeros = _truths(lowered[0].plain, _on_sums(simple) if simple else [], places)
     candidates = [_measured(each, inputs, truths, zeros, places) for each in lowered]
     median = max(MEDIAN_ULP, min(candidate.median_ulp for candidate in candidates))
     most = np.fmax(MAX_ULP, NOT_WORSE * np.min([candidate.ulps for candidate in candidates], axis=0))
@@ -92,10 +93,9 @@ def lower(kernel: Kernel) -> Lowered:
     return replace(best.lowered, forms=len(lowered))
 
 
-def _distinct(kernel: Kernel) -> Iterator[Lowered]:
-    """Yield the lowered forms of a kernel whose programs differ."""
-    forms = [kernel, *kernel.alternatives]
-    forms += [form for form in (factored(kernel),) if form is not None]
+def _distinct(kernel: Kernel, simple: Kernel | None) -> Iterator[Lowered]:
+    """Yield the lowered forms of a kernel whose programs differ; the factored one is the last."""
+    forms = [kernel, *kernel.alternatives, *([simple] if simple else [])]
     forms = [each for form in forms for each in mirrored(form)]
     programs: set[Program] = set()
     for form in forms:
@@ -110,17 +110,14 @@ def _distinct(kernel: Kernel) -> Iterator[Lowered]:
                     yield replace(lowered, program=program)
 
 
-def _on_sums(kernel: Kernel) -> list[Sample]:
-    """Return samples at which a factor of a result is exactly zero that is a sum of inputs."""
-    form = factored(kernel)
-    if form is None:
-        return []
-    names = dict(form.where)
-    numerators = [entry.args[0] for entry in entries(form.form) if isinstance(entry, over)]
+def _on_sums(simple: Kernel) -> list[Sample]:
+    """Return samples at which a factor of a result in factored form is exactly zero that is a sum of inputs."""
+    names = dict(simple.where)
+    numerators = [entry.args[0] for entry in entries(simple.form) if isinstance(entry, over)]
     bases = {power.as_base_exp()[0] for numerator in numerators for power in sympy.Mul.make_args(numerator)}
     factors = {names.get(base, base) for base in bases}
     sums = [factor for factor in factors if _is_sum(factor) and not factor.free_symbols & {*names}]
-    return [sample for factor in sorted(sums, key=str) for sample in on_sum(factor, kernel.symbols, SAMPLES)]
+    return [sample for factor in sorted(sums, key=str) for sample in on_sum(factor, simple.symbols, SAMPLES)]
 
 
 def _is_sum(factor: sympy.Expr) -> bool:

@@ -88,14 +88,14 @@ def _quotient(value: RationalFunction, names: Mapping[int, Scalar]) -> Scalar | 
     above, below = [sympy.Integer(content.numerator)], [sympy.Integer(content.denominator)]
     for place, count in powers.items():
         factor = field.factors[place]
-        if place not in names and len(field.ring.terms(factor)) > LONGEST:
+        if place not in names and len(factor) > LONGEST:
             return None
         (above if count > 0 else below).append(names.get(place, field.expression(factor)) ** abs(count))
     return over(sympy.Mul(*above), sympy.Mul(*below))
 
 
 def _is_small(value: RationalFunction) -> bool:
-    return 0 < len(value.field.ring.terms(value.numerator)) <= LARGEST
+    return 0 < len(value.numerator) <= LARGEST
 
 
 def _needed(where: Abbreviations, used: set[sympy.Symbol]) -> Abbreviations:

@@ -116,11 +116,11 @@ def lowered_form(kernel: Kernel, reciprocals: bool = False) -> Lowered:
         )
     divisors = divisors_of(kernel, unguarded)
     guarded = tuple(factor for factor in hypotheses if factor not in divisors)
-    program = program_of(kernel, guarded, reciprocals)
+    program = program_of(kernel, guarded, reciprocals) if guarded else unguarded
     for place, (expected, value) in enumerate(zip(derived, computed_values(program, field), strict=True)):
         if not (expected - value).is_zero:
             raise LoweringError(f"kernel {kernel.qualified_name}, form: entry {place} differs from the derivation")
-    hypotheses = divisors_of(kernel, program)
+    hypotheses = divisors_of(kernel, program) if guarded else divisors
     return Lowered(kernel, compensated(program), program, hypotheses, guarded)
 
 

@@ -218,12 +218,12 @@ def _zero_of_sine(theory: Written, step: Step) -> str:
     return f"zero_of_sine {text} {sin} d{sin} {zero} {_around(theory, angle, text, 1)}"
 
 
-def _around(theory: Written, angle: Element, text: str, turns: int, relation: str = ">") -> str:
+def _around(theory: Written, angle: Element, text: str, turns: int) -> str:
     """Return proofs that an angle lies between minus and plus so many half turns."""
     half = theory.number(turns) * theory.pi
     bound = "PI" if turns == 1 else f"{turns} * PI"
     pairs = ((half - angle, f"({bound} - {text})"), (half + angle, f"({bound} + {text})"))
-    return " ".join(theory.proof(relation, element, shown) for element, shown in pairs)
+    return " ".join(theory.proof(">", element, shown) for element, shown in pairs)
 
 
 def _plain(theory: Written, function: str, angle: Element) -> str:

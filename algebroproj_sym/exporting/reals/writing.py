@@ -239,7 +239,7 @@ class Written(Theory):
         self.added.append(Added(relation, element, not evident and fact not in self.known))
         super().add(relation, element)
 
-    def concluded(self, lemma: str, rewriting: str = "") -> None:
+    def concluded(self, lemma: str) -> None:
         """Write down what was added since `adding` began, as the parts of what a lemma shows."""
         added, self.added = self.added, []
         if not any(each.new for each in added):
@@ -253,7 +253,7 @@ class Written(Theory):
         )
         for each, part in zip(added, parts, strict=True):
             if each.new:
-                self.enter(each.relation, each.element, part, rewriting)
+                self.enter(each.relation, each.element, part)
 
     @contextmanager
     def adding(self) -> Iterator[None]:

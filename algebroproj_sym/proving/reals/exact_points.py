@@ -34,8 +34,6 @@ MOST_OCCURRENCES = 200
 MOST_ENDS = 2
 MOST_PARTS = 40
 """How many parts a side may have whose derivative is factored."""
-FILLS = 12
-"""How often other coordinates are chosen for the same ends of ranges."""
 
 NUMBERS = [
     *map(

@@ -521,10 +521,9 @@ class Knowledge:
         text: str,
         total: Sequence[tuple[Any, Any, Mapping[int, int]]],
         cofactors: Mapping[int, Any],
-        scale: int = 1,
         multiplier: Sequence[int] = (),
     ) -> bool:
-        """Take the step by which a polynomial, times a scale and positive facts, is a sum, and zeros times cofactors.
+        """Take the step by which a polynomial, times a number and positive facts, is a sum, and zeros times cofactors.
 
         The sum is one of positive weights times squares of roots times powers of facts.
         """
@@ -538,7 +537,7 @@ class Knowledge:
             "sign",
             polynomial=text,
             relation=">" if strict else ">=",
-            scale=scale * number,
+            scale=number,
             multiplier={str(place): 1 for place in multiplier},
             sum=[
                 [str(weight * number), self.text(root), {str(place): power for place, power in powers.items()}]

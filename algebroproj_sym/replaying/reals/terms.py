@@ -385,9 +385,6 @@ def _rational(term: Term) -> Fraction | None:
     return known[0] * known[1] if term.kind == "*" else known[0] / known[1]
 
 
-_LEVELS = {"+": 1, "-": 2, "*": 2, "/": 2, "^": 4}
-
-
 def written(term: Term) -> str:
     """Return a term as text that is read as the same term."""
     return _written(term)[0]

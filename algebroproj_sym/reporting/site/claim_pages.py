@@ -126,15 +126,15 @@ def _figures(catalogue: Catalogue, counts: Mapping[str, int]) -> list[tuple[str,
     ]
 
 
-def _headlines(catalogue: Catalogue, most: int = 3) -> list[tuple[Entry, Markup, Markup, Markup]]:
-    """Return the first findings that change results and are marked in a line: claim, both forms, what follows."""
+def _headlines(catalogue: Catalogue) -> list[tuple[Entry, Markup, Markup, Markup]]:
+    """Return the first three findings that change results and are marked in a line: claim, both forms, what follows."""
     every = dict(by_grade(gathered([entry.judgement for entry in catalogue.entries])))
     found = []
     for finding in every["results"]:
         entry = catalogue.by_number[finding.claim.paper, finding.claim.number]
         if MARK in _line(entry):
             found.append((entry, *_erratum(entry), linked(finding.follows, entry.claim.paper, START, catalogue)))
-    return found[:most]
+    return found[:3]
 
 
 def _grades(

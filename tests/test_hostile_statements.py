@@ -53,6 +53,9 @@ log(x) <= (x - 1)/sqrt(x) | x >= 1
 sqrt((a - x)^2 + (b - y)^2) <= sqrt(a^2 + b^2) + sqrt(x^2 + y^2)
 x*cos(x) < sin(x) | 0 < x < pi
 exp(-x/(1 - x)) < 1 - x | 0 < x < 1
+a*(a - b)*(a - c) + b*(b - c)*(b - a) + c*(c - a)*(c - b) >= 0 | a >= 0 | b >= 0 | c >= 0
+a/(b + c) + b/(c + a) + c/(a + b) >= 3/2 | a > 0 | b > 0 | c > 0
+abs(tanh(x)) < 1
 """.strip().splitlines()
 
 NOT_FOUND = {"integrate(1/(2 + cos(x)), (x, 0, 2*pi)) = 2*pi/sqrt(3)"}
@@ -126,6 +129,11 @@ sqrt((a + x)^2 + (b + y)^2) <= sqrt(a^2 + b^2) + x + y
 abs(abs(x) - abs(y)) < abs(x - y)
 x*cos(x) < sin(x) | 0 < x < 8
 x*cos(x) < sin(x) | 0 <= x < pi
+a*(a - b)*(a - c) + b*(b - c)*(b - a) + c*(c - a)*(c - b) >= 0 | a >= 0 | b >= 0
+a*(a - b)*(a - c) + b*(b - c)*(b - a) + c*(c - a)*(c - b) > 0 | a > 0 | b > 0 | c > 0
+a/(b + c) + b/(c + a) + c/(a + b) > 3/2 | a > 0 | b > 0 | c > 0
+x^3 + y^3 >= x^2*y + x*y^2 | x >= 0 | y >= -1
+abs(tanh(x)) < 99/100
 """.strip().splitlines()
 
 NOWHERE = """

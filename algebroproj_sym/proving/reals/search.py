@@ -19,6 +19,7 @@ from algebroproj_sym.proving.reals.arcs import (
     turn_decided,
     turned_by_an_eighth,
 )
+from algebroproj_sym.proving.reals.cones import on_a_cone
 from algebroproj_sym.proving.reals.constants import constant_zero
 from algebroproj_sym.proving.reals.forms import carried
 from algebroproj_sym.proving.reals.knowledge import Knowledge
@@ -115,8 +116,7 @@ class Search:
 
         Where the sign of a function was looked for on a range, the range is cut first.
         """
-        if knowledge.cuts:
-            return [(knowledge.into(cut), (">=", "<")) for cut in knowledge.cuts]
+        cuts = [(knowledge.into(cut), (">=", "<")) for cut in knowledge.cuts]
         found: dict[str, Any] = {}
         for polynomial in knowledge.wanted:
             if len(polynomial.terms) <= 6:
@@ -136,7 +136,7 @@ class Search:
             and knowledge.sign(knowledge.back(polynomial)) in (None, ">=", "<=")
         ]
         found_first = sorted(free, key=lambda pair: (len(pair[0]), pair[0]))
-        return [(polynomial, (">", "=", "<")) for _, polynomial in found_first]
+        return cuts[:2] + [(polynomial, (">", "=", "<")) for _, polynomial in found_first]
 
     def _reached(self, knowledge: Knowledge) -> bool:
         return all(self._shown(knowledge, *goal) for goal in self.goals) or knowledge.theory.contradictory
@@ -167,6 +167,7 @@ class Search:
         return (
             knowledge.related(relation, goal)
             or (relation == ">=" and knowledge.seen(goal) == {0} and _are_equal(knowledge, goal, goal - goal))
+            or on_a_cone(knowledge, relation, goal)
             or by_order(knowledge, relation, goal)
             or self._by_conjugates(knowledge, relation, goal, depth)
             or self._by_ends(knowledge, relation, goal, depth)

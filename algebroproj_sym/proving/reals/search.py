@@ -456,7 +456,8 @@ def _proportional(knowledge: Knowledge) -> None:
 
 def _by_powers(knowledge: Knowledge, left: Element, right: Element) -> bool:
     """Compare powers of two sides that are not negative."""
-    degrees = {known.degree for known in knowledge.theory.applications.values() if known.function == "root"}
+    applications = knowledge.theory.applications.values()
+    degrees = {known.degree or 2 for known in applications if known.function in ("root", "sin")}
     if not degrees:
         return False
     theory = knowledge.theory

@@ -6,6 +6,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from operator import itemgetter
 from typing import Any
 
 import flint
@@ -36,6 +37,8 @@ FURTHER = [Fraction(p, q) for p, q in ((1, 10), (9, 10), (9, 2), (7, 1), (10, 1)
 
 
 MOST_SEEMING = 12
+SOON = 80
+"""How many points come before others that are plainer."""
 MOST_PROOFS = 5
 """How often it is tried to show that a statement fails at a point where it seems to."""
 POINT_EFFORT = 60
@@ -93,16 +96,17 @@ def exact_places(statement: Statement, tries: int, *, fails: bool) -> Iterator[P
     Of these only the first is shown to be one where the statement says something.
     """
     kinds = (True,) if fails else (True, False)
-    seeming: dict[bool, list[Mapping[str, Term]]] = {kind: [] for kind in kinds}
-    for point in exact_points(statement, tries):
+    seeming: dict[bool, list[tuple[bool, int, int, Mapping[str, Term]]]] = {kind: [] for kind in kinds}
+    for number, point in enumerate(exact_points(statement, tries)):
         values = {name: nearly(value) for name, value in point.items()}
         fails_there = None if None in values.values() else seems_to_fail(statement, values)
         if fails_there in seeming:
-            seeming[fails_there].append(point)
-            if sum(map(len, seeming.values())) == MOST_SEEMING:
+            size = sum(map(Term.size, point.values()))
+            seeming[fails_there].append((number >= SOON, size, number, point))
+            if fails_there == bool(seeming[True]) and len(seeming[fails_there]) >= MOST_SEEMING:
                 break
     for kind in kinds:
-        plain_first = sorted(seeming[kind], key=lambda point: sum(map(Term.size, point.values())))
+        plain_first = [point for *_, point in sorted(seeming[kind], key=itemgetter(0, 1, 2))]
         for number, seen in enumerate(plain_first[:MOST_PROOFS], 1):
             try:
                 point = {name: settled(value) for name, value in seen.items()}

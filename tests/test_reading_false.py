@@ -36,6 +36,19 @@ pytestmark = pytest.mark.usefixtures("decided_here")
         r"The matrices $A$ and $B$ have \[ (A + B)^2 = A^2 + 2 A B + B^2. \]",
         r"\[ \mathbf{A} \uvec{b} = \uvec{b} \mathbf{A} \]",
         r"\[ (A B)' = (B A)' \]",
+        r"\[ \det\boldsymbol\sigma = \mathrm{tr}\boldsymbol\sigma \]",
+        r"\[ (\mathrm{tr}\boldsymbol\sigma)^2 = \mathrm{tr}(\boldsymbol\sigma^2) \]",
+        r"\[ \mathbf{a}^T = \mathbf{a} \]",
+        r"\[ \mathbf{a} \mathbf{b} = \mathbf{b} \mathbf{a} \]",
+        r"\[ \mathbf{a}^3 \mathbf{b} = \mathbf{b} \mathbf{a}^3 \]",
+        r"\[ \mathbf{a}^T \mathbf{b} = \mathbf{a} \mathbf{b}^T \]",
+        r"\[ \mathbf{f}(x)^T = \mathbf{f}(x) \]",
+        r"\[ \boldsymbol\sigma : \boldsymbol\tau = \mathrm{tr}(\boldsymbol\sigma \boldsymbol\tau) \]",
+        r"The vectors $a$ and $b$ have \[ a b = b a. \]",
+        r"\[ (\mathbf{A}\mathbf{B})^{-T} = \mathbf{B}^{-T} \mathbf{A}^{-T} \]",
+        r"\[ e^{-T} = e^{-1} \]",
+        r"\[ |2\mathbf{A}|^2 = 4|\mathbf{A}|^2 \]",
+        r"\[ \mathbf{a}^2 \mathbf{b} = \mathbf{a} (\mathbf{a} \cdot \mathbf{b}) \]",
         r"\[ a \overset{!}{=} b \] \[ a = b + c - c \] \[ c a = c b + 1 \]",
     ],
 )
@@ -52,6 +65,23 @@ def test_what_does_not_hold_does_not_follow(latex):
         r"\[ \sum_n 2 a_n = 2 \sum_n a_n \]",
         r"\[ 2 \operatorname{Var}(x + y) - \operatorname{Var}(x + y) = \operatorname{Var}(x + y) \]",
         r"The matrices $A$ and $B$ have \[ (A + B)^2 = A^2 + A B + B A + B^2. \]",
+        r"\[ (\mathrm{tr}\boldsymbol\sigma)^2 - \mathrm{tr}(\boldsymbol\sigma)\mathrm{tr}(\boldsymbol\sigma) = 0 \]",
+        r"\[ \boldsymbol\sigma : \boldsymbol\tau = \mathrm{tr}(\boldsymbol\tau^T \boldsymbol\sigma) \]",
+        r"\[ \mathbf{S} = J \mathbf{F}^{-1} \boldsymbol\sigma \mathbf{F}^{-T} \] "
+        r"\[ \boldsymbol\sigma = \frac1J \mathbf{F} \mathbf{S} \mathbf{F}^T \]",
+        r"Let $R \in SO(3)$. \[ T := \begin{bmatrix} R & \mathbf{t} \\ \mathbf{0}^T & 1 \end{bmatrix} \] "
+        r"\[ T^{-1} = \begin{bmatrix} R^T & -R^T \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \]",
+        r"\[ \mathbf{A}\mathbf{0} = \mathbf{0} \]",
+        r"\[ (\mathbf{a} + \mathbf{b})^2 = \mathbf{a}^2 + 2\mathbf{a}\cdot\mathbf{b} + \mathbf{b}^2 \]",
+        r"\[ |2\mathbf{a}|^2 = 4|\mathbf{a}|^2 \]",
+        r"\[ (\mathbf{A}\mathbf{B})^{-\top} = \mathbf{A}^{-\top} \mathbf{B}^{-\top} \]",
+        r"\[ \boldsymbol\omega^T \boldsymbol\alpha = \boldsymbol\alpha^T \boldsymbol\omega \]",
+        r"\[ \mathbf{s} = \boldsymbol\sigma - \frac13 \mathrm{tr}(\boldsymbol\sigma) I_{3\times3} \] "
+        r"\[ \mathrm{tr}\,\mathbf{s} = 0 \]",
+        r"\[ \exp([\mathbf{a}]_\times)^T \exp([\mathbf{a}]_\times) = I_{3\times3} \]",
+        r"Let $\theta = \|\mathbf{a}\|$. "
+        r"\[ \exp([\mathbf{a}]_\times) = I_{3\times3} + \frac{\sin\theta}{\theta} [\mathbf{a}]_\times + "
+        r"\frac{1 - \cos\theta}{\theta^2} [\mathbf{a}]_\times^2 \]",
     ],
 )
 def test_what_holds_follows(latex):

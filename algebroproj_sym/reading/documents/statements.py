@@ -270,6 +270,9 @@ def _is_script(before: Sequence[Piece]) -> bool:
 
 def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> bool:
     r"""Whether words stand in a formula, as in ``3 \text{ m} + 4 \text{ m}``."""
+    last = next((piece.text for piece in reversed(before) if not piece.text.isspace()), "")
+    if last in ("+", "-") or last in RELATIONS:
+        return words not in _BETWEEN
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
     goes_on = following in ("+", "-", "/", r"\cdot", r"\times") or following in RELATIONS
     return goes_on and any(not piece.text.isspace() for piece in before) and words not in _BETWEEN

@@ -88,7 +88,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
     if any(_has_two_signs(tree) for tree in (left, right)):
         both = [[_with_signs(tree, upper) for tree in (left, right)] for upper in (True, False)]
         return [question for sides in both for question in questions_of(vocabulary, *sides)]
-    if any(vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)):
+    properties = {vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)}
+    if properties - {(), ("identity",)}:
         raise UnsizedError("a property of a letter says more than its entries")
     values = [vocabulary.value(tree) for tree in (left, right)]
     shapes = [shape(value) for value in values]

@@ -59,6 +59,7 @@ NO_LETTERS = _words(
 """Commands that stand for no letter."""
 BEFORE_LETTER = _words(r"\leftexp \leftidx \prescript \presuper")
 FRACTIONS = _words(r"\frac \dfrac \tfrac \cfrac")
+BINOMIALS = _words(r"\binom \dbinom \tbinom")
 BIG = _words(r"\sum \prod \int \iint \iiint \oint \lim \max \min \sup \inf \bigcup \bigcap \argmin \argmax")
 FUNCTIONS = _words(
     "sin cos tan cot sec csc arcsin arccos arctan arccot asin acos atan atan2 arctan2 sinh cosh tanh coth arcsinh "

@@ -17,6 +17,7 @@ from algebroproj_sym.reading.lexing.commands import (
     BARS,
     BEFORE_LETTER,
     BIG,
+    BINOMIALS,
     CIRCLED,
     CLOSING,
     DROPPED,
@@ -32,7 +33,14 @@ from algebroproj_sym.reading.lexing.commands import (
     WITH_ARGUMENT,
 )
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.functions import read_big, read_fraction, read_function, read_root, read_underset
+from algebroproj_sym.reading.lexing.functions import (
+    read_big,
+    read_binomial,
+    read_fraction,
+    read_function,
+    read_root,
+    read_underset,
+)
 from algebroproj_sym.reading.lexing.names import (
     at_symbol,
     at_unknown_letter,
@@ -103,6 +111,8 @@ def _step(cursor: Cursor) -> None:
         _read_number(cursor)
     elif text in FRACTIONS:
         read_fraction(cursor)
+    elif text in BINOMIALS:
+        read_binomial(cursor)
     elif text == r"\sqrt":
         read_root(cursor)
     elif text == r"\underset":

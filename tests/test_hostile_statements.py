@@ -166,11 +166,13 @@ def decide(line):
     return found["verdict"]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("line", TRUE)
 def test_what_is_true_is_proved(line):
     assert decide(line) == ("open" if line in NOT_FOUND else "proved")
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("line", FALSE)
 def test_what_is_false_is_refuted(line):
     assert decide(line) == "refuted"

@@ -16,15 +16,29 @@ def simplest(knowledge: Knowledge, polynomial: Any) -> tuple[Any, Mapping[int, A
 
     Squares of sines are replaced by those of cosines, or these by those, or all rules are used.
     """
-    circles, one = knowledge.circles(), polynomial**0
+    circles = knowledge.circles()
     found: list[tuple[Any, Mapping[int, Any]] | None] = [(polynomial, {}), knowledge.reduced(polynomial)]
     for which in (1, 2):
-        rules = [
-            Rule(circle[which], 2, knowledge.into(knowledge.theory.facts[circle[0]].polynomial), {circle[0]: one})
-            for circle in circles
-        ]
-        found.append(reduced_by(polynomial, rules))
+        found.append(reduced_by(polynomial, [_rule(knowledge, circle[0], circle[which]) for circle in circles]))
     return min((form for form in found if form is not None and form[0] != 0), key=lambda form: _hardness(form[0]))
+
+
+def without_squares(knowledge: Knowledge, polynomial: Any) -> tuple[Any, Mapping[int, Any]]:
+    """Return a polynomial with the radicands of square roots for their squares, and the cofactors."""
+    theory, rules = knowledge.theory, list[Rule]()
+    for name, known in reversed(theory.applications.items()):
+        if (known.function, known.degree) == ("root", 2) and not known.args[0].exponents:
+            fact = theory.fact("=", theory.field.symbol(name) ** 2 - known.args[0])
+            if fact in theory.known:
+                rules.append(_rule(knowledge, theory.facts.index(fact), theory.field.places[name]))
+    return reduced_by(polynomial, rules) or (polynomial, {})
+
+
+def _rule(knowledge: Knowledge, place: int, variable: int) -> Rule:
+    """Return the rule by which the square of a variable gives way, as a fact says."""
+    zero = knowledge.into(knowledge.theory.facts[place].polynomial)
+    lead = by_degree(zero, variable)[2].leading_coefficient()
+    return Rule(variable, 2, zero / lead, {place: zero**0 / lead})
 
 
 def _hardness(polynomial: Any) -> tuple[int, int]:

@@ -21,7 +21,7 @@ from algebroproj_sym.proving.reals.arcs import (
 )
 from algebroproj_sym.proving.reals.cones import on_a_cone
 from algebroproj_sym.proving.reals.constants import constant_zero
-from algebroproj_sym.proving.reals.forms import carried
+from algebroproj_sym.proving.reals.forms import carried, without_squares
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised
 from algebroproj_sym.proving.reals.samples import Sample
@@ -208,7 +208,7 @@ class Search:
         if depth > 2 or not goal.numerator:
             return False
         polynomial = knowledge.signed(goal)
-        form, cofactors = knowledge.reduced(polynomial) or (polynomial, {})
+        form, cofactors = without_squares(knowledge, polynomial)
         factors = form.factor()[1] if form != 0 else []
         if not roots and len(factors) < 2:
             return False

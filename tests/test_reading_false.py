@@ -6,6 +6,12 @@ from algebroproj_sym.reading import document_of, read_document
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
+JACOBIAN = (
+    r"Let $\theta = \|\boldsymbol\omega\|$. \[ \mathbf{J}_l(\boldsymbol\omega) := I_{3\times3} + "
+    r"\frac{1 - \cos\theta}{\theta^2} \boldsymbol\omega^\wedge + "
+    r"\frac{\theta - \sin\theta}{\theta^3} (\boldsymbol\omega^\wedge)^2 \] "
+)
+
 
 @pytest.mark.parametrize(
     "latex",
@@ -47,6 +53,15 @@ pytestmark = pytest.mark.usefixtures("decided_here")
         r"The vectors $a$ and $b$ have \[ a b = b a. \]",
         r"\[ (\mathbf{A}\mathbf{B})^{-T} = \mathbf{B}^{-T} \mathbf{A}^{-T} \]",
         r"\[ e^{-T} = e^{-1} \]",
+        JACOBIAN
+        + r"\[ \mathbf{J}_l(-\boldsymbol\omega) = \exp(\boldsymbol\omega^\wedge) \mathbf{J}_l(\boldsymbol\omega) \]",
+        r"\[ \mathbf{f}(\mathbf{x}) := \mathbf{A}\mathbf{x} + \mathbf{b} \] "
+        r"\[ \mathbf{f}(\mathbf{x} + \mathbf{y}) = \mathbf{f}(\mathbf{x}) + \mathbf{f}(\mathbf{y}) \]",
+        r"\[ \mathbf{c} = \mathbf{B}\mathbf{x} \text{ if } b = 0 \] "
+        r"\[ \mathbf{f}(\mathbf{x}) := \mathbf{c} + \mathbf{x} \] "
+        r"\[ \mathbf{f}(\mathbf{y}) - \mathbf{y} = \mathbf{f}(\mathbf{w}) - \mathbf{w} \]",
+        r"\[ \mathbf{f}(\mathbf{x}) := \sum_i x_i \mathbf{a}_i \] "
+        r"\[ \mathbf{f}(\mathbf{y}) = \mathbf{f}(\mathbf{w}) \]",
         r"\[ |2\mathbf{A}|^2 = 4|\mathbf{A}|^2 \]",
         r"\[ \mathbf{a}^2 \mathbf{b} = \mathbf{a} (\mathbf{a} \cdot \mathbf{b}) \]",
         r"\[ a \overset{!}{=} b \] \[ a = b + c - c \] \[ c a = c b + 1 \]",
@@ -71,7 +86,14 @@ def test_what_does_not_hold_does_not_follow(latex):
         r"\[ \boldsymbol\sigma = \frac1J \mathbf{F} \mathbf{S} \mathbf{F}^T \]",
         r"Let $R \in SO(3)$. \[ T := \begin{bmatrix} R & \mathbf{t} \\ \mathbf{0}^T & 1 \end{bmatrix} \] "
         r"\[ T^{-1} = \begin{bmatrix} R^T & -R^T \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \]",
+        r"For a rotation matrix $R$ \[ T := \begin{bmatrix} R & \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \] "
+        r"\[ T^{-1} = \begin{bmatrix} R^T & -R^T \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \]",
         r"\[ \mathbf{A}\mathbf{0} = \mathbf{0} \]",
+        JACOBIAN + r"\[ \mathbf{J}_l(\boldsymbol\omega) = \mathbf{J}_l(-\boldsymbol\omega)^T \]",
+        JACOBIAN
+        + r"\[ \mathbf{J}_l(\boldsymbol\omega) = \exp(\boldsymbol\omega^\wedge) \mathbf{J}_l(-\boldsymbol\omega) \]",
+        r"\[ \mathbf{f}(\mathbf{x}) := \mathbf{A}\mathbf{x} \] "
+        r"\[ \mathbf{f}(\mathbf{x} + \mathbf{y}) = \mathbf{f}(\mathbf{x}) + \mathbf{f}(\mathbf{y}) \]",
         r"\[ (\mathbf{a} + \mathbf{b})^2 = \mathbf{a}^2 + 2\mathbf{a}\cdot\mathbf{b} + \mathbf{b}^2 \]",
         r"\[ |2\mathbf{a}|^2 = 4|\mathbf{a}|^2 \]",
         r"\[ (\mathbf{A}\mathbf{B})^{-\top} = \mathbf{A}^{-\top} \mathbf{B}^{-\top} \]",
@@ -86,3 +108,8 @@ def test_what_does_not_hold_does_not_follow(latex):
 )
 def test_what_holds_follows(latex):
     assert read_document(document_of(latex))[-1].verdict == "follows"
+
+
+def test_values_of_functions_of_vectors_that_differ_contradict():
+    false = r"\[ \mathbf{J}_l(\boldsymbol\omega) = \mathbf{J}_l(-\boldsymbol\omega) \]"
+    assert read_document(document_of(JACOBIAN + false))[-1].verdict == "contradicts"

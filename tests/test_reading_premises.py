@@ -244,3 +244,17 @@ def test_a_way_that_would_follow_is_suggested_though_nothing_contradicts():
     (link,) = last(BERNOULLI + r"For the plate \[ c = 1 + \left(\frac{w}{u}\right)^2 \]").links
     assert link.verdict == "independent"
     assert link.suggestion == "1 - (w/u)**2 instead of 1 + (w/u)**2"
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        (r"The mean motion is $n = \sqrt{\mu/a^3}$.", "follows"),
+        (r"The mean motion is $n = \sqrt{\mu/a^3}$. \[ n = 2 \pi/P \]", "independent"),
+        (r"A condition is $n = \sqrt{\mu/a^3}$.", "independent"),
+        (r"The mean motion is not $n = \sqrt{\mu/a^3}$.", "independent"),
+        (r"At a point there is $n = \sqrt{\mu/a^3}$ if $\mu = 1$. Elsewhere $n = 2 a$.", "independent"),
+    ],
+)
+def test_the_only_equation_that_gives_a_letter_in_words_defines_it(words, verdict):
+    assert last(words + r" Hence \[ n^2 a^3 = \mu \]").verdict == verdict

@@ -116,32 +116,33 @@ class _Part:
 def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
     """Return the question whether two sides are equal, with vectors and matrices as letters.
 
-    Bold Greek letters are tensors if they cannot be columns.
+    Bold Greek letters are tensors if they cannot be columns.  A rotation has three dimensions if blocks need a size.
 
     Raises
     ------
     UnreadableError
         If shapes do not fit, or something is read and not computed.
     """
-    return _with_tensors(vocabulary, lambda reader: _asked(reader, left, right))
+    return _first_read(vocabulary, lambda reader: _asked(reader, left, right))
 
 
 def has_shape(vocabulary: Vocabulary, tree: Formula) -> bool:
     """Whether a formula can be written with vectors and matrices as letters."""
     try:
-        _with_tensors(vocabulary, lambda reader: reader.part(tree))
+        _first_read(vocabulary, lambda reader: reader.part(tree))
     except UnreadableError:
         return False
     return True
 
 
-def _with_tensors(vocabulary: Vocabulary, read: Callable[[_Reader], Read]) -> Read:
-    """Return what is read with bold Greek letters as columns, or else as letters of any shape."""
+def _first_read(vocabulary: Vocabulary, read: Callable[[_Reader], Read]) -> Read:
+    """Return what is read with bold Greek letters as columns, or as tensors, or with rotations of three dimensions."""
     try:
         return read(_Reader(vocabulary, _COLUMN))
     except UnreadableError as error:
-        with suppress(UnreadableError):
-            return read(_Reader(vocabulary, _LATIN))
+        for reader in (_Reader(vocabulary, _LATIN), _Reader(vocabulary, _COLUMN, _Size(3))):
+            with suppress(UnreadableError):
+                return read(reader)
         raise error
 
 
@@ -154,9 +155,10 @@ def _asked(reader: _Reader, left: Formula, right: Formula) -> Question:
 
 
 class _Reader:
-    def __init__(self, vocabulary: Vocabulary, column: re.Pattern[str]) -> None:
+    def __init__(self, vocabulary: Vocabulary, column: re.Pattern[str], of_rotations: _Size | None = None) -> None:
         self._vocabulary = vocabulary
         self.column = column
+        self._of_rotations = of_rotations
         self._letters: dict[str, Shape] = {}
         self._known: dict[str, _Part] = {}
         self._sizes: dict[_Size, str] = {}
@@ -164,6 +166,7 @@ class _Reader:
         self._functions: dict[str, str] = {}
         self._wholes: dict[str, tuple[str, Shape]] = {}
         self._called: dict[str, str] = {}
+        self._applied: set[str] = set()
 
     def part(self, tree: Formula) -> _Part:
         """Return a formula as a part, with all definitions put in."""
@@ -209,6 +212,8 @@ class _Reader:
             columns.unite(_Size(1))
         elif properties:
             rows.unite(columns)
+            if self._of_rotations and "rotation" in properties:
+                rows.unite(self._of_rotations)
         if "identity" in properties:
             return _Part((rows, columns), lambda: f"eye({self.size(rows)})")
         shape = self._letters.setdefault(symbol, (rows, columns))
@@ -244,6 +249,26 @@ class _Reader:
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
         return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
+
+    def applied(self, function: str, arguments: list[_Part]) -> _Part:
+        """Return the value of a function that a definition gives; letters in it are those of the arguments, too."""
+        definition = self._vocabulary.definitions[function]
+        parameters = definition.parameters
+        if not definition.usable or len(arguments) != len(parameters) or function in self._applied:
+            raise _refused(f"the value of the function {function}")
+        if hidden := self._vocabulary.hidden_behind(definition):
+            raise UnreadableError(f"{function} depends on {hidden} in a way that is not computed")
+        outside = self._known
+        self._known = {
+            **{each: part for each, part in outside.items() if not {*parameters} & self._vocabulary.behind(each)},
+            **dict(zip(parameters, arguments, strict=True)),
+        }
+        self._applied.add(function)
+        try:
+            return self.part(definition.tree)
+        finally:
+            self._known = outside
+            self._applied.remove(function)
 
     def may_be_square(self, symbol: str) -> bool:
         """Whether a letter is a bold capital of which nothing says the size."""
@@ -394,7 +419,7 @@ class _Parts(_Gathering):
     def call(self, token: Token, arguments: Any) -> _Part:
         name = str(token)
         if name in self.reader.definitions:
-            raise _refused(f"the value of the function {name}")
+            return self.reader.applied(name, arguments)
         columns = (_Size(), _Size(1)) if self.reader.column.search(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
         part = self.reader.whole(name, arguments, shape, is_call=True)

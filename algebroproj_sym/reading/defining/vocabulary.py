@@ -317,6 +317,19 @@ class Vocabulary:
                 return self.name(parameter)
         return ""
 
+    def hidden_behind(self, definition: Definition) -> str:
+        """Return a parameter on which a letter of a function depends otherwise than by definitions; empty if none."""
+        used = self.used_in(definition.tree)
+        given = {each.symbol for each in used}
+        symbols = {symbol for each in (definition, *used) for symbol in each.symbols}
+        for parameter in definition.parameters:
+            if self._has_big(definition) or any(
+                _stands_in(parameter, each) or (each not in given and self.depends([each], parameter))
+                for each in symbols - {parameter}
+            ):
+                return self.name(parameter)
+        return ""
+
     def _has_big(self, definition: Definition) -> bool:
         trees = (definition.tree, *(each.tree for each in self.used_in(definition.tree)))
         return any(part.data == "big" for tree in trees for part in tree.iter_subtrees())

@@ -35,8 +35,10 @@ from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of,
 from algebroproj_sym.reading.judging.questions import Sides, Way, asked_of, both_sides, rests_of, used_by
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.words import (
+    CASES,
     CONDITIONAL,
     DEFINES,
+    SAYS,
     Beside,
     beside,
     has_ended,
@@ -158,14 +160,24 @@ class _Pass:
         return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
-        before = statement.display.before
-        if len(formula.sides) == 2 and DEFINES.search(before) and not CONDITIONAL.search(last_sentence(before)):
-            definition = self._definition(statement, formula, explicit=True, late=True)
+        before, sentence = statement.display.before, last_sentence(statement.display.before)
+        says = DEFINES.search(before) and not CONDITIONAL.search(sentence)
+        if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
+            definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
+            if not says and not self._is_only_one(definition):
+                definition = None
             if definition is not None and definition.symbol not in self.vocabulary.definitions:
                 self.vocabulary.define(definition)
         if len(formula.sides) > 1:
             self._note(statement, formula)
             self._restate(formula)
+
+    def _is_only_one(self, definition: Definition | None) -> bool:
+        """Whether a letter is given by letters, and by no other equation of the document."""
+        ties = self.survey.dependence.ties
+        return (
+            definition is not None and bool(definition.symbols) and sum(t.given == definition.symbol for t in ties) == 1
+        )
 
     def _restate(self, formula: Parsed) -> None:
         """Take notice that a letter with a definition is given within the text, and otherwise."""

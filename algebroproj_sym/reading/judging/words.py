@@ -40,6 +40,8 @@ HENCE = re.compile(
 """Words by which an equation is said to follow from what is above it."""
 DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is a definition."""
+SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
+"""Words before an inline formula by which it is one, if nothing else in the document gives its letter."""
 
 _NEUTRAL = re.compile(
     r"a|an|the|this|that|these|those|it|its|we|one|us|our|which|whose|what|both|all|each|any|every|and|or|of|to|into|in|"

@@ -143,6 +143,34 @@ def test_equal_formulas_pass_and_slips_fail():
         assert status(claim, tampered) == "failed"
 
 
+@pytest.mark.parametrize(
+    ("printed", "latex", "slips"),
+    [
+        (sympy.cos(x), r"\cos x", [r"\sin x", r"-\cos x", r"\cos y", r"\cos 2 x", r"\tan x"]),
+        (sympy.tan(x), r"\frac{\sin x}{\cos x}", [r"\frac{\cos x}{\sin x}", r"\frac{\sin x}{\cos y}"]),
+        (sympy.sin(x + y), r"\sin(x + y)", [r"\sin(x - y)", r"\cos(x + y)", r"\sin x + y"]),
+        (
+            sympy.sqrt(x**2 + y**2),
+            r"\sqrt{x^2 + y^2}",
+            [r"\sqrt{x^2 - y^2}", r"-\sqrt{x^2 + y^2}", "x^2 + y^2", "x + y"],
+        ),
+        (x, "x", [r"\sqrt{x^2}", r"\sin x"]),
+        (
+            Matrix([[sympy.cos(x), -sympy.sin(x)], [sympy.sin(x), sympy.cos(x)]]),
+            r"\begin{bmatrix} \cos x & -\sin x \\ \sin x & \cos x \end{bmatrix}",
+            [
+                r"\begin{bmatrix} \cos x & \sin x \\ -\sin x & \cos x \end{bmatrix}",
+                r"\begin{bmatrix} \cos x & -\sin x \\ \sin x & \sin x \end{bmatrix}",
+            ],
+        ),
+    ],
+)
+def test_real_functions_are_compared_and_slips_fail(printed, latex, slips):
+    claim = declared("identity", printed)
+    assert status(claim, latex) == "equal"
+    assert [status(claim, slip) for slip in slips] == ["failed"] * len(slips)
+
+
 def test_nothing_derived_is_used():
     claim = declared("identity", D * x, where={D: over(1, x)})
     assert status(claim, "D x") == "equal"
@@ -350,6 +378,25 @@ def test_a_single_change_of_what_claims_say_is_printed_is_noticed(findings):
                 tried += 1
                 assert _again(finding, replace(finding.claim, printed=mutant.form)) == "failed", mutant.change
     assert tried > 50
+
+
+EXCHANGED = {"sin": "cos", "cos": "sin", "tan": "cos"}
+
+
+def test_another_function_or_sign_than_the_paper_prints_is_noticed(findings):
+    tried = set()
+    for finding in findings:
+        form = finding.claim.printed
+        if finding.status == "equal" and isinstance(form, TextForm) and form.letters is None:
+            for found in re.finditer(r"\b(sin|cos|tan)\(|(?<!\()- ?(?=[a-z])", form.text):
+                changed = (
+                    form.text[: found.start()]
+                    + (f"{EXCHANGED[found[1]]}(" if found[1] else "+")
+                    + form.text[found.end() :]
+                )
+                assert _again(finding, replace(finding.claim, printed=TextForm(changed))) == "failed", changed
+                tried.add(finding.claim.number)
+    assert len(tried) >= 5
 
 
 def test_a_single_change_of_a_printed_number_is_noticed(findings):

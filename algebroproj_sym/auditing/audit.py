@@ -13,7 +13,7 @@ import sympy
 from algebroproj_sym.declaring import Claim, Quotations, Quote
 from algebroproj_sym.declaring.claim import as_stated
 from algebroproj_sym.declaring.transcription import beside, numbers_in, readings
-from algebroproj_sym.expressions import TextForm, entries, shape, vector
+from algebroproj_sym.expressions import NotRationalError, TextForm, entries, shape, vector
 from algebroproj_sym.expressions.letters import Reading, letters_text
 from algebroproj_sym.proving import prove
 from algebroproj_sym.proving.reals.matrices import real_text
@@ -116,11 +116,17 @@ def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
         same = _is_same_function(read[0] if len(read) == 1 else vector(*read), claim.printed.text)
         return Finding(claim, "equal" if same else "failed", "" if same else f"the quote reads {read}", quote)
     printed = claim.printed if isinstance(claim.printed, tuple) else (claim.printed,)
-    if any(
-        prove(vector(*theirs), vector(*ours)).verdict == "proved" for theirs, ours in _layouts(read, printed, quote)
-    ):
+    if any(_are_same(theirs, ours) for theirs, ours in _layouts(read, printed, quote)):
         return Finding(claim, "equal", "", quote)
     return Finding(claim, "failed", f"the quote reads {', '.join(map(str, read))}", quote)
+
+
+def _are_same(read: Sequence[Any], printed: Sequence[Any]) -> bool:
+    """Whether entries that are read equal printed ones, which are rational."""
+    try:
+        return prove(vector(*read), vector(*printed)).verdict == "proved"
+    except NotRationalError:
+        return False
 
 
 def _is_same_function(read: Any, printed: str) -> bool:

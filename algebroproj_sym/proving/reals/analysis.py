@@ -17,12 +17,13 @@ import flint
 
 from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.proving.reals.balls import Balls
+from algebroproj_sym.proving.reals.forms import carried, leading, multiplied, simplest, without_numbers
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.samples import Sample, samples_at
 from algebroproj_sym.replaying.field import Element
 from algebroproj_sym.replaying.reals.definitions import Condition, conditions, derivative, kinds, replaced
 from algebroproj_sym.replaying.reals.proofs import MOST_PIECES, between, is_positive
-from algebroproj_sym.replaying.reals.terms import Term, negative, read, written
+from algebroproj_sym.replaying.reals.terms import Term, negative, over, read, written
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, value_of
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
@@ -117,7 +118,8 @@ class Analysis:
         polynomial = self.knowledge.signed(goal)
         if polynomial == 0 or len(polynomial) > MOST_TERMS:
             return False
-        for factor, power in polynomial.factor()[1]:
+        form, cofactors = simplest(self.knowledge, polynomial)
+        for factor, power in form.factor()[1]:
             element = self.knowledge.back(factor)
             if power % 2 == 0 and relation == ">=":
                 continue
@@ -126,7 +128,8 @@ class Analysis:
                 continue
             if not self._signed(element, relation == ">"):
                 return False
-        return self.knowledge.positive(goal, relation == ">")
+        strict = relation == ">"
+        return carried(self.knowledge, polynomial, form, cofactors, strict) and self.knowledge.positive(goal, strict)
 
     def _signed(self, element: Element, strict: bool) -> bool:
         """Show that a function of one variable has one sign, which may be zero if that is not asked for."""
@@ -172,6 +175,7 @@ class Analysis:
         return (
             proof is not None
             and knowledge.step("mean value", **step, proof=proof)
+            and (not element.exponents or without_numbers(knowledge, element - beginning))
             and self._added(element, strict, element - beginning, beginning)
         )
 
@@ -288,6 +292,8 @@ class Function:
         signs = {sign for _, sign in slopes}
         if None in signs:
             return False
+        if self._divided():
+            return True
         if -1 not in signs and self._from(self.scope.low):
             return True
         if 1 not in signs and self._from(self.scope.high):
@@ -330,6 +336,31 @@ class Function:
         rise = Rise(self.scope.name, self.whole, start.text, self.scope.given())
         return self.analysis.risen(self.element, rise, samples, self.strict)
 
+    def _divided(self) -> bool:
+        """Show the sign by that of a quotient by something positive, whose derivative is simpler."""
+        knowledge = self.knowledge
+        for divisor in leading(knowledge, self.element, self.scope.name):
+            sign = knowledge.sign(divisor)
+            if sign not in ("<", ">"):
+                continue
+            knowledge.spend(EFFORT)
+            positive = divisor if sign == ">" else -divisor
+            term = read(spelled(knowledge.theory, knowledge.theory.text(positive)))
+            quotient = Function(self.analysis, over(self.whole, term), self.element / positive, self.scope, self.strict)
+            slopes = {quotient._sign(quotient.slope, point) for point in self.scope.points()}
+            for start, other in ((self.scope.low, -1), (self.scope.high, 1)):
+                if start is None or slopes & {other, None}:
+                    continue
+                at_start = written(replaced(term, self.scope.name, read(start.text)))
+                if (
+                    knowledge.step("defined", term=at_start)
+                    and knowledge.value(knowledge.theory.read(at_start))
+                    and quotient._from(start)
+                    and multiplied(knowledge, self.element, positive, self.strict)
+                ):
+                    return True
+        return False
+
     def _on_a_range(self) -> bool:
         """Show that the function is positive by its values on pieces of the range."""
         if self.scope.low is None or self.scope.high is None:
@@ -364,16 +395,16 @@ class Function:
 
     def _cut(self, changes: Sequence[tuple[Any, Any]]) -> None:
         """Note where to cut the range: at a zero, or beside an end from which the function rises."""
-        low, high, inner = self.scope.low, self.scope.high, list[str]()
+        low, inner = self.scope.low, list[str]()
         for (left, before), (right, _) in changes:
             zero = self._zero(left, right) if before < 0 else None
             if zero is not None:
                 inner.append(zero)
         if inner:
             self._note(inner[0])
-        elif changes and (low is None or self._sign(self.whole, read(low.text)) != 1):
+        elif low is None or self._sign(self.whole, read(low.text)) != 1:
             self._note(str(changes[0][0][0]))
-        elif changes and (high is None or self._sign(self.whole, read(high.text)) != 1):
+        else:
             self._note(str(changes[-1][1][0]))
 
     def _note(self, text: str) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 from algebroproj_sym.proving.consequences import End
 from algebroproj_sym.proving.polynomials import content_of, relation
 from algebroproj_sym.proving.reals.knowledge import Knowledge
-from algebroproj_sym.proving.reals.rewriting import Rule, reduced_by, rules
+from algebroproj_sym.proving.reals.rewriting import Rule, reduced_by
 from algebroproj_sym.replaying.field import Element
 
 MOST_STEPS = 600
@@ -15,19 +15,23 @@ MOST_POWERS = 24
 
 
 def constant_zero(knowledge: Knowledge, element: Element) -> bool:
-    """Show that a number made with roots is zero: g**k*h(g) = 0, and h(g) is not zero."""
+    """Show that a number made with roots is zero: g**k*h(g) = 0, and h(g) is not zero.
+
+    Where something without an equation is left, such as cos(1), powers have no such relation.
+    """
     fact = knowledge.theory.fact("=", element)
     goal = knowledge.into(fact.polynomial)
     if goal == 0 or not knowledge.is_number(goal):
         return False
     if _is_apart(knowledge, knowledge.back(goal)):
         return False
-    given = rules((place, zero) for place, zero in knowledge.facts("=") if knowledge.is_number(zero))
+    given = knowledge.rules_from([fact for fact in knowledge.facts("=") if knowledge.is_number(fact[1])])
     powers: list[tuple[Any, dict[int, Any]]] = [(goal**0, {})]
     reduced = reduced_by(goal, given, MOST_STEPS)
-    if reduced is None:
+    if reduced is None or not knowledge.names(reduced[0]) <= {rule.variable for rule in given}:
         return False
     for _ in range(1, MOST_POWERS):
+        knowledge.spend(1)
         following = reduced_by(powers[-1][0] * reduced[0], given, MOST_STEPS)
         if following is None:
             return False

@@ -79,17 +79,20 @@ class Knowledge:
 
     def step(self, law: str, **entries: Any) -> bool:
         """Take a step; whether the law allows it."""
-        before, facts = self.theory.branch(), len(self.theory.facts)
-        count = len(self.theory.applications)
+        before, size = self.theory.branch(), self._known()
         step = {"law": law, **entries}
         try:
             apply(self.theory, step)
         except (Rejected, NotReplayable):
             self.theory.__dict__.update(before.__dict__)
             return False
-        if (len(self.theory.facts), len(self.theory.applications)) != (facts, count) or self.theory.contradictory:
+        if self._known() != size or self.theory.contradictory:
             self.steps.append(step)
         return True
+
+    def _known(self) -> tuple[int, int, int]:
+        """Return how many facts, applications and divisors there are: what a step may add to."""
+        return len(self.theory.facts), len(self.theory.applications), len(self.theory.field.factors)
 
     # -- polynomials of FLINT, whose last variables are spare
 
@@ -219,7 +222,10 @@ class Knowledge:
 
     def rules(self, polynomial: Any) -> list[Rule]:
         """Return the rules that zeros connected with a polynomial give."""
-        zeros = self.connected(polynomial)
+        return self.rules_from(self.connected(polynomial))
+
+    def rules_from(self, zeros: Sequence[tuple[int, Any]]) -> list[Rule]:
+        """Return the rules that zeros give."""
         key = (tuple(place for place, _ in zeros), self._size)
         if key not in self._rules:
             self._rules[key] = rules(zeros, self.theory.field.places.get("pi", -1))
@@ -252,7 +258,7 @@ class Knowledge:
         if found is None:
             last = max(self.names(polynomial))
             before = [fact for fact in self.connected(polynomial) if max(self.names(fact[1])) <= last]
-            found = reduced_by(polynomial, rules(before, self.theory.field.places.get("pi", -1)))
+            found = reduced_by(polynomial, self.rules_from(before))
         return found
 
     def _rewritten(self, goal: Any) -> bool:
@@ -479,7 +485,7 @@ class Knowledge:
     def _square_of_turns(self, polynomial: Any) -> bool:
         """Show that a polynomial is a square, or squares, if s**2 + c**2 takes the place of 1 for sines and cosines."""
         form, cofactors = polynomial, dict[int, Any]()
-        for place, sin, cos in self._circles():
+        for place, sin, cos in self.circles():
             counts = [int(powers[sin]) + int(powers[cos]) for powers in polynomial.to_dict()]
             most = max(counts)
             if not most or any((most - count) % 2 for count in counts):
@@ -495,7 +501,17 @@ class Knowledge:
             return False
         return self.has_sign(self.text(polynomial), [(weight, root, {}) for weight, root in squares], cofactors)
 
-    def _circles(self) -> list[tuple[int, int, int]]:
+    def moved(self, polynomial: Any) -> Any:
+        """Return a polynomial in all symbols that there are by now."""
+        more = (0,) * (self._size - polynomial.context().nvars())
+        return self.context.from_dict({(*powers, *more): value for powers, value in polynomial.to_dict().items()})
+
+    def place_of(self, element: Element) -> int | None:
+        """Return the place of the fact that says the sign of something, which is not negative."""
+        facts = [self.theory.fact(relation, element) for relation in (">", ">=")]
+        return next((self.theory.facts.index(fact) for fact in facts if fact in self.theory.known), None)
+
+    def circles(self) -> list[tuple[int, int, int]]:
         """Return the places of the facts that squares of a sine and a cosine add up to 1, and those of the two."""
         places, found = self.theory.field.places, list[tuple[int, int, int]]()
         for name, other in pairwise(self.theory.applications):  # a cosine is always made with its sine

@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import islice
+from operator import itemgetter
 from typing import Any
 
 import flint
@@ -37,8 +37,12 @@ FURTHER = [Fraction(p, q) for p, q in ((1, 10), (9, 10), (9, 2), (7, 1), (10, 1)
 
 
 MOST_SEEMING = 12
+SOON = 80
+"""How many points come before others that are plainer."""
 MOST_PROOFS = 5
 """How often it is tried to show that a statement fails at a point where it seems to."""
+POINT_EFFORT = 60
+"""What a search may spend on a point: what is true of plain numbers is found soon."""
 
 
 @dataclass(frozen=True)
@@ -87,30 +91,40 @@ def refuting(statement: Statement, tries: int, closely: int) -> Place | None:
 
 
 def exact_places(statement: Statement, tries: int, *, fails: bool) -> Iterator[Place]:
-    """Yield points of exact numbers where a statement says something; if so asked, only those where it fails."""
-    seeming = (point for point in exact_points(statement, tries) if _seems_to_fail_at(statement, point, fails))
-    plain_first = sorted(islice(seeming, MOST_SEEMING), key=lambda point: sum(value.size() for value in point.values()))
-    for seen in plain_first[:MOST_PROOFS]:
-        try:
-            point = {name: settled(value) for name, value in seen.items()}
-            proof = Search(Theory(()), statement.at(point, fails=fails)).proof()
-        except (EffortExceededError, NotReplayable, Rejected, NotRationalError):
-            continue
-        if proof is not None:
-            yield Place(point, fails, proof)
+    """Yield a point of exact numbers where a statement fails; if there is none, and more is asked for, others.
+
+    Of these only the first is shown to be one where the statement says something.
+    """
+    kinds = (True,) if fails else (True, False)
+    seeming: dict[bool, list[tuple[bool, int, int, Mapping[str, Term]]]] = {kind: [] for kind in kinds}
+    for number, point in enumerate(exact_points(statement, tries)):
+        values = {name: nearly(value) for name, value in point.items()}
+        fails_there = None if None in values.values() else seems_to_fail(statement, values)
+        if fails_there in seeming:
+            size = sum(map(Term.size, point.values()))
+            seeming[fails_there].append((number >= SOON, size, number, point))
+            if fails_there == bool(seeming[True]) and len(seeming[fails_there]) >= MOST_SEEMING:
+                break
+    for kind in kinds:
+        plain_first = [point for *_, point in sorted(seeming[kind], key=itemgetter(0, 1, 2))]
+        for number, seen in enumerate(plain_first[:MOST_PROOFS], 1):
+            try:
+                point = {name: settled(value) for name, value in seen.items()}
+                proof = Search(Theory(()), statement.at(point, fails=kind), effort=[POINT_EFFORT]).proof()
+            except (EffortExceededError, NotReplayable, Rejected, NotRationalError):
+                continue
+            if proof is not None:
+                yield Place(point, kind, proof)
+                yield from (Place(other, kind) for other in plain_first[number:] if not kind)
+                return
 
 
-def _seems_to_fail_at(statement: Statement, point: Mapping[str, Term], fails: bool) -> bool:
-    values = {name: nearly(value) for name, value in point.items()}
-    return None not in values.values() and seems_to_fail(statement, values, fails=fails)
-
-
-def seems_to_fail(statement: Statement, point: Mapping[str, Any], *, fails: bool = True) -> bool:
-    """Whether a statement seems to say something at a point, and to fail there, unless that is not asked."""
+def seems_to_fail(statement: Statement, point: Mapping[str, Any]) -> bool | None:
+    """Whether a statement seems to fail at a point; None where it seems to say nothing."""
     try:
-        return statement.fails_at(point, FLOATS) or not fails
+        return statement.fails_at(point, FLOATS)
     except UNKNOWN:
-        return False
+        return None
 
 
 def _points(names: list[str], seed: int) -> Iterator[Point]:

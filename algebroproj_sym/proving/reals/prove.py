@@ -182,9 +182,9 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
         met += islice(exact_places(statement, EXACT_TRIES, fails=False), FEW)
     if not met:
         met += islice(places(statement, FIRST_TRIES if has_integrals else ALL_TRIES, ALL), 1)
-        if met and met[0].fails:
-            return _refuted(record, statement, met[0])
-    elif not has_integrals:
+    if met and met[0].fails:
+        return _refuted(record, statement, met[0])
+    if met and not has_integrals:
         if plain := _proved(record, statement, met, statement.hypotheses(), search=plain_proof):
             return plain
         if refuted := _failing(statement, QUICK_TRIES, QUICK_TRIES, 0):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, islice
 from math import pi
 from typing import Any
 
@@ -19,7 +19,9 @@ from algebroproj_sym.proving.reals.arcs import (
     turn_decided,
     turned_by_an_eighth,
 )
+from algebroproj_sym.proving.reals.cones import on_a_cone
 from algebroproj_sym.proving.reals.constants import constant_zero
+from algebroproj_sym.proving.reals.forms import carried, without_squares
 from algebroproj_sym.proving.reals.knowledge import Knowledge
 from algebroproj_sym.proving.reals.normal import normalised
 from algebroproj_sym.proving.reals.samples import Sample
@@ -114,8 +116,7 @@ class Search:
 
         Where the sign of a function was looked for on a range, the range is cut first.
         """
-        if knowledge.cuts:
-            return [(knowledge.into(cut), (">=", "<")) for cut in knowledge.cuts]
+        cuts = [(knowledge.into(cut), (">=", "<")) for cut in knowledge.cuts]
         found: dict[str, Any] = {}
         for polynomial in knowledge.wanted:
             if len(polynomial.terms) <= 6:
@@ -135,7 +136,7 @@ class Search:
             and knowledge.sign(knowledge.back(polynomial)) in (None, ">=", "<=")
         ]
         found_first = sorted(free, key=lambda pair: (len(pair[0]), pair[0]))
-        return [(polynomial, (">", "=", "<")) for _, polynomial in found_first]
+        return cuts[:2] + [(polynomial, (">", "=", "<")) for _, polynomial in found_first]
 
     def _reached(self, knowledge: Knowledge) -> bool:
         return all(self._shown(knowledge, *goal) for goal in self.goals) or knowledge.theory.contradictory
@@ -157,6 +158,7 @@ class Search:
         _turns_bounded(knowledge)
         _bounds_strict(knowledge)
         _signs_decided(knowledge)
+        _turns_bounded(knowledge)
         _unified(knowledge)
         return knowledge.theory.contradictory or self._signed(knowledge, relation, goal)
 
@@ -165,6 +167,7 @@ class Search:
         return (
             knowledge.related(relation, goal)
             or (relation == ">=" and knowledge.seen(goal) == {0} and _are_equal(knowledge, goal, goal - goal))
+            or on_a_cone(knowledge, relation, goal)
             or by_order(knowledge, relation, goal)
             or self._by_conjugates(knowledge, relation, goal, depth)
             or self._by_ends(knowledge, relation, goal, depth)
@@ -177,7 +180,7 @@ class Search:
         if depth > 1 or relation not in (">", ">=") or polynomial == 0:
             return False
         for name in sorted(knowledge.theory.symbols()):
-            place = knowledge.theory.field.places[name]
+            place, polynomial = knowledge.theory.field.places[name], knowledge.moved(polynomial)
             slope = polynomial.derivative(place)
             if int(polynomial.degrees()[place]) != 1 or slope.is_constant():
                 continue
@@ -202,14 +205,18 @@ class Search:
             for name, known in knowledge.theory.applications.items()
             if known.function == "root" and known.degree == 2 and not known.args[0].exponents
         }
-        factors = knowledge.signed(goal).factor()[1] if goal.numerator else []
-        if depth > 2 or not (roots or len(factors) > 1):
+        if depth > 2 or not goal.numerator:
+            return False
+        polynomial = knowledge.signed(goal)
+        form, cofactors = without_squares(knowledge, polynomial)
+        factors = form.factor()[1] if form != 0 else []
+        if not roots and len(factors) < 2:
             return False
         for factor, _ in factors:
             element = knowledge.back(factor)
             seen = knowledge.seen(element) - {0}
             if len(seen) == 1 and not knowledge.related(relation, element if seen == {1} else -element):
-                own = factor * max(seen)
+                own = knowledge.moved(factor) * max(seen)
                 found = (
                     self._by_square(knowledge, relation, own, place, roots[place], depth)
                     for place, degree in enumerate(own.degrees())
@@ -217,7 +224,8 @@ class Search:
                 )
                 if not any(found) and not (len(factors) > 1 and by_order(knowledge, relation, knowledge.back(own))):
                     return False
-        return knowledge.related(relation, goal)
+        strict = relation == ">"
+        return carried(knowledge, polynomial, form, cofactors, strict) and knowledge.related(relation, goal)
 
     def _by_square(
         self, knowledge: Knowledge, relation: str, polynomial: Any, place: int, radicand: Element, depth: int
@@ -336,7 +344,7 @@ def _signs_decided(knowledge: Knowledge) -> None:
 
 
 def _turns_bounded(knowledge: Knowledge) -> None:
-    """Bound sines and cosines by 1: twice the distance is a sum of two squares."""
+    """Bound sines and cosines by 1: twice the distance is a sum of two squares, one that of the other function."""
     theory = knowledge.theory
     for name, known in [*theory.applications.items()]:
         if known.function in ("sin", "cos"):
@@ -344,11 +352,15 @@ def _turns_bounded(knowledge: Knowledge) -> None:
             assert found is not None
             other = theory.text(found)
             place = theory.facts.index(theory.fact("=", theory.polynomial(f"{name}**2 + {other}**2 - 1")))
+            own, facts = theory.polynomial(other).numerator, enumerate(theory.facts)
+            unequal = (k for k, fact in facts if fact.relation in (">", "!=") and fact.polynomial in (own, -own))
+            square = {str(k): 2 for k in islice(unequal, 1)}
+            relation = ">" if square else ">="
             for side in (f"1 - {name}", f"1 + {name}"):
-                if not theory.holds(">=", theory.polynomial(side)):
+                if not theory.holds(relation, theory.polynomial(side)):
                     knowledge.step(
-                        "sign", polynomial=side, relation=">=", scale=2, multiplier={},
-                        sum=[["1", side, {}], ["1", other, {}]], cofactors={str(place): "-1"},
+                        "sign", polynomial=side, relation=relation, scale=2, multiplier={},
+                        sum=[["1", side, {}], ["1", "1" if square else other, square]], cofactors={str(place): "-1"},
                     )  # fmt: skip
 
 
@@ -444,7 +456,8 @@ def _proportional(knowledge: Knowledge) -> None:
 
 def _by_powers(knowledge: Knowledge, left: Element, right: Element) -> bool:
     """Compare powers of two sides that are not negative."""
-    degrees = {known.degree for known in knowledge.theory.applications.values() if known.function == "root"}
+    applications = knowledge.theory.applications.values()
+    degrees = {known.degree or 2 for known in applications if known.function in ("root", "sin")}
     if not degrees:
         return False
     theory = knowledge.theory

@@ -31,6 +31,7 @@ class Intervals(Numbers):
     def __init__(self, bits: int) -> None:
         self.bits = bits
         self.unit = 1 << bits
+        self._turns: dict[Interval, tuple[Interval, Interval]] = {}
 
     def enclosed(self, value: Fraction) -> Interval:
         """Return the narrowest interval around a rational number."""
@@ -135,10 +136,14 @@ class Intervals(Numbers):
 
     def _turned(self, value: Interval) -> tuple[Interval, Interval]:
         """Return sine and cosine: those of an angle in the middle, from which they differ no more than the angles."""
-        middle = (value[0] + value[1]) >> 1
-        radius = max(middle - value[0], value[1] - middle)
-        found = self._turned_at((middle, middle))
-        return tuple(self._within_one((low - radius, high + radius)) for low, high in found)  # type: ignore[return-value]
+        if value not in self._turns:
+            middle = (value[0] + value[1]) >> 1
+            radius = max(middle - value[0], value[1] - middle)
+            sin, cos = (
+                self._within_one((low - radius, high + radius)) for low, high in self._turned_at((middle, middle))
+            )
+            self._turns[value] = sin, cos
+        return self._turns[value]
 
     def _turned_at(self, value: Interval) -> tuple[Interval, Interval]:
         """Return sine and cosine, by their series at a small part of the angle, which is doubled."""

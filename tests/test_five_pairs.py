@@ -83,15 +83,29 @@ def test_counts_are_those_of_exact_arithmetic(base, depth):
 
 
 def test_integers_and_floating_point_numbers_agree_and_enclose_each_other():
-    left, right = scenes(np.random.default_rng(6), module.FEW + 1)
+    left, right = scenes(np.random.default_rng(6), 6)
     many = minimal.five_pairs(left, right)
-    for k in range(len(left)):
-        one = minimal.five_pairs(left[k], right[k])
-        assert one.count == many.count[k]
-        for value, error in zip(one.E[: one.count], one.error[: one.count], strict=True):
+    for k, count in enumerate(many.count):
+        groups = isolating.isolated(left[k], right[k])
+        assert len(groups) == count
+        for group in groups:
             signs = np.array([1, -1])[:, None, None, None]
-            apart = np.abs(signs * many.E[k, : one.count] - value) - many.error[k, : one.count] - error
+            apart = np.abs(signs * many.E[k, :count] - group.E) - many.error[k, :count] - group.error
             assert apart.max(axis=(2, 3)).min() <= 0
+
+
+def test_derivatives_are_those_of_the_matrix():
+    generator = np.random.default_rng(8)
+    base, quaternion = (generator.integers(-9, 10, (20, n)).astype(float) for n in (3, 4))
+    doubled = [
+        minimal.essential_matrix(base + unit, quaternion) - minimal.essential_matrix(base - unit, quaternion)
+        for unit in np.eye(3)
+    ]
+    doubled += [
+        minimal.essential_matrix(base, quaternion + unit) - minimal.essential_matrix(base, quaternion - unit)
+        for unit in np.eye(4)
+    ]
+    assert (np.stack(doubled, axis=-1).reshape(20, 9, 7) == 2 * module._derivatives(base, quaternion)).all()
 
 
 def cross_matrix(b):

@@ -1,7 +1,7 @@
-"""Certified values of the stereo chain: how many a second, against mpmath, and whether any is outside its enclosure.
+"""Certified values of the stereo chain: how long they take, against mpmath and Arb, and whether any is wrong.
 
 Run with ``python benchmarks/ladder.py [MEMBERS] [CHECKED]``: so many configurations for the throughput, and so many
-whose enclosures are held against balls of 300 bits.  Times are CPU times, those of mpmath of a sample.
+whose enclosures are held against balls of 300 bits.  Times are CPU times, those of mpmath and Arb of a sample.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from algebroproj_sym.study.arithmetics import arb, double_double_balls, float64_
 from algebroproj_sym.study.ladder import climb
 from algebroproj_sym.study.precision import apply, nearest, radius
 
-SAMPLE = 40
+SAMPLE, ARB_BITS = 40, 128
 CHECKED_BITS = 300
 CHUNK = 5000
 
@@ -46,20 +46,27 @@ def whole_chain(batch: Scene):
 def throughput(members: int) -> None:
     """Print a line for each pipeline, batch and accuracy."""
     print(f"mpmath {mpmath.__version__} ({mpmath.libmp.BACKEND}), python-flint {flint.__version__}, CPU time")
-    print(f"{'pipeline':14}{'batch':15}{'accuracy':>9}{'us':>8}{'mpmath us':>11}{'times':>7}  rungs")
+    titles = f"{'mpmath us':>11}{'times':>7}{'Arb us':>11}{'times':>7}"
+    print(f"{'pipeline':14}{'batch':15}{'accuracy':>9}{'us':>8}{titles}  rungs")
     for name, made in (("Z, epipoles", correlation_and_epipoles), ("whole chain", whole_chain)):
         for kind, batch in (("ordinary", ordinary(members, 1)), ("near-critical", near_critical(members, 1))):
             pipeline = made(batch)
-            before = time.process_time()
-            pipeline(mpmath_digits(50), np.arange(SAMPLE))
-            slow = (time.process_time() - before) / SAMPLE
+            others = [alone(pipeline, each) for each in (mpmath_digits(50), arb(ARB_BITS))]
             for accuracy in (1e-6, 1e-10, 1e-15):
                 before = time.process_time()
                 found = climb(pipeline, members, accuracy)
                 quick = (time.process_time() - before) / members
                 counts = {rung: count for rung, count in found.counts().items() if count}
-                figures = f"{1e6 * quick:8.1f}{1e6 * slow:11.0f}{slow / quick:7.0f}"
+                figures = f"{1e6 * quick:8.1f}" + "".join(f"{1e6 * x:11.0f}{x / quick:7.1f}" for x in others)
                 print(f"{name:14}{kind:15}{accuracy:9.0e}{figures}  {counts}", flush=True)
+
+
+def alone(pipeline, arithmetic):
+    """Return the seconds that one arithmetic takes for a member."""
+    pipeline(arithmetic, np.arange(1))
+    before = time.process_time()
+    pipeline(arithmetic, np.arange(SAMPLE))
+    return (time.process_time() - before) / SAMPLE
 
 
 def containment(members: int) -> None:

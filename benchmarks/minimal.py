@@ -11,9 +11,9 @@ import sys
 import time
 
 import cv2
-import flint
 import numpy as np
 import poselib
+from exact_counts import count_of_seven, scenes
 
 from algebroproj import minimal
 
@@ -60,18 +60,6 @@ def double_root(generator, count):
     return tuple(points[..., :2] / points[..., 2:] * 1000 + 500 for points in (left, right))
 
 
-def calibrated(generator, count, base=0.5, depth=1.0):
-    """Return points of two calibrated images."""
-    points = generator.uniform((-1, -1, -depth), (1, 1, depth), (count, 5, 3)) + np.array([0, 0, 4])
-    axis = generator.normal(size=(count, 1, 3)) * 0.2
-    angle = np.linalg.norm(axis, axis=2, keepdims=True)
-    unit = axis / angle
-    along = unit * (unit * points).sum(axis=2, keepdims=True)
-    turned = points * np.cos(angle) + np.cross(unit, points) * np.sin(angle) + along * (1 - np.cos(angle))
-    moved = turned - base * generator.normal(size=(count, 1, 3))
-    return tuple(p[..., :2] / p[..., 2:] for p in (points, moved))
-
-
 OF_FIVE = {
     "ordinary": (0.5, 1.0),
     "near a plane": (0.5, 4e-3),
@@ -85,43 +73,6 @@ OF_SEVEN = {
     "short base": short_base,
     "planted double root": double_root,
 }
-
-
-def homogeneous(point):
-    """Return integers in the ratios of x, y and 1."""
-    (a, p), (b, q) = (x.as_integer_ratio() for x in point.tolist())
-    return a * max(p, q) // p, b * max(p, q) // q, max(p, q)
-
-
-def exact_count(left, right):
-    """Return the number of different real solutions, by FLINT; -1 for infinitely many."""
-    rows = []
-    for u, v in zip(left, right, strict=True):
-        first, second = (homogeneous(point) for point in (u, v))
-        rows.append([x * y for x in first for y in second])
-    reduced, divisor, rank = flint.fmpz_mat(rows).rref()
-    if rank < 7:
-        return -1
-    pivots = [next(j for j in range(9) if reduced[i, j] != 0) for i in range(7)]
-    basis = []
-    for free in sorted({*range(9)} - {*pivots}):
-        vector = [flint.fmpz(0)] * 9
-        vector[free] = divisor
-        for i, column in enumerate(pivots):
-            vector[column] = -reduced[i, free]
-        basis.append(vector)
-    a = [flint.fmpz_poly([x, y]) for x, y in zip(*basis, strict=True)]
-    polynomial = (
-        a[0] * (a[4] * a[8] - a[5] * a[7]) - a[1] * (a[3] * a[8] - a[5] * a[6]) + a[2] * (a[3] * a[7] - a[4] * a[6])
-    )
-    if polynomial == 0:
-        return -1
-    d, c, b, a = (polynomial[k] for k in range(4))
-    discriminant = b * b * c * c - 4 * a * c**3 - 4 * b**3 * d - 27 * a * a * d * d + 18 * a * b * c * d
-    if discriminant != 0:
-        return 3 if discriminant > 0 else 1
-    hessian = (b * b - 3 * a * c, b * c - 9 * a * d, c * c - 3 * b * d)
-    return 2 if any(x != 0 for x in hessian) else 1
 
 
 def opencv_of_seven(left, right):
@@ -154,7 +105,7 @@ def measured(make, generator, count):
     wrong, seconds, worst = np.zeros(2, int), np.zeros(2), 0.0
     for start in range(0, count, BLOCK):
         left, right = make(generator, min(BLOCK, count - start))
-        known = np.array([exact_count(*pair) for pair in zip(left, right, strict=True)])
+        known = np.array([count_of_seven(*pair) for pair in zip(left, right, strict=True)])
         found, own = timed(minimal.seven_pairs, left, right)
         others, their = timed(opencv_of_seven, left, right)
         wrong += [(counts != known).sum() for counts in (found.count, others)]
@@ -171,7 +122,7 @@ def main_of_five(count, seed=1):
         generator = np.random.default_rng([seed, place])
         untold, wrong, seconds, worst = 0, np.zeros(2, int), np.zeros(3), 0.0
         for start in range(0, count, BLOCK):
-            left, right = calibrated(generator, min(BLOCK, count - start), *scene)
+            left, right = scenes(generator, min(BLOCK, count - start), 5, *scene)
             found, own = timed(minimal.five_pairs, left, right)
             others, their = zip(*(timed(each, left, right) for each in (opencv_of_five, poselib_of_five)), strict=True)
             told = found.count >= 0

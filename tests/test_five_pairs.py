@@ -1,8 +1,8 @@
 """Five pairs of calibrated images: all real essential matrices, or none are told; the truth is exact arithmetic."""
 
-from fractions import Fraction
+import sys
+from pathlib import Path
 
-import flint
 import mpmath
 import numpy as np
 import pytest
@@ -10,70 +10,14 @@ import pytest
 from algebroproj import five_pairs as module
 from algebroproj import isolating, minimal
 
-
-def oracle(left, right):
-    """Return the number of real solutions by FLINT; None where two are the same, or infinitely many.
-
-    With the last unknown 1, multiplication by the first one is a matrix.  Its eigenvalues are those of the solutions.
-    """
-    rows = [
-        [flint.fmpq(*map(int, (x * y).as_integer_ratio())) for x in (*u, Fraction(1)) for y in (*v, Fraction(1))]
-        for u, v in zip(fractions(left), fractions(right), strict=True)
-    ]
-    reduced, rank = flint.fmpq_mat(rows).rref()
-    if rank < 5:
-        return None
-    pivots = [next(j for j in range(9) if reduced[i, j] != 0) for i in range(5)]
-    free = [j for j in range(9) if j not in pivots]
-    context = flint.fmpq_mpoly_ctx.get([f"x{k}" for k in range(3)], "lex")
-    # No plane of infinity through a solution: the last unknown is a sum of all.
-    unknowns = [*context.gens(), context.constant(1) - sum(((k + 2) * g for k, g in enumerate(context.gens())))]
-    entries = [None] * 9
-    for column, unknown in zip(free, unknowns, strict=True):
-        entries[column] = unknown
-    for i, column in enumerate(pivots):
-        entries[column] = sum((-reduced[i, j] * entries[j] for j in free), start=context.constant(0))
-    e = np.array(entries, dtype=object).reshape(3, 3)
-    square = e.dot(e.T)
-    trace = square[0, 0] + square[1, 1] + square[2, 2]
-    determinant = sum(e[0, i] * (e[1, i - 2] * e[2, i - 1] - e[1, i - 1] * e[2, i - 2]) for i in range(3))
-    cubics = [determinant, *(2 * a - trace * b for a, b in zip(square.dot(e).flat, e.flat, strict=True))]
-    powers = [each for each in np.ndindex(4, 4, 4) if sum(each) <= 3]
-    powers.sort(key=lambda each: -sum(each))
-    matrix = flint.fmpq_mat([[cubic.to_dict().get(tuple(each), flint.fmpq(0)) for each in powers] for cubic in cubics])
-    matrix, rank = matrix.rref()
-    if rank < 10 or any(matrix[i, i] != 1 for i in range(10)):
-        return None
-    times = []
-    for each in powers[10:]:
-        place = powers.index((each[0] + 1, *each[1:]))
-        times.append([-matrix[place, j] if place < 10 else flint.fmpq(int(place == j)) for j in range(10, 20)])
-    characteristic = flint.fmpq_mat(times).charpoly()
-    integers = flint.fmpz_poly([int(c) for c in (characteristic * characteristic.denom()).coeffs()])
-    if integers.gcd(integers.derivative()).degree() > 0:
-        return None
-    return sum(root.imag == 0 for root, _ in integers.complex_roots())
-
-
-def fractions(points):
-    return [[Fraction(float(x)) for x in point] for point in points]
-
-
-def scenes(generator, count, base=0.5, depth=1.0):
-    """Return image points of random points, seen by two calibrated cameras."""
-    points = generator.uniform((-1, -1, -depth), (1, 1, depth), (count, 5, 3)) + np.array([0, 0, 4])
-    axis = generator.normal(size=(count, 1, 3)) * 0.2
-    angle = np.linalg.norm(axis, axis=2, keepdims=True)
-    unit = axis / angle
-    turned = points * np.cos(angle) + np.cross(unit, points) * np.sin(angle)
-    turned += unit * (unit * points).sum(axis=2, keepdims=True) * (1 - np.cos(angle))
-    moved = turned - base * generator.normal(size=(count, 1, 3))
-    return tuple(p[..., :2] / p[..., 2:] for p in (points, moved))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "benchmarks"))
+from exact_counts import count_of_five as oracle
+from exact_counts import scenes
 
 
 @pytest.mark.parametrize(("base", "depth"), [(0.5, 1), (0.5, 1e-3), (4e-3, 1), (0.5, 0), (4e-3, 0), (1e-5, 1)])
 def test_counts_are_those_of_exact_arithmetic(base, depth):
-    left, right = scenes(np.random.default_rng(5), 15, base, depth)
+    left, right = scenes(np.random.default_rng(5), 15, 5, base, depth)
     found = minimal.five_pairs(left, right)
     assert (found.case == "counted").all()
     assert found.count.tolist() == [oracle(*each) for each in zip(left, right, strict=True)]
@@ -83,15 +27,29 @@ def test_counts_are_those_of_exact_arithmetic(base, depth):
 
 
 def test_integers_and_floating_point_numbers_agree_and_enclose_each_other():
-    left, right = scenes(np.random.default_rng(6), module.FEW + 1)
+    left, right = scenes(np.random.default_rng(6), 6)
     many = minimal.five_pairs(left, right)
-    for k in range(len(left)):
-        one = minimal.five_pairs(left[k], right[k])
-        assert one.count == many.count[k]
-        for value, error in zip(one.E[: one.count], one.error[: one.count], strict=True):
+    for k, count in enumerate(many.count):
+        groups = isolating.isolated(left[k], right[k])
+        assert len(groups) == count
+        for group in groups:
             signs = np.array([1, -1])[:, None, None, None]
-            apart = np.abs(signs * many.E[k, : one.count] - value) - many.error[k, : one.count] - error
+            apart = np.abs(signs * many.E[k, :count] - group.E) - many.error[k, :count] - group.error
             assert apart.max(axis=(2, 3)).min() <= 0
+
+
+def test_derivatives_are_those_of_the_matrix():
+    generator = np.random.default_rng(8)
+    base, quaternion = (generator.integers(-9, 10, (20, n)).astype(float) for n in (3, 4))
+    doubled = [
+        minimal.essential_matrix(base + unit, quaternion) - minimal.essential_matrix(base - unit, quaternion)
+        for unit in np.eye(3)
+    ]
+    doubled += [
+        minimal.essential_matrix(base, quaternion + unit) - minimal.essential_matrix(base, quaternion - unit)
+        for unit in np.eye(4)
+    ]
+    assert (np.stack(doubled, axis=-1).reshape(20, 9, 7) == 2 * module._derivatives(base, quaternion)).all()
 
 
 def cross_matrix(b):
@@ -305,7 +263,7 @@ def refined(value, left, right):
 
 @pytest.mark.parametrize("base", [0.5, 4e-3])
 def test_enclosures_hold_the_solutions(base):
-    left, right = scenes(np.random.default_rng(8), 3, base)
+    left, right = scenes(np.random.default_rng(8), 3, base=base)
     found = minimal.five_pairs(left, right)
     with mpmath.workdps(60):
         for k in range(3):

@@ -16,12 +16,12 @@ from algebroproj_derivations.studies.pairs import estimating, explaining, popula
 from algebroproj_derivations.studies.pairs.cameras import camera, distorted, ideal, read_cameras, undistorted
 from algebroproj_derivations.studies.pairs.colmap import LAST_IMAGE
 from algebroproj_derivations.studies.pairs.critical import nearest_critical
-from algebroproj_derivations.studies.pairs.judging import DISTRUST, judge, selected
+from algebroproj_derivations.studies.pairs.judging import DISTRUST, TRUST, held, judge, selected
 from algebroproj_derivations.studies.pairs.measuring import measured
 from algebroproj_derivations.studies.pairs.normalising import pairs_of
 from algebroproj_derivations.studies.pairs.pair_files import read_pairs
 from algebroproj_derivations.studies.pairs.populating import pair
-from algebroproj_derivations.studies.pairs.robust import chance, kept
+from algebroproj_derivations.studies.pairs.robust import chance, doubtful, kept
 from algebroproj_sym.cli import main
 
 pytestmark = pytest.mark.usefixtures("sources_read_once")
@@ -300,6 +300,23 @@ def test_wrong_pairs_are_left_out():
     assert mask[np.setdiff1d(np.arange(80), wrong)].mean() > 0.9
     assert mask[wrong].mean() < 0.1
     assert chance(pixels, mask, 2.0) < -20
+
+
+@pytest.mark.extra("pairs")
+def test_wrong_pairs_that_pin_the_epipoles_of_a_plane_are_not_trusted():
+    """A RANSAC keeps two wrong pairs beside a plane, and they fit."""
+    verdicts = {"plane": [], "ordinary": []}
+    for seed in range(6):
+        for kind, found in verdicts.items():
+            known, rng = pair(seed, kind, 60, 0.5, 1e-4), np.random.default_rng(seed)
+            pixels = np.stack([known.x1, known.x2])
+            wrong = np.stack([rng.uniform(side.min(axis=0), side.max(axis=0), (30, 2)) for side in pixels])
+            pixels = np.concatenate([pixels, wrong], axis=1)
+            mask = kept(pixels, 2.0)
+            judgement = judge(*pixels[:, mask], 0.5)
+            found.append(held(judgement, pixels[:, mask], doubtful(pixels, mask, 2.0)).verdict)
+    assert TRUST not in verdicts["plane"]
+    assert set(verdicts["ordinary"]) == {TRUST}
 
 
 @pytest.mark.extra("pairs")

@@ -142,8 +142,9 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
                 (("lost_divided", "five equations"), ("lost_homogeneous", "homogeneous equations"))
             ):
                 low, median, high = distributions[name].quantiles([0.05, 0.5, 0.95], least=5)
-                panel.fill_between(x, low, high, color=COLOURS[line], alpha=0.18, lw=0)
-                panel.plot(x, median, color=COLOURS[line], ls=DASHES[line], label=label)
+                known = np.isfinite(median)
+                panel.fill_between(x[known], low[known], high[known], color=COLOURS[line], alpha=0.18, lw=0)
+                panel.plot(x[known], median[known], color=COLOURS[line], ls=DASHES[line], label=label)
             panel.set_title(f"{layout.name}: {examine(layout.scene()).verdict}", fontsize=7.5)
             panel.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":")
             panel.set(xscale="log", xlim=(1e-12, 0.1), ylim=(-1.5, 17.5), yticks=[0, 5, 10, 15])

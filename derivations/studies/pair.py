@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from algebroproj_derivations.studies.pairs import estimating, explaining, predicting, space
 from algebroproj_derivations.studies.pairs.drawings import residuals_in_pictures, uncertain_lines
-from algebroproj_derivations.studies.pairs.judging import PairJudgement, judge, require_sigma, selected, simulated
+from algebroproj_derivations.studies.pairs.judging import PairJudgement, held, judge, require_sigma, selected, simulated
 from algebroproj_derivations.studies.pairs.measuring import measured
 from algebroproj_derivations.studies.pairs.normalising import Pairs, pairs_of
 from algebroproj_derivations.studies.pairs.pair_files import COLUMNS
@@ -67,6 +67,7 @@ def chunk(indices: Indices, seed: int, *, sigma: float, **source: Any) -> xarray
         "frame": variable(["side", "corner", "axis"], frames, "pixel", "corners of the pictures, if they are known"),
         "read": variable([], given.read, about="number of pairs of the file"),
         "chance": variable([], given.chance, about="log10 of how many sets of wrong pairs were kept, too"),
+        "doubtful": variable([], given.doubtful, about="number of wrong pairs that may have been kept"),
         "sigma": variable([], sigma, "pixel", "standard deviation of a coordinate"),
     }
     if given.objects is not None:
@@ -105,7 +106,9 @@ def _judged(dataset: xarray.Dataset) -> PairJudgement:
         pairs = pairs_of(*dataset.measured.values)
         surface = explaining.in_space(pairs, judgement.critical, dataset.object.values)
         judgement = replace(judgement, why=(*judgement.why, surface))
-    return simulated(selected(judgement, int(dataset.read), float(dataset.chance)), dataset.error.values[:, 0])
+    judgement = selected(judgement, int(dataset.read), float(dataset.chance))
+    judgement = held(judgement, dataset.measured.values, int(dataset.doubtful), frames)
+    return simulated(judgement, dataset.error.values[:, 0])
 
 
 def _of_objects(dataset: xarray.Dataset) -> list[str]:

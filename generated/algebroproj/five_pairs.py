@@ -12,6 +12,7 @@ Problems that floating-point numbers do not decide are solved with many digits (
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from itertools import combinations_with_replacement
 from typing import Any, NamedTuple
 
@@ -34,9 +35,6 @@ BLOCK = 512
 ATTEMPTS = 5
 """How often floating-point numbers try a problem, each time with other unknowns."""
 
-FEW = 5
-"""Up to how many problems integers solve alone.  For so few, operations on arrays take longer."""
-
 MISSED = 2.0**-43
 """By how much complex numbers of float64 miss an equation at most, as a share of the lengths of its two vectors."""
 
@@ -56,7 +54,7 @@ ORDER = LEADING + [each for each in CUBICS if 3 in each]
 
 SQUARES = list(combinations_with_replacement(range(4), 2))
 TO_SQUARES = np.array([[float(tuple(sorted(each)) == square) for each in np.ndindex(4, 4)] for square in SQUARES])
-TO_CUBICS = np.array([[float(tuple(sorted((*two, k))) == each) for two in SQUARES for k in range(4)] for each in ORDER])
+TO_CUBICS = np.array([[float(tuple(sorted((*two, k))) == each) for k in range(4) for two in SQUARES] for each in ORDER])
 """Sums of the products of two unknowns in any order, and of those by a third one."""
 
 
@@ -149,7 +147,7 @@ def five_pairs(x_left: ArrayLike, x_right: ArrayLike) -> FivePairs:
     moderate = np.all([((size == 0) | (size > 1 / MODERATE)) & (size < MODERATE) for size in sizes], axis=(0, 2, 3))
     for attempt in range(ATTEMPTS):
         waiting = np.flatnonzero(moderate & (found.count < 0))
-        for start in range(0, len(waiting) if len(waiting) > FEW else 0, BLOCK):
+        for start in range(0, len(waiting), BLOCK):
             places = waiting[start : start + BLOCK]
             _solve(*(points[places] for points in floats), attempt, places, found)
     for place in np.flatnonzero(found.count < 0):
@@ -217,15 +215,12 @@ def _eliminated(left: Numbers, right: Numbers, attempt: int) -> tuple[Complex, N
     span = reflection @ span
     stacked, forms = span.reshape(-1, 12, 3), span.reshape(-1, 4, 3, 3)
     every = (stacked @ stacked.swapaxes(1, 2)).reshape(-1, 4, 3, 4, 3).swapaxes(2, 3).reshape(-1, 16, 9)
-    squares = TO_SQUARES @ every
+    factors = TO_SQUARES @ every
+    factors[:, :, ::4] -= factors[:, :, ::4].sum(axis=2, keepdims=True) / 2
     crosses = TO_SQUARES @ np.cross(forms[:, :, None, 1], forms[:, None, :, 2]).reshape(-1, 16, 3)
-    cubes = squares.reshape(-1, 30, 3) @ forms.swapaxes(1, 2).reshape(-1, 3, 12)
-    traces = squares[:, :, ::4].sum(axis=2)
-    terms = np.empty((len(span), 10, 4, 10))
-    terms[..., :9] = 2 * cubes.reshape(-1, 10, 3, 4, 3).swapaxes(2, 3).reshape(-1, 10, 4, 9)
-    terms[..., :9] -= traces[:, :, None, None] * span[:, None]
-    terms[..., 9] = crosses @ forms[:, :, 0].swapaxes(1, 2)
-    equations = TO_CUBICS @ terms.reshape(-1, 40, 10)
+    equations = np.empty((len(span), 20, 10))
+    equations[..., :9] = TO_CUBICS @ (factors.reshape(-1, 1, 30, 3) @ forms).reshape(-1, 40, 9)
+    equations[..., 9] = (forms[:, :, 0] @ crosses.swapaxes(1, 2)).reshape(-1, 40) @ TO_CUBICS.T
     products = -equations[:, 10:] @ _inverse(equations[:, :10])
     regular = (np.abs(products) < 1 / RESIDUAL).all(axis=(1, 2))
     products = np.where(regular[:, None, None], products, np.eye(10))
@@ -301,82 +296,122 @@ class _Tested:
 def _all_tested(starts: Complex, sides: NDArray[np.int64], left: Numbers, right: Numbers) -> _Tested:
     """Return all solutions: real ones in real numbers, one of two conjugate ones, and the other as its conjugate."""
     found = _Tested(np.empty_like(starts), np.empty(sides.shape))
-    for side, test in ((0, _tested_precisely), (1, _tested)):
+    rows = _rows(left, right)
+    for side in (0, 1):
         of_side = np.nonzero(sides == side)
         start = starts[of_side] if side else starts[of_side].real
-        one = test(*_base_and_rotation(start), *(points[of_side[0]] for points in (left, right)))
-        for place in range(side + 1):
-            solution = of_side[0], of_side[1] + place
-            found.E[solution], found.radius[solution] = one.E.conj() if place else one.E, one.radius
+        place = (*_base_and_rotation(start), rows[of_side[0]])
+        one = _tested(*place) if side else _tested_precisely(*place, *(points[of_side[0]] for points in (left, right)))
+        for k in range(side + 1):
+            solution = of_side[0], of_side[1] + k
+            found.E[solution], found.radius[solution] = one.E.conj() if k else one.E, one.radius
     return found
 
 
-def _tested(base: Complex, quaternion: Complex, left: Numbers, right: Numbers) -> _Tested:
+def _tested(base: Complex, quaternion: Complex, rows: Numbers) -> _Tested:
     """Return how far exact solutions are from approximate ones.
+
+    What is rounded.  The terms of the nine elements have absolute values whose sums, as a vector, have a norm of at
+    most 7/2, and there are at most 32 operations on the way from base and quaternion to an equation.  A complex number
+    of float64 is rounded by 9/4 u; this makes less than 2**10 u: see MISSED.
+    """
+    essential = _essential(base, quaternion)
+    residual = (rows @ essential.reshape(-1, 9, 1))[..., 0]
+    ball = _ball(base, quaternion, rows, _derivatives(base, quaternion), residual, MISSED)
+    return _Tested(essential, 16 * ball.reach)
+
+
+def _tested_precisely(
+    base: Numbers, quaternion: Numbers, rows: Numbers, left: Numbers, right: Numbers, again: bool = True
+) -> _Tested:
+    """Return real solutions after a step of Newton's method with twice the digits, and how far exact ones are.
+
+    The exact change p satisfies ``p + Y F(0) = (1 - Y J) p - Y Q(p)`` with ``|p| <= 2 h``, see `_ball`.  So it differs
+    from the step by at most ``2 h |1 - Y J| + 48 |Y| h**2``, and by what rounding changes.  In double-double numbers
+    each operation rounds at most 16 u**2, which makes less than 2**13 u**2: see RESIDUAL.  The step changes the matrix
+    by its derivative times the step, and by less than 9 times the square of the step.
+
+    Where this is not precise enough, the test is done again from there.
+    """
+    from ._runtime.pairs import DoubleDouble
+
+    derivatives = _derivatives(base, quaternion)
+    numbers = (*np.moveaxis(base, -1, 0), *np.moveaxis(quaternion, -1, 0))
+    elements = _elements([DoubleDouble(part) for part in numbers])
+    ball = _ball(base, quaternion, rows, derivatives, _precise_residuals(elements, left, right), RESIDUAL)
+    high, low = (np.stack([getattr(each, part) for each in elements], axis=-1) for part in ("hi", "lo"))
+    essential = high + (low + (derivatives @ ball.step[..., None])[..., 0])
+    apart = ball.reach * (2 * ball.off + 48 * ball.weight * ball.reach) + ball.rounded
+    radius = 16 * (apart + ball.reach**2) + 2.0**-40 * ball.reach
+    found = _Tested(essential.reshape(-1, 3, 3), np.where(radius < 16 * PRECISE, radius, np.inf))
+    rest = np.flatnonzero(np.isinf(found.radius) & np.isfinite(ball.step).all(axis=1))
+    if again and len(rest):
+        moved = np.concatenate([base, quaternion], axis=1)[rest] + ball.step[rest]
+        place = _unit(moved[:, :3]), _unit(moved[:, 3:]), *(each[rest] for each in (rows, left, right))
+        found.E[rest], found.radius[rest] = vars(_tested_precisely(*place, again=False)).values()
+    return found
+
+
+@dataclass(frozen=True)
+class _Ball:
+    """Where there is one exact solution, as a change of base and quaternion.
+
+    Attributes
+    ----------
+    step : array, shape (n, 7)
+        A step of Newton's method, ``-Y F(0)`` but for rounding.
+    reach : array, shape (n,)
+        Half the radius of a ball with just one solution, h; infinite where the test has failed.
+    rounded : array, shape (n,)
+        Bound of what rounding changes in the step.
+    off, weight : array, shape (n,)
+        Bounds of ``|1 - Y J|``, and of ``|Y|`` with the lengths of the vectors of each equation.
+    """
+
+    step: NDArray[Any]
+    reach: Numbers
+    rounded: Numbers
+    off: Numbers
+    weight: Numbers
+
+
+def _ball(
+    base: NDArray[Any],
+    quaternion: NDArray[Any],
+    rows: Numbers,
+    derivatives: NDArray[Any],
+    residual: NDArray[Any],
+    rounding: float,
+) -> _Ball:
+    """Return where there is just one solution.
 
     The unknowns are the changes p of base and quaternion, both of length 1, and at right angles to them.  With the
     Jacobian J at p = 0 and Y, nearly its inverse, ``p - Y F(p) = -Y F(0) + (1 - Y J) p - Y Q(p)``.  For ``|p| <= r``,
     r below 1, an element of Q is at most 5 r**2 times the lengths of its two vectors (bridges 9/expansion: a product
     of complex quaternions is at most sqrt(2) times that of their lengths).  With ``h = |Y F(0)|``,
     ``|1 - Y J| <= 1/5`` and ``12 |Y| h <= 1/10`` the ball of radius 2 h is taken into itself, and distances in it are
-    at least halved: there is just one solution in it.  If all numbers are real, so is the solution.
+    at least halved: there is just one solution in it.  If all numbers are real, so is the solution.  A solution changes
+    the matrix by less than 8 times its own change.
 
-    What is rounded.  The terms of the nine elements have absolute values whose sums, as a vector, have a norm of at
-    most 7/2, and there are at most 32 operations on the way from base and quaternion to an equation.  A complex number
-    of float64 is rounded by 9/4 u; this makes less than 2**10 u: see MISSED.  Differences for derivatives have terms of
-    21, and 35 of them less than 2**15 u.  A solution changes the matrix by less than 8 times its own change.
+    What is rounded.  The residual has the error of its rounding, and the terms of an element's derivative have absolute
+    values that add up to at most 4, in sums of at most 16 products of three: 35 derivatives of equations make less than
+    2**15 u.
     """
-    rows = _rows(left, right)
-    essential, jacobian = _essential(base, quaternion), _jacobian(base, quaternion, rows)
-    residual = (rows @ essential.reshape(-1, 9, 1))[..., 0]
-    return _enclosed(base, quaternion, _inverse(jacobian), jacobian, essential, residual, MISSED, 0 * base, rows)
-
-
-def _tested_precisely(base: Numbers, quaternion: Numbers, left: Numbers, right: Numbers) -> _Tested:
-    """Return real solutions after a step of Newton's method with twice the digits, and how far exact ones are.
-
-    In double-double numbers each operation rounds at most 16 u**2, which makes less than 2**13 u**2: see RESIDUAL.
-    Where the step is left out, a derivative changes by less than 32 times that.
-    """
-    from ._runtime.pairs import DoubleDouble
-
-    rows = _rows(left, right)
-    jacobian = _jacobian(base, quaternion, rows)
+    jacobian = np.zeros((len(base), 7, 7), derivatives.dtype)
+    jacobian[:, :5] = rows @ derivatives
+    jacobian[:, 5, :3], jacobian[:, 6, 3:] = base.conj(), quaternion.conj()
     inverse = _inverse(jacobian)
-    exact = [DoubleDouble(part) for part in (*np.moveaxis(base, -1, 0), *np.moveaxis(quaternion, -1, 0))]
-    step = -(inverse[..., :5] @ _precise_residuals(_elements(exact), left, right)[..., None])[..., 0]
-    elements = _elements([number + DoubleDouble(change) for number, change in zip(exact, step.T, strict=True)])
-    residual = _precise_residuals(elements, left, right)
-    essential = np.stack([number.hi for number in elements], axis=-1).reshape(-1, 3, 3)
-    found = _enclosed(base, quaternion, inverse, jacobian, essential, residual, RESIDUAL, step, rows)
-    return _Tested(found.E, np.where(found.radius < 16 * PRECISE, found.radius, np.inf))
-
-
-def _enclosed(
-    base: NDArray[Any],
-    quaternion: NDArray[Any],
-    inverse: NDArray[Any],
-    jacobian: NDArray[Any],
-    essential: NDArray[Any],
-    residual: NDArray[Any],
-    rounding: float,
-    step: NDArray[Any],
-    rows: Numbers,
-) -> _Tested:
-    """Return matrices and how far exact ones are; the Jacobian is that of a place before a step."""
-    distance = np.linalg.norm(step, axis=1)
-    lengths = np.linalg.norm(rows, axis=2)
+    lengths = np.sqrt((rows**2).sum(axis=2))
     weight = np.linalg.norm(inverse[..., :5] * lengths[:, None, :], axis=(1, 2))
     missed = np.linalg.norm(residual / lengths, axis=1)
-    moved = np.linalg.norm(inverse[..., :5] @ residual[..., None], axis=(1, 2)) * (1 + 2.0**-20)
-    moved = moved + weight * (64 * ROUNDOFF * missed + 3 * rounding)
+    step = -(inverse[..., :5] @ residual[..., None])[..., 0]
+    rounded = weight * (64 * ROUNDOFF * missed + 3 * rounding)
+    reach = np.linalg.norm(step, axis=1) * (1 + 2.0**-20) + rounded
     off = np.linalg.norm(inverse @ jacobian - np.eye(7), axis=(1, 2)) * (1 + 2.0**-20)
     off = off + ROUNDOFF * (2.0**15 * weight + 64 * np.linalg.norm(inverse[..., 5:], axis=(1, 2)) + 64)
-    off = off + 32 * weight * distance
     isotropic = np.minimum(*(np.abs((part**2).sum(axis=-1)) for part in (base, quaternion)))
-    passed = (off <= 0.2) & (12 * weight * moved <= 0.1)
-    passed &= (isotropic > 8 * (moved + distance) + 2.0**-40) & (distance < 2.0**-20)
-    return _Tested(essential, np.where(passed, 16 * moved, np.inf))
+    passed = (off <= 0.2) & (12 * weight * reach <= 0.1) & (isotropic > 8 * reach + 2.0**-40)
+    return _Ball(step, np.where(passed, reach, np.inf), rounded, off, weight)
 
 
 def _elements(numbers: list[Any]) -> list[Any]:
@@ -407,21 +442,28 @@ def _precise_residuals(elements: list[Any], left: Numbers, right: Numbers) -> Nu
     return np.asarray(((lines[0] * u[0] + lines[1] * u[1]) + lines[2]).hi)
 
 
-def _jacobian(base: NDArray[Any], quaternion: NDArray[Any], rows: Numbers) -> NDArray[Any]:
-    """Return the derivatives of the five equations, and of the two that keep lengths, shape (n, 7, 7).
-
-    The matrix is linear in the base and quadratic in the quaternion: differences are derivatives.
-    """
-    here = _essential(base, quaternion)
-    by_base = [_essential(np.broadcast_to(unit, base.shape), quaternion) for unit in np.eye(3, dtype=base.dtype)]
-    by_rotation = [
-        _essential(base, quaternion + unit) - here - _essential(base, np.broadcast_to(unit, quaternion.shape))
-        for unit in np.eye(4, dtype=base.dtype)
-    ]
-    found = np.zeros((len(base), 7, 7), here.dtype)
-    found[:, :5] = rows @ np.stack(by_base + by_rotation, axis=-1).reshape(-1, 9, 7)
-    found[:, 5, :3], found[:, 6, 3:] = base.conj(), quaternion.conj()
+def _derivatives(base: NDArray[Any], quaternion: NDArray[Any]) -> NDArray[Any]:
+    """Return the derivatives of the nine elements by base and quaternion, shape (n, 9, 7)."""
+    by_base, by_quaternion = _coefficients()
+    squares = (quaternion[:, :, None] * quaternion[:, None, :]).reshape(-1, 16)
+    products = (base[:, :, None] * quaternion[:, None, :]).reshape(-1, 12)
+    found = np.empty((len(base), 9, 7), base.dtype)
+    found[..., :3] = (squares @ by_base).reshape(-1, 9, 3)
+    found[..., 3:] = (products @ by_quaternion).reshape(-1, 9, 4)
     return found
+
+
+@cache
+def _coefficients() -> tuple[Numbers, Numbers]:
+    """Return the coefficients of the derivatives, by the base and by the quaternion.
+
+    The matrix is linear in the base and quadratic in the quaternion: its values for units give all of them.
+    """
+    base, first, second = np.ogrid[:3, :4, :4]
+    unit, units = np.eye(3)[base], np.eye(4)
+    sums = _essential(unit, units[first] + units[second])
+    mixed = (sums - _essential(unit, units[first]) - _essential(unit, units[second])).reshape(3, 4, 4, 9)
+    return mixed.transpose(1, 2, 3, 0).reshape(16, 27) / 2, mixed.transpose(0, 1, 3, 2).reshape(12, 36)
 
 
 # Which solutions are different.
@@ -436,14 +478,15 @@ def _are_different(tested: _Tested) -> NDArray[np.bool_]:
     units = (tested.E / size[..., None, None]).reshape(-1, SOLUTIONS, 9)
     radius = tested.radius / size
     limit = 4 * (radius[:, :, None] + radius[:, None, :]) + 2.0**-40
-    different = (_apart(units) > limit) | np.eye(SOLUTIONS, dtype=bool)
+    different = _apart(units) > limit
     return np.asarray((radius < 2.0**-10).all(axis=1) & different.all(axis=(1, 2)))
 
 
 def _apart(units: Complex) -> Numbers:
-    """Return the distances of unit vectors from the lines through the others."""
+    """Return the distances of unit vectors from the lines through the others; infinite ones from their own."""
     along = units @ units.conj().swapaxes(1, 2)
     distance = np.sqrt(np.maximum(1 - np.abs(along) ** 2, 0))
+    distance[:, range(SOLUTIONS), range(SOLUTIONS)] = np.inf
     n, i, j = near = np.nonzero(~(distance > 2.0**-10))
     distance[near] = np.linalg.norm(units[n, i] - along[near][:, None] * units[n, j], axis=1)
     return np.asarray(distance)

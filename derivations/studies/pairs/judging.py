@@ -12,7 +12,7 @@ from scipy.stats import chi2
 from algebroproj_derivations.studies.pairs import estimating, explaining, predicting
 from algebroproj_derivations.studies.pairs.critical import Critical, nearest_critical
 from algebroproj_derivations.studies.pairs.explaining import Addition
-from algebroproj_derivations.studies.pairs.normalising import pairs_of
+from algebroproj_derivations.studies.pairs.normalising import LEAST_PAIRS, pairs_of
 
 Numbers = NDArray[np.float64]
 
@@ -205,7 +205,7 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float, frames: ArrayLike | None =
         epipoles=np.stack([place for place, _ in epipoles]),
         epipole_deviations=np.array([deviation for _, deviation in epipoles]),
         residuals=estimating.distances(fit.matrix, pairs)[0],
-        leverages=(np.linalg.svd(fit.jacobian, full_matrices=False)[0] ** 2).sum(axis=1),
+        leverages=_leverages(fit.jacobian),
         probability=probability,
         bound=bound,
         checks=checks,
@@ -215,6 +215,10 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float, frames: ArrayLike | None =
         additions=tuple(explaining.additions(pairs, fit, sigma, checks)),
         sigma=sigma,
     )
+
+
+def _leverages(jacobian: Numbers) -> Numbers:
+    return np.asarray((np.linalg.svd(jacobian, full_matrices=False)[0] ** 2).sum(axis=1))
 
 
 def _repeated(pixels: Numbers, sigma: float) -> NDArray[np.bool_]:
@@ -264,6 +268,32 @@ def selected(judgement: PairJudgement, read: int, chance: float) -> PairJudgemen
         return judgement
     sentence = f"Wrong pairs alone would keep {len(judgement.residuals)} of {read}, too."
     return _doubted(judgement, DISTRUST, sentence)
+
+
+def held(judgement: PairJudgement, pixels: Numbers, doubtful: int, frames: ArrayLike | None = None) -> PairJudgement:
+    """Return a judgement that heeds whether a few pairs hold it up, of which some may be wrong.
+
+    Parameters
+    ----------
+    judgement : PairJudgement
+        Of all pairs.
+    pixels : ndarray, shape (2, n, 2)
+        The pairs.
+    doubtful : int
+        How many may be wrong: so many are left out, each time the one of the largest leverage.
+    frames : array_like, shape (2, 2, 2), optional
+        As for `judge`.
+    """
+    if judgement.verdict != TRUST or not doubtful:
+        return judgement
+    jacobian = estimating.minima(pairs_of(*pixels))[0].jacobian
+    rest = np.arange(len(jacobian))
+    for _ in range(min(doubtful, len(rest) - LEAST_PAIRS)):
+        rest = np.delete(rest, _leverages(jacobian[rest]).argmax())
+    if len(rest) > LEAST_PAIRS and judge(*pixels[:, rest], judgement.sigma, frames).verdict == TRUST:
+        return judgement
+    names = ", ".join(str(place + 1) for place in np.setdiff1d(np.arange(len(jacobian)), rest))
+    return _doubted(judgement, UNDECIDED, f"It hangs on pairs that may be wrong: without {names} it is not trusted.")
 
 
 def _doubted(judgement: PairJudgement, least: str, sentence: str) -> PairJudgement:

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from algebroproj_derivations.studies.pairs.cameras import Camera, ideal, read_cameras
-from algebroproj_derivations.studies.pairs.pair_files import COLUMNS, read_objects, read_pairs
-from algebroproj_derivations.studies.pairs.robust import chance, kept
+from algebroproj_derivations.studies.pairs.pair_files import COLUMNS, is_verified, read_objects, read_pairs
+from algebroproj_derivations.studies.pairs.robust import PINNING, chance, doubtful, kept
 
 Numbers = NDArray[np.float64]
 
@@ -34,6 +34,9 @@ class Measured:
     chance : float
         Decimal logarithm of the expected number of sets of wrong pairs as large as the kept one; minus infinity if none
         were left out on purpose.
+    doubtful : int
+        How many of the pairs may be wrong although a RANSAC, that of COLMAP or an own one, has kept
+        them; 0 without one.
     objects : ndarray, shape (n, 3), or None
         The object points of the pairs; NaN where they are not known.
     """
@@ -42,6 +45,7 @@ class Measured:
     frames: Numbers | None
     read: int
     chance: float
+    doubtful: int
     objects: Numbers | None = None
 
 
@@ -86,10 +90,11 @@ def measured(
         frames = None if frames is None else _ideal_frames(frames, cameras)
     objects = None if points is None else read_objects(file, points)
     if ransac is None:
-        return Measured(pixels, frames, len(pixels[0]), -np.inf, objects)
+        return Measured(pixels, frames, len(pixels[0]), -np.inf, PINNING if is_verified(file) else 0, objects)
     mask = kept(pixels, ransac)
     kept_objects = None if objects is None else objects[mask]
-    return Measured(pixels[:, mask], frames, len(mask), chance(pixels, mask, ransac), kept_objects)
+    found = [each(pixels, mask, ransac) for each in (chance, doubtful)]
+    return Measured(pixels[:, mask], frames, len(mask), *found, kept_objects)
 
 
 def _frames(size: str, pixels: Numbers) -> Numbers:

@@ -66,6 +66,12 @@ def read_pairs(path: Path, columns: str = COLUMNS, images: str | None = None, ev
     return _of_table(path, _names(columns, 4, "columns", COLUMNS)).reshape(-1, 2, 2).transpose(1, 0, 2)
 
 
+def is_verified(path: Path) -> bool:
+    """Return whether a file has what COLMAP's RANSAC has kept."""
+    with path.open("rb") as file:
+        return path.name == colmap.IMAGES or file.read(len(colmap.SQLITE)) == colmap.SQLITE
+
+
 def read_objects(path: Path, points: str) -> Numbers:
     """Return the object coordinates of a CSV file of pairs, shape (n, 3); NaN in lines where they are not given.
 

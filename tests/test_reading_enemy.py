@@ -166,6 +166,8 @@ TRUE = {
     "two squares": r"\[ s^2 = a + b. \] Hence in the other medium \[ s^2 = a - b. \]",
     # The first equation that gives a letter is no contradiction to a law in which it stands.
     "a letter of a law": r"\[ p v = r t. \] A solid has \[ p = 2 r t. \]",
+    "the roots of a function": r"We seek the roots of a function, $f(x) = 0$. Here it is \[ f(x) = x^2 - a. \]",
+    "the roots of a function again": r"We seek, $f(x) = 0$. This gives \[ f(x) + a = x^2. \]",
     "a letter of two laws": r"\[ F = m a. \] A spring has \[ a = -k x. \]",
     "a letter given behind": r"\[ y = u v + w. \] where, for the left side, \[ w = u - v. \] and for "
     r"the right one \[ w = u + v. \]",

@@ -81,19 +81,30 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
 
 
 def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
-    """Return the symbols that are said to be vectors, matrices, tensors or quaternions: their order matters."""
+    """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
+    return _called(
+        statements, r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?|operators?|rotations?|sets?|events?|groups?)"
+    )
+
+
+def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the symbols that are said to be complex."""
+    return _called(statements, r"complex(?: (?:[a-z-]+|number|variable)s?)?")
+
+
+def _called(statements: Iterable[Statement], things: str) -> frozenset[str]:
+    """Return the symbols that words before or behind them call by a name."""
+    is_before = re.compile(rf"\b{things}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
+    is_behind = re.compile(
+        rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{things}\b", re.IGNORECASE
+    )
     found = set[str]()
     for each in statements:
         if each.display.environment == "inline":
             before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
-            if _THING_BEFORE.search(before[-200:]) or _THING_AFTER.match(after):
-                found |= {*_symbols(each.latex)}
+            if is_before.search(before[-200:]) or is_behind.match(after):
+                found |= {*_symbols(each.latex.partition("=")[0])}
     return frozenset(found)
-
-
-_THINGS = r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?)"
-_THING_BEFORE = re.compile(rf"\b{_THINGS}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
-_THING_AFTER = re.compile(rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{_THINGS}\b")
 
 
 def _agreed(found: Iterable[tuple[str, Value]]) -> dict[str, Value]:

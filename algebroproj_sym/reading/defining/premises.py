@@ -27,6 +27,8 @@ from algebroproj_sym.replaying.reals.terms import has_functions
 
 MOST_PREMISES = 300
 """From how many equations before one it may follow, besides those that it names."""
+MOST_VALUES = 30
+"""How many values that are given are put in, one into the other."""
 MOST_NEAR = 3
 """How many equations before one may be premises of it, though words beside them speak of a case."""
 _CITED = re.compile(
@@ -83,12 +85,11 @@ class Premise:
                 return self._of(symbol, parameters, other)
         return None
 
-    @property
-    def values(self) -> Iterator[tuple[Formula, Formula]]:
-        """Yield the sides that are a value of a function, or a square, each with the other side."""
-        for side, other in ((self.left, self.right), (self.right, self.left)):
-            if side.data in _VALUES:
-                yield side, other
+    @cached_property
+    def values(self) -> tuple[tuple[Formula, Formula], ...]:
+        """The sides that are a value of a function, or a square, each with the other side."""
+        pairs = ((self.left, self.right), (self.right, self.left))
+        return tuple((side, other) for side, other in pairs if side.data in _VALUES)
 
     def _of(self, symbol: str, parameters: tuple[str, ...], value: Formula) -> Definition:
         role: Role = "case" if self.special else "premise"
@@ -193,23 +194,23 @@ def given_values(
     Only those are returned that stand in some sides, or in what others are.  A function with a definition is given at
     its own letters alone; elsewhere it is computed.
     """
-    said = {
-        value: premise._of(f"{vocabulary.text(value)} ", (), other)
-        for premise in premises
-        for value, other in premise.values
-        if not _is_defined(value, vocabulary) and value not in [*_within(other)]
-    }
+    said = {value: (premise, other) for premise in premises for value, other in premise.values}
     found: dict[Formula, Definition] = {}
     waiting = [each for side in sides for each in _within(side)]
-    while waiting:
-        value = waiting.pop()
+    while waiting and len(found) < MOST_VALUES:
+        value = waiting.pop(0)
+        if value in found:
+            continue
         symbol, parameters = defined_by(value)
         known = vocabulary.definitions.get(symbol) if parameters else None
         if known is not None and known.usable and known.parameters == parameters:
-            said[value] = replace(known, symbol=f"{vocabulary.text(value)} ", parameters=())
-        if value in said and value not in found:
-            found[value] = said[value]
-            waiting += _within(said[value].tree)
+            found[value] = replace(known, symbol=f"{vocabulary.text(value)} ", parameters=())
+        elif value in said and not _is_defined(value, vocabulary) and value not in [*_within(said[value][1])]:
+            premise, other = said[value]
+            found[value] = premise._of(f"{vocabulary.text(value)} ", (), other)
+        else:
+            continue
+        waiting += _within(found[value].tree)
     return {value: replace(each, tree=with_given(each.tree, found)) for value, each in found.items()}
 
 

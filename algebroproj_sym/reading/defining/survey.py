@@ -11,7 +11,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, ties_of
-from algebroproj_sym.reading.defining.phrases import matrices_in, properties_in, sizes_in
+from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -134,7 +134,13 @@ class Survey:
         """Return what is known of the letters before the first equation."""
         sizes, properties = sizes_in(self.statements), properties_in(self.statements)
         found = Vocabulary(
-            self.given.whole, sizes, self._matrices(), properties, dependence=self.dependence, euler=self._has_euler()
+            self.given.whole,
+            sizes,
+            self._matrices(),
+            properties,
+            dependence=self.dependence,
+            euler=self._has_euler(),
+            complexes=complexes_in(self.statements),
         )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
@@ -151,6 +157,8 @@ class Survey:
                     found |= {*_factors(tree.children[0])}
                 elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                     found |= {*_factors(tree.children[1])}
+        daggers = {symbol for symbol in self.occurring if r"\dagger" in symbol}
+        found |= daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
         return frozenset(found) | matrices_in(self.statements)
 
     def _has_euler(self) -> bool:

@@ -90,8 +90,10 @@ class Vocabulary:
         *,
         dependence: Dependence,
         euler: bool = False,
+        complexes: frozenset[str] = frozenset(),
     ) -> None:
         self.given = given
+        self.complexes = complexes
         self.dependence = dependence
         self.euler = euler
         self.uncomputed: Values | None = None
@@ -107,7 +109,7 @@ class Vocabulary:
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
         given = self.given, self._sizes, self._matrices, self._properties
-        copied = Vocabulary(*given, dependence=self.dependence, euler=self.euler)
+        copied = Vocabulary(*given, dependence=self.dependence, euler=self.euler, complexes=self.complexes)
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied

@@ -74,7 +74,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             relation = "".join(each.text for each in base).strip()
             above = "".join(each.text for each in over).strip()
             if relation == "=" and above in ("!", "?"):
-                relation = r"\equiv"
+                relation = r"\equiv" if above == "!" else r"\questeq"
             defines = relation == "=" and re.search(r"def|triangle", above)
             plain = [piece, *_braced(piece, over), *_braced(piece, base)]
             out += _at(piece, ":=" if defines else relation) if relation in RELATIONS else plain

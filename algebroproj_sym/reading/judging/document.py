@@ -122,7 +122,6 @@ class _Pass:
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
         self.alone = set[str]()
-        self.alone = set[str]()
         self.introduced = False
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
@@ -164,20 +163,21 @@ class _Pass:
         says = DEFINES.search(before) and not CONDITIONAL.search(sentence)
         if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
             definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
-            if not says and not self._is_only_one(definition):
-                definition = None
-            if definition is not None and definition.symbol not in self.vocabulary.definitions:
+            if (
+                definition is not None
+                and not is_one_value(definition.parameters, definition.tree)
+                and (says or self._is_only_one(definition))
+                and definition.symbol not in self.vocabulary.definitions
+            ):
                 self.vocabulary.define(definition)
         if len(formula.sides) > 1:
             self._note(statement, formula)
             self._restate(formula)
 
-    def _is_only_one(self, definition: Definition | None) -> bool:
+    def _is_only_one(self, definition: Definition) -> bool:
         """Whether a letter is given by letters, and by no other equation of the document."""
         ties = self.survey.dependence.ties
-        return (
-            definition is not None and bool(definition.symbols) and sum(t.given == definition.symbol for t in ties) == 1
-        )
+        return bool(definition.symbols) and sum(tie.given == definition.symbol for tie in ties) == 1
 
     def _restate(self, formula: Parsed) -> None:
         """Take notice that a letter with a definition is given within the text, and otherwise."""
@@ -232,6 +232,8 @@ class _Pass:
         """Keep an equation as a premise of what stands behind it."""
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
+        if self.beside.is_denied:
+            return
         sides = formula.sides[defines:]
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
@@ -240,7 +242,6 @@ class _Pass:
         for left, right in pairs:
             given = where, display.part, display.place, names, special, words
             self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
-            self.alone |= {defined_by(left)[0], defined_by(right)[0]}
             self.alone |= {defined_by(left)[0], defined_by(right)[0]}
 
     # -- definitions

@@ -23,6 +23,11 @@ CASES = re.compile(
 """Words by which an equation may be about a case, so that it contradicts nothing."""
 CONDITIONAL = re.compile(r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case)\b", re.IGNORECASE)
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
+_DENIED = re.compile(
+    r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|"
+    r"not (?:true|equal|hold|follow|valid|correct|the case))\b",
+    re.IGNORECASE,
+)
 _ONLY_SOMETIMES = re.compile(
     CONDITIONAL.pattern
     + r"|\b(?:cases?|assum\w+|suppose|approximat\w*|neglect\w*|limit\w*|otherwise|instead|special\w*|"
@@ -122,8 +127,13 @@ class Beside:
 
     @property
     def is_conditional(self) -> bool:
-        """Whether its own sentence speaks of a condition."""
-        return CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+        """Whether its own sentence speaks of a condition, or denies it."""
+        return self.is_denied or CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+
+    @property
+    def is_denied(self) -> bool:
+        """Whether its own sentence says that it does not hold."""
+        return _DENIED.search(f"{self.sentence} {self.condition} {self.behind}") is not None
 
     @property
     def words(self) -> frozenset[str]:

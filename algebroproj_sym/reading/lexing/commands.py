@@ -75,7 +75,7 @@ RELATIONS = dict(
             r"\sim#~ \propto#∝ \in#∈ \notin#∉ \ni#∋ \lesssim#≲ \gtrsim#≳ \hookrightarrow#→ \supset#⊃ \subseteq#⊆ "
             r"\supseteq#⊇ \asymp#≍ \prec#≺ \succ#≻ \parallel#∥ \longmapsto#↦ \Longleftrightarrow#⇔ \Leftarrow#⇐ \to#→ "
             r"\rightarrow#→ \longrightarrow#→ \leadsto#→ \leftarrow#← \mapsto#↦ \Rightarrow#⇒ \Longrightarrow#⇒ "
-            r"\implies#⇒ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
+            r"\implies#⇒ \questeq#≟ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
         )
     )
 )
@@ -113,7 +113,7 @@ VALUE_ENDS = frozenset(
 )
 ELLIPSES = frozenset((r"\ldots", r"\dots", r"\cdots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb", "…"))
 CIRCLED = _words(
-    r"\otimes \oplus \odot \ominus \star \ast \bullet \cup \cap \setminus \backslash \land \lor \wedge \vee \mid "
+    r"\circ \otimes \oplus \odot \ominus \star \ast \bullet \cup \cap \setminus \backslash \land \lor \wedge \vee \mid "
     r"\boxplus \boxminus \bigoplus \bigotimes \colon :"
 )
 """Signs between two values that are read, and not computed."""

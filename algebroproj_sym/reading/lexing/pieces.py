@@ -107,4 +107,5 @@ def says_more(inside: Sequence[Piece]) -> bool:
 def bare(pieces: Sequence[Piece]) -> str:
     """Return the text of pieces without braces, spaces and upright style."""
     text = "".join({r"\{": "⦃", r"\}": "⦄"}.get(piece.text, BOLD.get(piece.text, piece.text)) for piece in pieces)
-    return re.sub(r"\\(?:mathrm|text|textrm|mathit|bf|rm|left|right|[,;:!])(?![a-z])|[{}\s,]", "", text)
+    short = re.sub(r"\\(?:mathrm|text|textrm|mathit|bf|rm|left|right|[,;:!])(?![a-z])|[{}\s]", "", text)
+    return re.sub(r",(?![a-z\\])", "", short)

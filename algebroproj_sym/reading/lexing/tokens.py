@@ -138,7 +138,7 @@ def _step(cursor: Cursor) -> None:
 def _read_operator(cursor: Cursor) -> None:
     text = cursor.text
     kinds = {"/": "SLASH", r"\cdot": "DOT", r"\times": "CROSS", "*": "DOT", "!": "FACTORIAL", r"\div": "SLASH"}
-    kinds |= {"&": "AMP", r"\\": "ROW", ",": "SEPARATOR", ";": "SEPARATOR", r"\circ": "DOT"}
+    kinds |= {"&": "AMP", r"\\": "ROW", ",": "SEPARATOR", ";": "SEPARATOR"}
     if text in SIGNS and SIGNS[text] in "+-" and cursor.out and cursor.out[-1] == "+" and cursor.out[-1].type == "SIGN":
         cursor.out.pop()
         cursor.emit("SIGN", SIGNS[text])

@@ -40,13 +40,19 @@ def changes_of(value, names):
         else:
             news = SWAPPED.get(token) or [name for name in names if name != token][:2]
         found += [value[: match.start()] + new + value[match.end() :] for new in news]
-    return [*found, f"-({value})" if not re.fullmatch(r"-?[\d/.]+", value) else f"-{value}".replace("--", "")]
+    return found
 
 
-def tampered(data, record, paths, names):
-    """A copy of a record with one of the places changed, and its path."""
+def opposite(value):
+    return f"-{value}".replace("--", "") if re.fullmatch(r"-?[\d/.]+", value) else f"-({value})"
+
+
+def tampered(data, record, paths, names, *, opposites):
+    """A copy of a record with one of the places changed, and its path; a text may become its opposite, too."""
     path = data.draw(st.sampled_from(paths))
-    options = [new for new in changes_of(at_path(record, path), sorted(names)) if new != at_path(record, path)]
+    value = at_path(record, path)
+    options = changes_of(value, sorted(names)) + ([opposite(value)] if opposites and isinstance(value, str) else [])
+    options = [new for new in options if new != value]
     assume(options)
     changed = copy.deepcopy(record)
     at_path(changed, path[:-1])[path[-1]] = data.draw(st.sampled_from(options))

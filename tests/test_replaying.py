@@ -362,6 +362,10 @@ def is_equivalent(before, after, path):
         return point_shows(after, path)
     if path[0] in EXPRESSIONS:
         return still_true(after, path)
+    if path[-1] == "pivot" and "constraints" in after["setting"]:  # an entry that is not zero at the point
+        point = {sympy.Symbol(n): sympy.Rational(v) for n, v in after["certificate"]["nonzero at"].items()}
+        sides = (sympy.Matrix([side]) for side in (reread(after).printed, reread(after).derived))
+        return all(0 <= new < len(side) and side[new].xreplace(point) != 0 for side in sides)
     if path[-1] == "multiplier":  # of zero, any other number is as good
         return after["certificate"]["claims"][path[2]] == "0" != new
     if path[0] == "counterexample" or (
@@ -376,7 +380,7 @@ def require_rejection(data, record):
     paths = [path for key in (*EXPRESSIONS, *EVIDENCE) for path in leaves(record[key], (key,))]
     paths = [path for path in paths if path[-1] not in ("method", "variable") and "variables" not in path]
     names = {*re.findall(r"[A-Za-z_]\w*", json.dumps([record["derived"], record["printed"]]))} - {"Matrix"}
-    changed, path = tampered(data, record, paths, names)
+    changed, path = tampered(data, record, paths, names, opposites=True)
     if replay_claim(changed).status == "replayed":
         assert is_equivalent(record, changed, path), (path, at_path(record, path), at_path(changed, path))
 

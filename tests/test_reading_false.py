@@ -177,6 +177,8 @@ def test_what_does_not_hold_does_not_follow(latex):
         r"For a rotation matrix $R$ \[ T := \begin{bmatrix} R & \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \] "
         r"\[ T^{-1} = \begin{bmatrix} R^T & -R^T \mathbf{t} \\ \mathbf{0} & 1 \end{bmatrix} \]",
         r"\[ \mathbf{A}\mathbf{0} = \mathbf{0} \]",
+        r"\[ \sum_{i=1}^n (\hat{y}_i - \hat{z}_i)^2 = \sum_{i=1}^n \hat{y}_i^2 - 2 \sum_{i=1}^n \hat{y}_i \hat{z}_i "
+        r"+ \sum_{i=1}^n \hat{z}_i^2 \]",
         JACOBIAN + r"\[ \mathbf{J}_l(\boldsymbol\omega) = \mathbf{J}_l(-\boldsymbol\omega)^T \]",
         JACOBIAN
         + r"\[ \mathbf{J}_l(\boldsymbol\omega) = \exp(\boldsymbol\omega^\wedge) \mathbf{J}_l(-\boldsymbol\omega) \]",

@@ -276,7 +276,7 @@ class _Reader:
 
     def whole(self, name: str, arguments: list[_Part], shape: Shape, *, is_call: bool = False) -> _Part:
         """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text."""
-        is_open = shape[0].value is None or shape[1].value is None
+        is_open = is_call and None in (shape[0].value, shape[1].value) and self._vocabulary.is_no_number(name)
 
         def text() -> str:
             if is_open and shape[0].value == shape[1].value == 1:
@@ -303,7 +303,7 @@ class _Reader:
             text = f"{self.size(shape[0])}x{self.size(shape[1])}"
             if text != "1x1":
                 letters[self._vocabulary.name(symbol)] = f"{text} {listed}".strip()
-            elif self._vocabulary.size_of(symbol) is None:
+            elif self._vocabulary.size_of(symbol) is None and self._vocabulary.is_no_number(symbol):
                 raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is a number")
         for own, shape in self._wholes.values():
             if (text := f"{self.size(shape[0])}x{self.size(shape[1])}") != "1x1":

@@ -213,9 +213,12 @@ class Vocabulary:
         return sympy.Symbol(self.name(symbol))
 
     def is_matrix(self, symbol: str) -> bool:
-        """Whether a symbol is written as a vector or a matrix."""
-        bold = _BOLD.search(symbol) is not None or _is_accented(symbol)
-        return bold or symbol in self._matrices or symbol in self._properties
+        """Whether a symbol is written as a vector or a matrix; one with an accent may still be a number."""
+        return _is_accented(symbol) or self.is_no_number(symbol)
+
+    def is_no_number(self, symbol: str) -> bool:
+        """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
+        return _BOLD.search(symbol) is not None or symbol in self._matrices or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""

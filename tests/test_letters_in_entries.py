@@ -1,4 +1,4 @@
-"""Claims about ranks, zeros and structure take vectors and matrices as letters: shown so, and written out."""
+"""Definitions and claims about ranks, zeros and structure take letters: shown so, and written out."""
 
 import re
 
@@ -67,7 +67,8 @@ def test_what_has_no_coordinates_is_refused(derived, properties, message):
 
 def record_of(kind, printed, derived, **options):
     section = Section("mine", "1", "Mine")
-    claim = getattr(section, kind)("1.1", "a claim", printed=printed, derived=derived, **options)
+    forms = {"printed": printed} | ({} if derived is None else {"derived": derived})
+    claim = getattr(section, kind)("1.1", "a claim", **forms, **options)
     return claim_record(judge(claim), timed=False)
 
 
@@ -107,9 +108,10 @@ def test_factors_are_shown_in_letters():
 RANK = ("rank", 2, Skew(t) * R, ESSENTIAL)
 FACTORS = ("vanishing", (Determinant(Q),), Determinant(P * Q), {"nonzero": [Determinant(P)]})
 PATTERN = ("structure", OPPOSITE, A, {"properties": {A: "skew"}})
+NOTATION = ("definition", R.T * t, None, {})
 
 
-@pytest.mark.parametrize(("kind", "printed", "derived", "options"), [RANK, FACTORS, PATTERN])
+@pytest.mark.parametrize(("kind", "printed", "derived", "options"), [RANK, FACTORS, PATTERN, NOTATION])
 def test_the_replay_writes_the_letters_out(kind, printed, derived, options):
     assert replay_claim(record_of(kind, printed, derived, **options)).status == "replayed"
 
@@ -135,6 +137,8 @@ def test_the_replay_writes_the_letters_out(kind, printed, derived, options):
         (PATTERN, {"letters": {"A": "3x3 idempotent"}}, "no free coordinates"),
         (PATTERN, {"letters": {}}, "nothing is stated"),
         (PATTERN, {"kernel": ["A"]}, "expected the entries"),
+        (NOTATION, {"printed": "R*t"}, "the entries are not those"),
+        (NOTATION, {"letters": {"R": "3x3 symmetric", "t": "3x1"}}, "the entries are not those|does not occur"),
     ],
 )
 def test_letters_that_are_not_those_of_the_entries_are_rejected(declared, forged, reason):

@@ -210,7 +210,8 @@ $$ d = 2 \tag{X} $$
 
 def test_rows_that_go_on_are_one_chain_and_equations_side_by_side_are_several():
     latex = r"""\begin{align} a &= b + c \\ &= c + b \\ &\quad + d - d \\ x &= 1 & y &= 2 \end{align}
-    \[ u = v, \quad v = w \quad \text{for } w > 0, \qquad w_i = 1, \; i = 1, \ldots, n \]"""
+    \[ u = v, \quad v = w \quad \text{for } w > 0, \qquad w_i = 1, \; i = 1, \ldots, n \]
+    \[ r_j = s_j, \quad j = 1, 2, 3 \]"""
     found = [(each.read, each.statement.condition) for each in readings(latex)]
     assert found == [
         ("a = b + c = c + b + d - d", ""),
@@ -218,7 +219,8 @@ def test_rows_that_go_on_are_one_chain_and_equations_side_by_side_are_several():
         ("y = 2", ""),
         ("u = v", ""),
         ("v = w", "for w > 0"),
-        ("w_i = 1", "i = 1 n"),
+        ("w_i = 1", r"i = 1 \ldots n"),
+        ("r_j = s_j", "j = 1 2 3"),
     ]
 
 

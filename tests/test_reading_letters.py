@@ -34,6 +34,9 @@ def last(latex, given=None):
         ROTATION + r"\[ \mathbf{c} = R\mathbf{a} \] \[ \mathbf{c}^T\mathbf{c} = \|\mathbf{a}\|^2 \]",
         UNIT + r"\[ P^2 = P \]",
         UNIT + r"\[ P\mathbf{n} = 0 \]",
+        r"For $R \in SO(3)$ we have \[ R^T R = I \]",
+        r"Here $P$ and $Q$ are symmetric matrices. \[ (P Q)^T = Q P \]",
+        r"Here $P$, $Q$ and $S$ are symmetric positive definite matrices. \[ (P Q S)^T = S Q P \]",
         r"\newcommand{\R}{\mathbf{R}} Let $\R$ be a rotation matrix. \[ \R^T\R\mathbf{x} = \mathbf{x} \]",
         r"the unit vector $\mathbf{n}$ \[ [\mathbf{n}]_\times^3 = -[\mathbf{n}]_\times \]",
         r"\[ \mathbf{u} = (A^T A)^{-1} A^T \mathbf{y} \] \[ A^T A\mathbf{u} = A^T\mathbf{y} \]",
@@ -53,7 +56,8 @@ def test_a_letter_like_the_identity_is_read_as_it_where_that_follows():
     proved = last(latex % ("I", ""))
     assert proved.verdict == "follows"
     assert proved.links[0].reason == "read as P**2 = P, where I is the identity"
-    assert last(latex % ("I", "+ P ")).verdict == last(latex % ("J", "")).verdict == "independent"
+    for others in (("I", "+ P "), ("J", "")):
+        assert last(latex % others).links[0].reason == "the shapes fit only if n is a number"
     given = latex.replace(r"\[ P =", r"\[ I = 3\mathbf{n}\mathbf{n}^T \] \[ P =")
     assert last(given % ("I", "")).verdict == "independent"
 
@@ -77,6 +81,16 @@ def test_a_proof_says_what_its_letters_are_taken_for():
         r"if $R$ is a rotation matrix. \[ R^T R\mathbf{x} = \mathbf{x} \]",
         r"$R$ is not a rotation matrix \[ R^T R\mathbf{x} = \mathbf{x} \]",
         r"the derivative of the rotation matrix $R$ \[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"The square of $A$ is the identity matrix. \[ A\mathbf{x} = \mathbf{x} \]",
+        r"The symmetric part of the matrix $A$ is a symmetric matrix. \[ A^T\mathbf{x} = A\mathbf{x} \]",
+        r"The products of $A$ and $B$ are symmetric matrices. \[ B^T\mathbf{x} = B\mathbf{x} \]",
+        r"Neither $A$ nor $B$ are symmetric matrices. \[ B^T\mathbf{x} = B\mathbf{x} \]",
+        r"$R$ is a rotation matrix only if $s = 1$. \[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"$R$ and $S$ are rotation matrices when $s = 1$. \[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"There is no such $R \in SO(3)$. \[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"That $R \in SO(3)$ is false. \[ R^T R\mathbf{x} = \mathbf{x} \]",
+        r"$A$ is the identity matrix times two. \[ A\mathbf{x} = \mathbf{x} \]",
+        r"Here $Q$ represents the rotation matrix $R$. \[ Q^T Q\mathbf{x} = \mathbf{x} \]",
         r"the symmetric part $A$ \[ A^T\mathbf{x} = A\mathbf{x} \]",
         r"the symmetric matrix $A$, and later $A$ is a rotation matrix \[ A^T\mathbf{x} = A\mathbf{x} \]",
         r"\[ \mathbf{A}\mathbf{B} = \mathbf{B}\mathbf{A} \]",
@@ -165,6 +179,10 @@ def test_included_files_are_read_within_bounds(tmp_path):
         r"\[ \leftidx" * 500 + r" \]",
         r"\[ \mathbf{a}" + r"\times\mathbf{a}" * 3000 + r" = 0 \]",
         r"\[ \mathbf{A}^{99} = \mathbf{A} \]",
+        r"\[ " + "{a " * 2000 + r"\over b}" * 2000 + r" = 1 \]",
+        r"\[ \binom{999999999}{3} = 999999999! \]",
+        "".join(rf"\[ E(X_{{{i + 1}}}) = 2 E(X_{{{i}}}) + E(Y_{{{i}}}) \]" for i in range(60)) + r"\[ E(X_{60}) = 1 \]",
+        "".join(rf"\[ c_{{{i}}} - c_{{{i + 1}}} = k \]" for i in range(60)) + r"\[ \sum_{k=1}^n c_0 = n c_0 \]",
         "".join(rf"\[ \mathbf{{v}}_{{{i + 1}}} := \mathbf{{v}}_{{{i}}} + \mathbf{{v}}_{{{i}}}^T \]" for i in range(40)),
         "".join(rf"\[ \mathbf{{M}}_{{{i + 1}}} := \mathbf{{M}}_{{{i}}}\mathbf{{M}}_{{{i}}} \]" for i in range(60))
         + r"\[ \mathbf{M}_{60} = 0 \]",

@@ -29,6 +29,13 @@ ROTATIONS = r"""\[ \begin{bmatrix}\cos z & -\sin z & 0\\ \sin z & \cos z & 0\\ 0
         ENERGY + r"\[ \frac{\partial T}{\partial x} = k x \]",
         ENERGY + r"\[ \dot T = m \dot x \ddot x + k x \dot x \]",
         r"\[ f(x) := x^3 + \sin x \] \[ \frac{d f}{d x} = 3x^2 + \cos x \]",
+        r"\[ f(x) := x^3 \] \[ \frac{d^2 f}{d x^2} = f''(x) \]",
+        ENERGY + r"\[ \frac{d T}{d t} = m \dot x \ddot x + k x \dot x \] The rate is $\dot T$.",
+        r"\[ \frac{d\mathbf{r}}{dt} + \frac{d^2\mathbf{r}}{dt^2} = \dot{\mathbf{r}} + \ddot{\mathbf{r}} \]",
+        r"\[ E(X) = a + b \] \[ E(X^2) = 2 a b \] \[ V(X) = E(X^2) - E(X)^2 \] \[ V(X) = -a^2 - b^2 \]",
+        r"\[ s^2 = a b \] \[ c := s^2 c_1 \] \[ c = a b c_1 \]",
+        r"\[ F = {n \choose k} p^k \] \[ 2 F = 2 \binom{n}{k} p^k \]",
+        r"\[ p(a) = q a \] \[ p(a, b) = 2 p(a) b \] \[ p(a, b) + p(a) = (2b + 1) q a \]",
         PLATE + r"\[ \mathbf{h} = -[\mathbf{\tilde{d}}]\mathbf{w} \]",
         r"\[ \mathbf{c} := \sum_{j=1}^n m_j (\mathbf{r}_j + \mathbf{w}\times\mathbf{d}) \]"
         r"\[ \mathbf{c} = \sum_{j=1}^n m_j \mathbf{r}_j + \mathbf{w}\times\mathbf{d} \sum_{j=1}^n m_j \]",
@@ -206,6 +213,9 @@ def test_an_equation_gives_no_letter_that_it_does_not(latex):
         r"\[ P = K x \] where \[ K = a + b. \]",
         r"The camera $K$ has \[ K x = y. \] It is \[ K = \begin{pmatrix} a & b \\ 0 & c \end{pmatrix}. \]",
         r"\[ x = [a] b \] where \[ [a] = c. \]",
+        r"\[ p + v = q. \] The volume $v$ is given by \[ v = a b c. \]",
+        r"\[ p = v q. \] The height and the width give \[ v = a b c. \]",
+        r"\[ s^2 = a^2 + b^2. \]",
     ],
 )
 def test_a_letter_that_is_introduced_is_defined(latex):
@@ -219,6 +229,11 @@ def test_a_letter_that_is_introduced_is_defined(latex):
         r"If the body rests, \[ v = 0. \]",
         r"\[ p := m v. \] If the body rests, $v = 0$. In general \[ 2 v = 3. \]",
         r"The letters $v > m$. The body has two speeds, where for the first \[ v = 3. \]",
+        r"\[ p + v = 2 q. \] On the other side \[ v = a b c. \]",
+        r"\[ 2 p = v q + v. \] At rest \[ v = a b. \]",
+        r"\[ v = a. \] \section{Other} \[ v = 2 a. \]",
+        r"\[ 2 s = v q + v. \] \[ v^2 = 2 a. \]",
+        r"\[ f(x) = x^3. \] The cube has \[ f'(x) = 2 x. \]",
     ],
 )
 def test_a_letter_in_a_case_is_not(latex):
@@ -229,3 +244,17 @@ def test_a_way_that_would_follow_is_suggested_though_nothing_contradicts():
     (link,) = last(BERNOULLI + r"For the plate \[ c = 1 + \left(\frac{w}{u}\right)^2 \]").links
     assert link.verdict == "independent"
     assert link.suggestion == "1 - (w/u)**2 instead of 1 + (w/u)**2"
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        (r"The mean motion is $n = \sqrt{\mu/a^3}$.", "follows"),
+        (r"The mean motion is $n = \sqrt{\mu/a^3}$. \[ n = 2 \pi/P \]", "independent"),
+        (r"A condition is $n = \sqrt{\mu/a^3}$.", "independent"),
+        (r"The mean motion is not $n = \sqrt{\mu/a^3}$.", "independent"),
+        (r"At a point there is $n = \sqrt{\mu/a^3}$ if $\mu = 1$. Elsewhere $n = 2 a$.", "independent"),
+    ],
+)
+def test_the_only_equation_that_gives_a_letter_in_words_defines_it(words, verdict):
+    assert last(words + r" Hence \[ n^2 a^3 = \mu \]").verdict == verdict

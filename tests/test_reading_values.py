@@ -21,6 +21,18 @@ FOLLOWING = [
     CASE + r"Let $f(x) := c x$. Then \begin{equation} f'(x) = c \end{equation}",
     r"\begin{equation} \frac{d}{dk} (c k) = c \end{equation}",
     r"Let $\dot z = v$ and $y := x z$. Then \[ \dot y - x v = 0 \]",
+    r"\[ y_k = a + c x_k \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ c + d = 1 \] \[ y = k c + d \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ f(k) = c k + d \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ \sum_{k=1}^n k c = 1 \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ \sum_i (\sum_i x_i \mathbf{a}_i) y_i = (\sum_i x_i \mathbf{a}_i) \sum_i y_i \]",
+    r"\[ \sum_{k=1}^{n_i} c_i = n_i c_i \]",
+    r"\[ \sum_{k=0}^n c = n c + c \] \[ \sum_{k=0}^{n-1} c = n c \]",
+    r"\[ \sum_{k=0}^n c = n c + c \]",
+    r"Let $f(x) := a x$ and $g(x) := E(f(x))$. Then \[ g(2) = E(2 a) \]",
+    r"The mean is $\bar x$. \[ \sum_i x_i y_i z_i u_i v_i w_i \bar x_i \bar y_i \bar z_i \bar u_i \bar v_i \bar w_i "
+    r"\hat x_i \hat y_i \hat z_i a = a \sum_i x_i y_i z_i u_i v_i w_i \bar x_i \bar y_i \bar z_i \bar u_i \bar v_i "
+    r"\bar w_i \hat x_i \hat y_i \hat z_i \]",
 ]
 
 NOT_FOLLOWING = [
@@ -50,6 +62,18 @@ NOT_FOLLOWING = [
     CASE + r"Let $f(k) := c k$. Then \begin{equation} \frac{df}{dk} = c \end{equation}",
     CASE + r"Let $f(k) := c k$. Then \begin{equation} f'(k) = c \end{equation}",
     r"\[ x = \cos t \text{ if } t > 0 \] Let $\dot z = v$ and $y := x z$. Then \[ \dot y - x v = 0 \]",
+    r"\[ c - k = 1 \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ c - d = 0 \] \[ d = k + 1 \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ d - c = 1 \] \[ d + k = 2 \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ k = c - 1 \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ y = k = c \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ c^2 = k^2 \] \[ \sum_{k=1}^n c = n c \]",
+    r"Let $a := 1$. \[ a = c - k \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ \mathbf{c} - k \mathbf{a} = 0 \] \[ \sum_{k=1}^n b_k \mathbf{c} = \mathbf{c} \sum_{k=1}^n b_k \]",
+    r"\[ \sum_i \sum_j \mathbf{a}_{ij} y_i = \sum_j \mathbf{a}_{ij} \sum_i y_i \]",
+    r"\[ \sum_{k=1}^{n_k} c = n_k c \]",
+    r"\[ \sum_{k=1}^{n-1} c = n c - c \]",
+    r"\[ n - k = 2 \] \[ \sum_{k=1}^n c = n c \]",
     r"Let $\mathbf{c} := k \mathbf{a}$. Then \[ \sum_{k=1}^n \mathbf{c} = \mathbf{c} \sum_{k=1}^n 1 \]",
     r"\begin{equation} \sum_{i=1}^n \int x_i \, dt = n \int x_i \, dt \end{equation}",
     r"\begin{equation} \sum_{i=1}^n f(i) = n f(i) \end{equation}",

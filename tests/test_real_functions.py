@@ -237,6 +237,20 @@ def test_text_and_sympy_are_taken_as_they_stand(lhs, rhs, options, verdict):
     assert prove(lhs, rhs, **options).verdict == verdict
 
 
+@pytest.mark.parametrize(
+    ("lhs", "rhs"),
+    [
+        ("sqrt(mu/a**3)", "sqrt(mu)/a**(3/2)"),
+        ("sqrt(1/a**3)", "1/a**(3/2)"),
+        ("n*sqrt(mu/a**3)/(a*(1 - e**2))**2", "n*sqrt(mu)/(a**(7/2)*(1 - e**2)**2)"),
+        ("sqrt(b/(a + b)**4)", "sqrt(b)/(a + b)**2"),
+    ],
+)
+def test_a_root_of_a_quotient_by_a_power_is_split(lhs, rhs):
+    assert prove(lhs, rhs).verdict == "proved"
+    assert prove(lhs, f"-{rhs}").verdict == "refuted"
+
+
 def test_the_domain_is_found():
     assert prove("0*log(x)", "0").hypotheses == ("x > 0",)
     assert prove("tan(x)*cos(x)", "sin(x)").hypotheses == ("cos(x) != 0",)

@@ -16,7 +16,7 @@ from algebroproj_sym.declaring import (
     quotations,
     statement_text,
 )
-from algebroproj_sym.expressions import evaluate, over, symbols_of, vector
+from algebroproj_sym.expressions import TextForm, evaluate, over, symbols_of, vector
 from algebroproj_sym.reading import symbols_for, tables_in
 from algebroproj_sym.showing.arranging import as_declared, shown
 
@@ -211,6 +211,23 @@ def test_a_quote_is_read_in_letters_where_the_derived_form_has_them(quote, text,
     assert audited(claim, quotations(folder), symbols_for("1", "1.1", tables_in(folder))).status == "equal"
 
 
+@pytest.mark.parametrize(
+    ("latex", "stated", "shape"),
+    [
+        (r"z = \mathbf{R}^T \mathbf{b}", "R.T*b", (3, 1)),
+        (r"\mathbf{b} = \mathbf{R} \mathbf{b} + \mathbf{b}", "R*b + b", (3, 1)),
+        (r"\mathbf{b} = x", None, ()),
+    ],
+)
+def test_a_definition_is_read_in_letters_where_it_names_matrices(latex, stated, shape, declared):
+    (claim,) = declared('section.definition("1.1", "")', f"latex = '{latex}'", symbols=LETTERS)
+    folder = claim.source.folder
+    assert claim.stated.get("printed", None) == (stated and TextForm(stated, claim.letters))
+    assert getattr(claim.printed, "shape", ()) == shape
+    assert judge(claim).verdict == "definition"
+    assert audited(claim, quotations(folder), symbols_for("1", "1.1", tables_in(folder))).status == "equal"
+
+
 def test_an_audit_tells_letters_that_are_not_those_of_the_quote(declared):
     call = 'z = sympy.MatrixSymbol("b", 3, 1)\nsection.identity("1.1", "", printed=-z, derived=z)'
     (claim,) = declared(call, r"latex = '\mathbf{b}'", symbols=LETTERS)
@@ -234,7 +251,9 @@ def test_what_is_shown_of_a_quote_is_what_is_claimed():
     quoted = [
         c
         for c in claims
-        if c.source.argument("printed") is None and isinstance(c.printed, sympy.Expr | sympy.MatrixBase)
+        if c.source.argument("printed") is None
+        and isinstance(c.printed, sympy.Expr | sympy.MatrixBase)
+        and not c.letters
     ]
     assert len(quoted) > 100
     for claim in quoted:

@@ -11,6 +11,7 @@ from typing import Any, Literal, get_args
 import sympy
 
 from algebroproj_sym.declaring import Claim, Quotations, Quote
+from algebroproj_sym.declaring.claim import as_stated
 from algebroproj_sym.declaring.transcription import beside, numbers_in, readings
 from algebroproj_sym.expressions import TextForm, entries, shape, vector
 from algebroproj_sym.expressions.letters import Reading, letters_text
@@ -102,13 +103,14 @@ def _in_words(number: str, text: str) -> bool:
 
 
 def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:
-    lettered = isinstance(claim.printed, TextForm) and claim.printed.letters is not None
+    stated = as_stated(claim, "printed")
+    lettered = isinstance(stated, TextForm) and stated.letters is not None
     try:
         read = readings(quote, replace(symbols, in_letters=lettered), in_letters if lettered else None)
     except UnreadableError as error:
         return Finding(claim, "failed", f"cannot be read: {error}", quote)
     if lettered:
-        same = letters_text(Reading().term(beside(read), "quote")) == str(claim.printed)
+        same = letters_text(Reading().term(beside(read), "quote")) == str(stated)
         return Finding(claim, "equal" if same else "failed", "" if same else f"the quote reads {beside(read)}", quote)
     if isinstance(claim.printed, TextForm):
         same = _is_same_function(read[0] if len(read) == 1 else vector(*read), claim.printed.text)

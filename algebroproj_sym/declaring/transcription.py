@@ -28,6 +28,7 @@ from algebroproj_sym.reading import (
     in_letters,
     read_formula,
     symbols_for,
+    symbols_in,
     tables_in,
 )
 
@@ -48,7 +49,7 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     derived : Expression or None
         What is derived: the numbers of a quote fill its shape by rows, and a zero stands for a column of zeros.  A row
         is read as a column where the formula begins with what is transposed, as in x^T = (1, y).  If it is in letters,
-        the quote is read in letters, several forms side by side.
+        the quote is read in letters, several forms side by side.  So is a definition with a matrix of the tables.
     build : callable, optional
         What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
 
@@ -57,15 +58,17 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     DeclarationError
         If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
-    quote, found = _read(folder, section, number, build, speaks_of_letters([derived]))
-    if speaks_of_letters([derived]):
+    is_notation = derived is None
+    letters = _names_matrices(section, number, folder) if is_notation else speaks_of_letters([derived])
+    quote, found = _read(folder, section, number, build, letters)
+    if letters:
         return beside(found)
     wanted: tuple[int, ...] = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
         is_row_of_column = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
         return found[0].T if is_row_of_column and _names_a_transpose(quote, section, number, folder) else found[0]
     if not any(map(shape, found)):
-        if derived is None:
+        if is_notation:
             return vector(*found)
         if wanted and len(found) == wanted[0] * wanted[1]:
             return Matrix(*wanted, found)
@@ -121,6 +124,14 @@ def _read(folder: Path, section: str, number: str, build: Builder | None, letter
         raise DeclarationError(
             f"expected a quote that can be read, got the one on line {quote.line}{place}: {error}"
         ) from error
+
+
+def _names_matrices(section: str, number: str, folder: Path) -> bool:
+    """Whether what is defined has a symbol that is a matrix in the tables."""
+    symbols = replace(symbols_for(section, number, tables_in(folder)), in_letters=True)
+    cells = (cell for piece in _quote_of(folder, number).read for cell in _cells(piece))
+    named = (name for cell in cells for name in symbols_in(formula_of(cell, symbols).sides[-1]))
+    return any(isinstance(symbols(name), sympy.MatrixSymbol) for name in named)
 
 
 def _names_a_transpose(quote: Quote, section: str, number: str, folder: Path) -> bool:

@@ -30,7 +30,7 @@ SETTINGS: Mapping[str, set[str]] = {
     "limit": {"variable"},
     "numeric": {"rounding"},
     "reference": set(),
-    "definition": set(),
+    "definition": {"stated"},
 }
 """What an entry of each kind may say beside its forms."""
 

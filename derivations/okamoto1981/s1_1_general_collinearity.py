@@ -59,10 +59,9 @@ section.count(
 # %%
 e = Matrix(3, 3, sympy.symbols("e1:4(1:4)"))
 e11, e12, e13, e21, e22, e23, e31, e32, e33 = e
-lam = sympy.Symbol("lam")
 ray = e * (point - center)
 
-section.definition("2", "central projection", printed=lam * ray)
+section.definition("2", "central projection")
 
 section.definition("3#rotation", "elements of the transposed rotation of the picture")
 
@@ -96,7 +95,7 @@ d = Matrix(3, 3, sympy.symbols("d1:4(1:4)"))
 zco = sympy.Symbol("zco")
 in_comparator = d * vector(x, y, -c) + vector(xco, yco, zco)
 
-section.definition("4", "picture point in the system of the comparator", printed=in_comparator)
+section.definition("4", "picture point in the system of the comparator")
 section.definition("5#rotation", "elements of the rotation to the comparator")
 
 # %% [markdown]

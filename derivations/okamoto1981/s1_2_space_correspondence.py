@@ -96,11 +96,10 @@ SpaceDrawing(
 
 # %%
 To = sympy.Symbol("To")
-lam = sympy.Symbol("lam")
 e = Matrix(4, 4, sympy.symbols("e1:5(1:5)"))
 ray = e * vector(*(point - center), -To)
 
-section.definition("9", "central projection in four dimensions", printed=lam * ray)
+section.definition("9", "central projection in four dimensions")
 
 
 # %% [markdown]
@@ -138,7 +137,7 @@ z, zco, tco = sympy.symbols("z zco tco")
 spatial_center = vector(xco, yco, zco)
 in_comparator = d * vector(x, y, z, -c) + vector(*spatial_center, tco)
 
-section.definition("12", "picture point in the system of the comparator", printed=in_comparator)
+section.definition("12", "picture point in the system of the comparator")
 section.definition("13#rotation", "elements of the rotation to the comparator")
 
 # %% [markdown]

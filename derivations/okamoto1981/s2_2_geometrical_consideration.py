@@ -10,7 +10,7 @@ from collections.abc import Callable
 from itertools import combinations
 
 import sympy
-from sympy import cos, sin, sqrt
+from sympy import MatrixSymbol, cos, sin, sqrt
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.inserting import given
@@ -69,37 +69,15 @@ section.identity("26", "the right ray", where=given(model, on_right_ray), derive
 
 
 # %%
-def about(axis: tuple[int, int], index: str) -> Matrix:
-    """Return the rotation about an axis with symbols for cosine and sine."""
-    name = {ABOUT_Y: "phi", ABOUT_X: "omega", ABOUT_Z: "kappa"}[axis]
-    return plane_rotation(3, *axis, *sympy.symbols(f"c_{name}{index} s_{name}{index}"))
-
-
-x1, y1, c1, x2, y2, c2 = sympy.symbols("x1 y1 c1 x2 y2 c2")
-phi1, kappa1 = about(ABOUT_Y, "1"), about(ABOUT_Z, "1")
-phi2, omega2, kappa2 = about(ABOUT_Y, "2"), about(ABOUT_X, "2"), about(ABOUT_Z, "2")
-
-section.definition(
-    "27",
-    "transformed picture coordinates of the left picture",
-    printed=phi1 * kappa1 * vector(x1, y1, -c1),
-)
-section.definition(
-    "28",
-    "transformed picture coordinates of the right picture",
-    printed=phi2 * omega2 * kappa2 * vector(x2, y2, -c2) + vector(B, 0, 0),
-)
+section.definition("27", "transformed picture coordinates of the left picture")
+section.definition("28", "transformed picture coordinates of the right picture")
 
 # %% [markdown]
 # Without the base they are *reduced*.  With a bar in print, here $\bar X_1$ and so on.
 
 # %%
-phi_any, omega_any, kappa_any = about(ABOUT_Y, ""), about(ABOUT_X, ""), about(ABOUT_Z, "")
-section.definition(
-    "29",
-    "reduced transformed picture coordinates",
-    printed=phi_any * omega_any * kappa_any * vector(x, y, -c),
-)
+D_phi, D_omega, D_kappa = (MatrixSymbol(f"D_{angle}", 3, 3) for angle in ("phi", "omega", "kappa"))
+section.definition("29", "reduced transformed picture coordinates")
 
 # %% [markdown]
 # **Print.**  Divided by their length $A$, the root of the sum of their squares, they are direction cosines: their
@@ -148,28 +126,20 @@ section.identity("32", "picture coordinates", derived=picture_of_measured)
 section.definition("33#h", "the coefficients h")
 
 # %% [markdown]
-# Any matrix may stand for the product of the three rotations.
+# The picture coordinates go into (29).
 
 # %%
-rotation_matrix = Matrix(3, 3, sympy.symbols("r1:4(1:4)"))
-h11, h12, h21, h22 = sympy.symbols("h11 h12 h21 h22")
-reduced = rotation_matrix * vector(*picture_of_measured, -c)
 section.identity(
     "33",
     "reduced transformed picture coordinates of a measured point",
-    printed=rotation_matrix
-    * vector(
-        h11 * (xc - xco + d13 * c) + h12 * (yc - yco + d23 * c),
-        h21 * (xc - xco + d13 * c) + h22 * (yc - yco + d23 * c),
-        -c,
-    ),
-    where=given((h11, h12, h21, h22), inverse_of_d),
-    derived=reduced,
+    constraints=[*(Matrix(2, 2, sympy.symbols("h1:3(1:3)")) - inverse_of_d)],
+    derived=D_phi * D_omega * D_kappa * vector(*picture_of_measured, -c),
 )
 
 # %% [markdown]
 # **Meaning.**  A matrix takes the homogeneous measured point to the direction of its ray: the adjugate of the affine
-# map of the comparator, turned.  A free factor does not change a direction.
+# map of the comparator, turned.  A free factor does not change a direction.  Any matrix may stand for the product of
+# the three rotations.
 
 
 # %%
@@ -178,6 +148,8 @@ def ray_matrix(orientation: Matrix, inner: Matrix) -> Matrix:
     return orientation * adjugate(inner)
 
 
+rotation_matrix = Matrix(3, 3, sympy.symbols("r1:4(1:4)"))
+reduced = rotation_matrix * vector(*picture_of_measured, -c)
 inner_general = seen_by_comparator(d[:2, :], c, comparator_center)
 section.up_to_scale(
     "33/beyond/ray-matrix",
@@ -504,15 +476,15 @@ section.identity("38#rotation", "the three matrices are a rotation", printed=E3,
 # **Question.**  The quotient of distances is the same for all pairs of points, and (37) calls it $m$.  Is it the $m$ of
 # (38)?
 #
-# **Definition.**  A similar model, here not turned, as a rotation does not change distances, and the squares of the
-# distances of its points.
+# **Definition.**  A similar model, here not turned, as a rotation does not change distances.
 
 # %%
 first_model, second_model = vector(*sympy.symbols("XM_i YM_i ZM_i")), vector(*sympy.symbols("XM_k YM_k ZM_k"))
 first_object, second_object = vector(*sympy.symbols("X_i Y_i Z_i")), vector(*sympy.symbols("X_k Y_k Z_k"))
-object_segment = dot(first_object - second_object, first_object - second_object)
+difference, object_difference = first_model - second_model, first_object - second_object
+object_segment = dot(object_difference, object_difference)
 scale = sympy.Symbol("s")
-similar = list((first_model - second_model) - scale * (first_object - second_object))
+similar = list(difference - scale * object_difference)
 
 # %% [markdown]
 # **Print.**  The numerator of (37) subtracts a point from itself.
@@ -521,30 +493,31 @@ similar = list((first_model - second_model) - scale * (first_object - second_obj
 section.identity(
     "37",
     "quotient of the line segments of model and object",
-    printed=dot(first_model - first_model, first_model - first_model) / object_segment,
-    derived=scale**2,
+    printed=sqrt(dot(first_model - first_model, first_model - first_model) / object_segment),
+    derived=scale,
     constraints=similar,
     nonzero=[object_segment],
+    assumptions=[scale > 0],
     expect="misprint",
-    corrected=dot(first_model - second_model, first_model - second_model) / object_segment,
-    note="Squared, and for a model that is not turned, which does not change distances (38#rotation).  The numerator "
-    "is printed with the index Mi twice; the second must be Mk, as the denominator shows.  The scan alone cannot tell "
-    "a slip of the scan from one of the print.",
+    corrected=sqrt(dot(difference, difference) / object_segment),
+    note="For a model that is not turned, which does not change distances (38#rotation).  The numerator is printed "
+    "with the index Mi twice; the second must be Mk, as the denominator shows.  The scan alone cannot tell a slip of "
+    "the scan from one of the print.",
 )
 
 # %% [markdown]
 # In (37) $m$ is model over object.  In (38) it multiplies the model to give the object: it is the reciprocal.
 
 # %%
-difference = first_model - second_model
 section.identity(
     "38#m",
     "the scale of (38) in the quotient of (37)",
-    printed=m**2,
-    derived=over(dot(difference, difference), dot(m * difference, m * difference)),
+    printed=m,
+    derived=sqrt(dot(difference, difference) / dot(m * difference, m * difference)),
+    assumptions=[m > 0],
     expect="misprint",
-    corrected=1 / m**2,
+    corrected=1 / m,
     note="(37) defines m as model over object, (38) multiplies the model by m to get the object: one of the two is the "
-    "reciprocal of the other.  Squared and without the rotation, as in 37.  Read as two different numbers with one "
+    "reciprocal of the other.  Without the rotation, as in 37.  Read as two different numbers with one "
     "letter both equations are right.",
 )

@@ -40,4 +40,12 @@ def definition(
     return section.declare(DEFINITION, number, title, printed, None, **options)
 
 
-DEFINITION = Kind("definition", definition, compare, "It introduces a notation.", is_notation=True)
+DEFINITION = Kind(
+    "definition",
+    definition,
+    compare,
+    "It introduces a notation.",
+    takes=("letters",),
+    of_entries=True,
+    is_notation=True,
+)

@@ -8,24 +8,30 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable
+from contextlib import suppress
 from functools import reduce
-from typing import Any
+from typing import Any, TypeVar
 
 from lark import Token, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
+from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
-from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
 
+Read = TypeVar("Read")
 MOST_PARTS = 1_000
 """How many parts a side may have, with all definitions put in."""
 _STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 _COLUMN = re.compile(rf"{_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
+_LATIN = re.compile(rf"{_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{_STYLE}[a-z]")
+_ZERO = r"\mathbf{0}"
 _TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
 _SIZES = "nmklpqrstuvw"
+_OF_LETTERS = ("sin", "cos", "norm")
+"""Functions that the prover takes as they are."""
 FREE = "free"
 """How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
 WHOLE = "whole"
@@ -110,12 +116,37 @@ class _Part:
 def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
     """Return the question whether two sides are equal, with vectors and matrices as letters.
 
+    Bold Greek letters are tensors if they cannot be columns.  A rotation has three dimensions if blocks need a size.
+
     Raises
     ------
     UnreadableError
         If shapes do not fit, or something is read and not computed.
     """
-    reader = _Reader(vocabulary)
+    return _first_read(vocabulary, lambda reader: _asked(reader, left, right))
+
+
+def has_shape(vocabulary: Vocabulary, tree: Formula) -> bool:
+    """Whether a formula can be written with vectors and matrices as letters."""
+    try:
+        _first_read(vocabulary, lambda reader: reader.part(tree))
+    except UnreadableError:
+        return False
+    return True
+
+
+def _first_read(vocabulary: Vocabulary, read: Callable[[_Reader], Read]) -> Read:
+    """Return what is read with bold Greek letters as columns, or as tensors, or with rotations of three dimensions."""
+    try:
+        return read(_Reader(vocabulary, _COLUMN))
+    except UnreadableError as error:
+        for reader in (_Reader(vocabulary, _LATIN), _Reader(vocabulary, _COLUMN, _Size(3))):
+            with suppress(UnreadableError):
+                return read(reader)
+        raise error
+
+
+def _asked(reader: _Reader, left: Formula, right: Formula) -> Question:
     sides = [reader.part(tree) for tree in (left, right)]
     zero = next((place for place, side in enumerate(sides) if side.is_zero), None)
     if zero is None:
@@ -123,18 +154,11 @@ def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
     return reader.question(sides)
 
 
-def has_shape(vocabulary: Vocabulary, tree: Formula) -> bool:
-    """Whether a formula can be written with vectors and matrices as letters."""
-    try:
-        _Reader(vocabulary).part(tree)
-    except UnreadableError:
-        return False
-    return True
-
-
 class _Reader:
-    def __init__(self, vocabulary: Vocabulary) -> None:
+    def __init__(self, vocabulary: Vocabulary, column: re.Pattern[str], of_rotations: _Size | None = None) -> None:
         self._vocabulary = vocabulary
+        self.column = column
+        self._of_rotations = of_rotations
         self._letters: dict[str, Shape] = {}
         self._known: dict[str, _Part] = {}
         self._sizes: dict[_Size, str] = {}
@@ -142,6 +166,7 @@ class _Reader:
         self._functions: dict[str, str] = {}
         self._wholes: dict[str, tuple[str, Shape]] = {}
         self._called: dict[str, str] = {}
+        self._applied: set[str] = set()
 
     def part(self, tree: Formula) -> _Part:
         """Return a formula as a part, with all definitions put in."""
@@ -163,13 +188,12 @@ class _Reader:
         """Return what a symbol stands for."""
         if symbol in self._known:
             return self._known[symbol]
+        if symbol == _ZERO:
+            return _number("0")
         vocabulary = self._vocabulary
-        if (
-            symbol in vocabulary.given.symbols
-            or vocabulary.constant(symbol) is not None
-            or symbol == r"\infty"
-            or is_operator(symbol)
-        ):
+        if vocabulary.constant(symbol) is not None:
+            return self.whole(symbol, [], (_Size(1), _Size(1)))
+        if symbol in vocabulary.given.symbols or symbol == r"\infty" or is_operator(symbol):
             raise UnreadableError(f"{symbol} stands for no letter")
         part = self._letter(symbol)
         part.symbols = vocabulary.behind(symbol)
@@ -184,10 +208,12 @@ class _Reader:
         if size is None and not properties and not vocabulary.is_matrix(symbol):
             return _number(name)
         rows, columns = (_Size(), _Size()) if size is None else (_Size(size[0]), _Size(size[1]))
-        if "unit" in properties or (size is None and _COLUMN.search(symbol)):
+        if "unit" in properties or (size is None and self.column.search(symbol)):
             columns.unite(_Size(1))
         elif properties:
             rows.unite(columns)
+            if self._of_rotations and "rotation" in properties:
+                rows.unite(self._of_rotations)
         if "identity" in properties:
             return _Part((rows, columns), lambda: f"eye({self.size(rows)})")
         shape = self._letters.setdefault(symbol, (rows, columns))
@@ -215,14 +241,46 @@ class _Reader:
         """The symbols that have a definition."""
         return self._vocabulary.definitions
 
+    def depends(self, part: _Part, index: str) -> bool:
+        """Whether a part may depend on the index of a sum."""
+        related = self._vocabulary.dependence.related(index)
+        return any(each in related or not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in part.symbols)
+
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
         return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
 
+    def applied(self, function: str, arguments: list[_Part]) -> _Part:
+        """Return the value of a function that a definition gives; letters in it are those of the arguments, too."""
+        definition = self._vocabulary.definitions[function]
+        parameters = definition.parameters
+        if not definition.usable or len(arguments) != len(parameters) or function in self._applied:
+            raise _refused(f"the value of the function {function}")
+        if hidden := self._vocabulary.hidden_behind(definition):
+            raise UnreadableError(f"{function} depends on {hidden} in a way that is not computed")
+        outside = self._known
+        self._known = {
+            **{each: part for each, part in outside.items() if not {*parameters} & self._vocabulary.behind(each)},
+            **dict(zip(parameters, arguments, strict=True)),
+        }
+        self._applied.add(function)
+        try:
+            return self.part(definition.tree)
+        finally:
+            self._known = outside
+            self._applied.remove(function)
+
+    def may_be_square(self, symbol: str) -> bool:
+        """Whether a letter is a bold capital of which nothing says the size."""
+        return _TABLE.search(symbol) is not None and self._vocabulary.size_of(symbol) is None
+
     def whole(self, name: str, arguments: list[_Part], shape: Shape, *, is_call: bool = False) -> _Part:
         """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text."""
+        is_open = shape[0].value is None or shape[1].value is None
 
         def text() -> str:
+            if is_open and shape[0].value == shape[1].value == 1:
+                raise UnreadableError(f"the shapes fit only if {name} is a number")
             key = f"{name}({', '.join(each.text() for each in arguments)})"
             kind = FREE if is_call and self._called.setdefault(base_of(name), key) == key else WHOLE
             own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}'", shape))
@@ -242,9 +300,11 @@ class _Reader:
         letters = {}
         for symbol, shape in self._letters.items():
             listed = ", ".join(sorted(self._vocabulary.properties_of(symbol)))
-            text = f"{self.size(shape[0])}x{self.size(shape[1])}{' ' if listed else ''}{listed}"
+            text = f"{self.size(shape[0])}x{self.size(shape[1])}"
             if text != "1x1":
-                letters[self._vocabulary.name(symbol)] = text
+                letters[self._vocabulary.name(symbol)] = f"{text} {listed}".strip()
+            elif self._vocabulary.size_of(symbol) is None:
+                raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is a number")
         for own, shape in self._wholes.values():
             if (text := f"{self.size(shape[0])}x{self.size(shape[1])}") != "1x1":
                 letters[own] = text
@@ -254,17 +314,9 @@ class _Reader:
         found = []
         for call, name in self._functions.items():
             kind, _, argument = call.partition("(")
-            if kind in ("sqrt", "norm"):
-                inside = argument[:-1]
-                found.append(f"{name}^2 = {inside if kind == 'sqrt' else f'dot({inside}, {inside})'}")
-            elif kind == "sin" and (other := self._functions.get(f"cos({argument}")):
-                found.append(f"{name}^2 + {other}^2 = 1")
+            if kind == "sqrt":
+                found.append(f"{name}^2 = {argument[:-1]}")
         return found
-
-
-def letters_in(name: str) -> frozenset[str]:
-    """Return the letters in the name of a sum, an integral or a function."""
-    return frozenset(re.findall(r"(?<![a-zA-Z\\])[a-zA-Z](?![a-zA-Z])", name))
 
 
 def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[str]) -> None:
@@ -273,12 +325,6 @@ def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[
     bound += [each[2:] for each in symbols if each.startswith("d ")]
     if defined := [each for each in bound if each in definitions]:
         raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")
-
-
-def index_of(name: str) -> str:
-    """Return the index of a sum; empty for what is no sum over one index."""
-    match = re.match(r"\\sum_\{([a-z])(?:=.*)?\}", name)
-    return match[1] if match else ""
 
 
 def base_of(function: str) -> str:
@@ -347,9 +393,7 @@ class _Parts(_Gathering):
     def product(self, first: _Part, *rest: Any) -> _Part:
         found = first
         for sign, other in zip(rest[::2], rest[1::2], strict=True):
-            if sign.type == "CIRCLED":
-                raise _refused("a product in a circle")
-            found = _joined(sign.type, found, other)
+            found = _joined(str(sign) if sign.type == "CIRCLED" else sign.type, found, other)
         return found
 
     def quotient(self, *parts: _Part) -> _Part:
@@ -375,8 +419,8 @@ class _Parts(_Gathering):
     def call(self, token: Token, arguments: Any) -> _Part:
         name = str(token)
         if name in self.reader.definitions:
-            raise _refused(f"the value of the function {name}")
-        columns = (_Size(), _Size(1)) if _COLUMN.search(name) else (_Size(), _Size())
+            return self.reader.applied(name, arguments)
+        columns = (_Size(), _Size(1)) if self.reader.column.search(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
         part = self.reader.whole(name, arguments, shape, is_call=True)
         part.is_table = _TABLE.search(name) is not None
@@ -385,10 +429,14 @@ class _Parts(_Gathering):
 
     def power(self, base: _Part, exponent: _Part) -> _Part:
         text = exponent.text().replace(" ", "").strip("()").lstrip("+")
+        if base.is_number and exponent.is_number and not re.fullmatch(r"-?\d{1,2}", text):
+            return self.reader.whole("power", [base, exponent], base.shape)
         if not re.fullmatch(r"-?\d{1,2}", text):
             raise _refused(f"the power {text[:20]}")
         if base.square is not None and int(text) == 2:
             return _number_of(base.square, base)
+        if base.shape[1].value == 1 and base.shape[0].value != 1 and int(text) == 2:
+            return _number_of(lambda: f"dot({base.text()}, {base.text()})", base)
         if not base.is_number:
             base.shape[0].unite(base.shape[1])
             if abs(int(text)) > MOST_MATRIX_POWER:
@@ -397,6 +445,8 @@ class _Parts(_Gathering):
 
     def marked(self, base: _Part, mark: Token) -> _Part:
         if mark == "T":
+            if base.is_zero:
+                return base
             return _Part(base.shape[::-1], lambda: f"({base.text()}).T", base)
         if mark == "hat" and not base.is_number:
             _vector(base, 3)
@@ -411,19 +461,24 @@ class _Parts(_Gathering):
         raise _refused("a derivative")
 
     def factorial(self, base: _Part) -> _Part:
-        raise _refused("a factorial")
+        return self.reader.whole("factorial", [_scalar(base, "a factorial")], base.shape)
 
     def function(self, name: Token, arguments: list[_Part]) -> _Part:
         if len(arguments) != 1:
-            raise _refused(f"{name} of {len(arguments)} arguments")
+            return self.reader.whole(str(name), arguments, (_Size(1), _Size(1)))
         (argument,) = arguments
         if name in ("det", "tr", "Tr", "trace"):
             argument.shape[0].unite(argument.shape[1])
             kind = "det" if name == "det" else "trace"
             return _number_of(lambda: f"{kind}({argument.text()})", argument)
+        if name == "exp" and argument.shape[0].value != 1:
+            argument.shape[0].unite(argument.shape[1])
+            return _Part(argument.shape, lambda: f"exp({argument.text()})", argument)
         return self._value(str(name), _scalar(argument, str(name)))
 
     def _value(self, name: str, argument: _Part) -> _Part:
+        if name in _OF_LETTERS:
+            return _number_of(lambda: f"{name}({argument.text()})", argument)
         return _number_of(lambda: self.reader.function(name, argument.text()), argument)
 
     def raised_function(self, name: Token, exponent: _Part, arguments: list[_Part]) -> _Part:
@@ -448,17 +503,20 @@ class _Parts(_Gathering):
         """Return a sum of products: what does not depend on the index stands before or behind it."""
         numbers = [each for each in factors if each.is_number]
         rest = [each for each in factors if not each.is_number]
-        depends = [depends_on(each.symbols, index) for each in rest]
+        depends = [self.reader.depends(each, index) for each in rest]
         first = depends.index(True) if True in depends else len(rest)
         last = len(rest) - depends[::-1].index(True) if True in depends else len(rest)
-        within = [each for each in numbers if depends_on(each.symbols, index)]
+        within = [each for each in numbers if self.reader.depends(each, index)]
         middle = rest[first:last]
         inner = _in_order(within, reduce(_times, middle) if middle else None)
-        outer = [each for each in numbers if not depends_on(each.symbols, index)]
+        outer = [each for each in numbers if not self.reader.depends(each, index)]
         whole = self.reader.whole(name, [inner], inner.shape)
+        whole.symbols = frozenset().union(*(_without(index, each) for each in whole.symbols))
         return reduce(_times, [*outer, *rest[:first], whole, *rest[last:]])
 
     def absolute(self, inside: _Part) -> _Part:
+        if not inside.is_number and any(map(self.reader.may_be_square, inside.symbols)):
+            raise UnreadableError("what stands between bars may be a determinant, or a length")
         return self.norm(inside)
 
     def norm(self, inside: _Part) -> _Part:
@@ -546,26 +604,10 @@ def _in_order(numbers: list[_Part], rest: _Part | None) -> _Part:
     return _Part(shape, text, *parts)
 
 
-def depends_on(symbols: Iterable[str], index: str) -> bool:
-    """Whether an index stands in symbols, or may do so."""
-    return any(not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in symbols)
-
-
-ANY = "any"
-
-
-def letters_of_symbol(symbol: str) -> frozenset[str]:
-    r"""Return a letter and its scripts, on which it depends; "any" for a symbol that may depend on others.
-
-    Examples
-    --------
-    >>> sorted(letters_of_symbol("x_{ij}")), sorted(letters_of_symbol("d x"))
-    (['i', 'j', 'x'], ['any'])
-    """
-    if " " in symbol or "/" in symbol:
-        return frozenset((ANY,))
-    letter, _, below, above = split_symbol(symbol)
-    return frozenset((letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")))
+def _without(index: str, symbol: str) -> frozenset[str]:
+    """Return on what a sum over an index depends by a symbol: by x_i on x alone."""
+    letters = letters_of_symbol(symbol)
+    return letters - {index} if index in letters else frozenset((symbol,))
 
 
 def _divided(above: _Part, below: _Part) -> _Part:
@@ -577,6 +619,12 @@ def _divided(above: _Part, below: _Part) -> _Part:
 
 
 def _joined(kind: str, left: _Part, right: _Part) -> _Part:
+    """Return a product with a point or a cross, or ``A : B``, the sum of the products of their entries."""
+    if kind in (":", "colon") and 1 not in (left.shape[1].value, right.shape[1].value):
+        _same_shape(left, right)
+        return _number_of(lambda: f"trace(({left.text()}).T*{right.text()})", left, right)
+    if kind not in ("DOT", "CROSS"):
+        raise _refused("a product in a circle")
     if left.is_number or right.is_number:
         return _times(left, right)
     if kind == "DOT" and left.shape[1].value == 1 and right.shape[1].value == 1:

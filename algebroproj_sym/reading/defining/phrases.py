@@ -6,6 +6,7 @@ r"""Phrases by which a document says what a letter is: its size, or a property s
     $R$ is a rotation matrix, the rotation matrix $R$,       likewise orthogonal, symmetric, skew-symmetric,
     $n$ is a unit vector, the unit vector $n$                positive definite and diagonal matrices
     $I$ is the identity matrix, the identity matrix $I$
+    $P$ and $Q$ are symmetric matrices                       likewise
 
 Behind "if", "when", "unless", "not" or "whether" a phrase says nothing.
 """
@@ -35,6 +36,10 @@ _KINDS = (
 )
 _ANY = "|".join(f"({kind})" for kind, _ in _KINDS)
 _AFTER = re.compile(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_ARE = re.compile(
+    r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*are\s+(?:the )?"
+    rf"(?:{_ANY.replace('matrix', 'matrices').replace('vector', 'vectors')})(?![\w-])"
+)
 _BE = re.compile(rf"^\$?\s*be\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
 _LET = re.compile(r"\blet(?: the \w+)?\s*\$?$", re.IGNORECASE)
 _BEFORE = re.compile(rf"(?<![\w-])(?:{_ANY})\s*$")
@@ -42,8 +47,20 @@ _OF = re.compile(r"\bof (?:the |an? )?[\w -]*$")
 _ADJECTIVES = ("skew", "symmetric", "diagonal", "positive definite")
 """What may belong to another noun, unless "matrix" follows."""
 _DOUBTS = re.compile(
-    r"\b(?:if|when|whenever|unless|not|whether|no longer|assum\w+|suppos\w+|non)\b[^.]*$", re.IGNORECASE
+    r"\b(?:if|when|whenever|unless|not|nor|neither|none|whether|no longer|assum\w+|suppos\w+|non)\b[^.]*$",
+    re.IGNORECASE,
 )
+_LIMITED = re.compile(
+    r"^\s*\$|"
+    r"^[^.;]*\b(?:if|iff|when|whenever|unless|provided|only|except|times|plus|minus|multiplied|scaled|divided|up to)\b",
+    re.IGNORECASE,
+)
+_NO = re.compile(r"\b(?:no|not|never|neither|nor|none|without)\b(?: [\w-]+){0,3} ?\$?$", re.IGNORECASE)
+_NOT = re.compile(r"^\$?\s*(?:(?:does|do|is|are|need|can|must) ?not|fails|is (?:false|wrong|impossible))\b")
+_OF_IT = re.compile(
+    r"\bof(?: the| an?)?(?: (?:matrix|matrices|vectors?|tensors?))?\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$"
+)
+"""What is said of the square of a letter is not said of the letter."""
 Value = TypeVar("Value")
 _SPACE_OF = re.compile(
     r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
@@ -64,19 +81,30 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
 
 
 def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
-    """Return the symbols that are said to be vectors, matrices, tensors or quaternions: their order matters."""
+    """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
+    return _called(
+        statements, r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?|operators?|rotations?|sets?|events?|groups?)"
+    )
+
+
+def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the symbols that are said to be complex."""
+    return _called(statements, r"complex(?: (?:[a-z-]+|number|variable)s?)?")
+
+
+def _called(statements: Iterable[Statement], things: str) -> frozenset[str]:
+    """Return the symbols that words before or behind them call by a name."""
+    is_before = re.compile(rf"\b{things}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
+    is_behind = re.compile(
+        rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{things}\b", re.IGNORECASE
+    )
     found = set[str]()
     for each in statements:
         if each.display.environment == "inline":
             before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
-            if _THING_BEFORE.search(before[-200:]) or _THING_AFTER.match(after):
-                found |= {*_symbols(each.latex)}
+            if is_before.search(before[-200:]) or is_behind.match(after):
+                found |= {*_symbols(each.latex.partition("=")[0])}
     return frozenset(found)
-
-
-_THINGS = r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?)"
-_THING_BEFORE = re.compile(rf"\b{_THINGS}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
-_THING_AFTER = re.compile(rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{_THINGS}\b")
 
 
 def _agreed(found: Iterable[tuple[str, Value]]) -> dict[str, Value]:
@@ -88,6 +116,8 @@ def _agreed(found: Iterable[tuple[str, Value]]) -> dict[str, Value]:
 
 def _sizes(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[int, int]]]:
     for each in statements:
+        if _is_denied(each):
+            continue
         if match := _SPACE_OF.match(each.latex):
             yield from ((symbol, (int(match[2]), int(match[3] or 1))) for symbol in _symbols(match[1]))
         elif match := _ROTATIONS.match(each.latex):
@@ -97,17 +127,24 @@ def _sizes(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[int, in
 def _properties(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[str, ...]]]:
     for each in statements:
         if match := _ROTATIONS.match(each.latex):
-            yield from ((symbol, ("rotation",)) for symbol in _symbols(match[1]))
+            yield from ((symbol, ("rotation",)) for symbol in _symbols(match[1]) if not _is_denied(each))
         elif each.display.environment == "inline" and (kind := _kind_of(each)):
             yield from ((symbol, (kind,)) for symbol in _symbols(each.latex, 1) if "dot" not in symbol)
+
+
+def _is_denied(statement: Statement) -> bool:
+    """Whether the words beside a formula say that it does not hold."""
+    before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
+    return bool(_NO.search(before) or _NOT.match(after))
 
 
 def _kind_of(statement: Statement) -> str:
     before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
     if _DOUBTS.search(before[-200:]):
         return ""
-    if match := _AFTER.match(after) or (_LET.search(before) and _BE.match(after)):
-        return _KINDS[(match.lastindex or 1) - 1][1]
+    if match := _AFTER.match(after) or _ARE.match(after) or (_LET.search(before) and _BE.match(after)):
+        doubtful = _OF_IT.search(before) or _LIMITED.search(after[match.end() :])
+        return "" if doubtful else _KINDS[(match.lastindex or 1) - 1][1]
     match = _BEFORE.search(before)
     if match is None or _OF.search(before[: match.start()]):
         return ""

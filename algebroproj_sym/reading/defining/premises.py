@@ -9,7 +9,7 @@ letter in which it is linear.  A derivative, such as ``\dot V`` or
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
@@ -27,13 +27,19 @@ from algebroproj_sym.replaying.reals.terms import has_functions
 
 MOST_PREMISES = 300
 """From how many equations before one it may follow, besides those that it names."""
+MOST_VALUES = 30
+"""How many values that are given are put in, one into the other."""
 MOST_NEAR = 3
 """How many equations before one may be premises of it, though words beside them speak of a case."""
-_CITED = re.compile(r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\((\d+(?:\.\d+)*[a-z]?)\)")
+_CITED = re.compile(
+    r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\{(?:eq|numref)\}`([^`]*)`|\((\d+(?:\.\d+)*[a-z]?)\)"
+)
+_VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
+"""What may be given as a whole: a value of a function, and a square."""
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
-_DERIVATIVE = re.compile(r"(d|\\partial)(.+)/\1(.+)")
-_OPERATOR = re.compile(r"(d|\\partial)/\1([a-zA-Z]|\\[a-z]+)")
+_DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
+_OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
 
 
 @dataclass(frozen=True)
@@ -78,6 +84,12 @@ class Premise:
             if symbol and not is_one_value(parameters, other):
                 return self._of(symbol, parameters, other)
         return None
+
+    @cached_property
+    def values(self) -> tuple[tuple[Formula, Formula], ...]:
+        """The sides that are a value of a function, or a square, each with the other side."""
+        pairs = ((self.left, self.right), (self.right, self.left))
+        return tuple((side, other) for side, other in pairs if side.data in _VALUES)
 
     def _of(self, symbol: str, parameters: tuple[str, ...], value: Formula) -> Definition:
         role: Role = "case" if self.special else "premise"
@@ -130,7 +142,7 @@ def cited_in(words: str) -> frozenset[str]:
     >>> sorted(cited_in(r"Put (3) and Eq.~\eqref{eq:area} into \ref{a,b}"))
     ['3', 'a', 'b', 'eq:area']
     """
-    found = (match[1] or match[2] for match in _CITED.finditer(words))
+    found = (match[1] or match[2] or match[3] for match in _CITED.finditer(words))
     return frozenset(name.strip() for names in found for name in names.split(","))
 
 
@@ -172,6 +184,61 @@ def extended(vocabulary: Vocabulary, given: Iterable[Definition]) -> Vocabulary:
             found.define(before)
     found.forget()
     return found
+
+
+def given_values(
+    premises: Iterable[Premise], vocabulary: Vocabulary, sides: Sequence[Formula]
+) -> dict[Formula, Definition]:
+    """Return the values that premises give, such as E(X), each with a letter that stands for what they say.
+
+    Only those are returned that stand in some sides, or in what others are.  A function with a definition is given at
+    its own letters alone; elsewhere it is computed.
+    """
+    said = {value: (premise, other) for premise in premises for value, other in premise.values}
+    found: dict[Formula, Definition] = {}
+    waiting = [each for side in sides for each in _within(side)]
+    while waiting and len(found) < MOST_VALUES:
+        value = waiting.pop(0)
+        if value in found:
+            continue
+        symbol, parameters = defined_by(value)
+        known = vocabulary.definitions.get(symbol) if parameters else None
+        if known is not None and known.usable and known.parameters == parameters:
+            found[value] = replace(known, symbol=f"{vocabulary.text(value)} ", parameters=())
+        elif value in said and not _is_defined(value, vocabulary) and value not in [*_within(said[value][1])]:
+            premise, other = said[value]
+            found[value] = premise._of(f"{vocabulary.text(value)} ", (), other)
+        else:
+            continue
+        waiting += _within(found[value].tree)
+    return {value: replace(each, tree=with_given(each.tree, found)) for value, each in found.items()}
+
+
+def _is_defined(value: Formula, vocabulary: Vocabulary) -> bool:
+    """Whether a definition says what a value of a function is: one with as many letters."""
+    head, *rest = value.children
+    known = vocabulary.definitions.get(str(head)) if value.data == "call" else None
+    return known is not None and [len(each.children) for each in rest if isinstance(each, Tree)] == [
+        len(known.parameters)
+    ]
+
+
+def _within(tree: Formula) -> Iterator[Formula]:
+    """Yield the values in a formula that are none of the index of a sum, or of what a derivative is by."""
+    if tree.data in _VALUES:
+        yield tree
+    for child in tree.children if tree.data not in ("big", "slope") else ():
+        if isinstance(child, Tree):
+            yield from _within(child)
+
+
+def with_given(tree: Formula, given: Mapping[Formula, Definition]) -> Formula:
+    """Return a formula in which letters stand for the values that are given."""
+    if tree in given:
+        return _letter(given[tree].symbol)
+    if tree.data in ("big", "slope"):
+        return tree
+    return Tree(tree.data, [with_given(each, given) if isinstance(each, Tree) else each for each in tree.children])
 
 
 def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: frozenset[str]) -> list[Definition]:
@@ -227,7 +294,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
     match = _OPERATOR.fullmatch(str(tree.children[0])) if tree.data == "big" else None
     if match is None:
         return found, made
-    sign, variable = match.groups()
+    sign, order, variable = match.groups()
     body = found.children[1]
     letters = vocabulary.letters_of(body) - {each.symbol for each in made}
     others = sorted(letters - {variable})
@@ -245,14 +312,14 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
         return found, made
     where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
-    made.append(Definition(symbol, (), _slope(body, variable), where, -1, True))
+    made.append(Definition(symbol, (), _slope(body, variable, order), where, -1, True))
     return _letter(symbol), made
 
 
 def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
     if "/" in symbol:
         match = _DERIVATIVE.fullmatch(symbol)
-        return None if match is None else _of_quotient(symbol, match, vocabulary)
+        return None if match is None else _of_quotient(symbol, match, vocabulary) or _as_dots(symbol, match, occurring)
     if "'" in symbol:
         return _of_prime(symbol, vocabulary)
     bare = _without_dot(symbol)
@@ -261,7 +328,7 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
 
 
 def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Definition | None:
-    sign, above, below = match.groups()
+    sign, order, above, below = match.groups()
     function = _by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), "")
     definition = vocabulary.definitions.get(function)
     if definition is None or not definition.usable:
@@ -278,7 +345,15 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     others = sorted(letters - {variable}) if sign == "d" else []
     if vocabulary.depends(others, variable):
         return None
-    return _made(symbol, _slope(value, variable), definition, others, vocabulary)
+    return _made(symbol, _slope(value, variable, order), definition, others, vocabulary)
+
+
+def _as_dots(symbol: str, match: re.Match[str], occurring: frozenset[str]) -> Definition | None:
+    r"""Return a derivative by t as the letter with dots, as in ``\frac{dx}{dt} = \dot x``; None if there is none."""
+    sign, order, above, below = match.groups()
+    dotted = {None: _with_dot(above), "^2": _with_dot(_with_dot(above))}.get(order, "")
+    rate = _by_bare(sorted(occurring)).get(dotted) if (sign, below) == ("d", "t") else None
+    return Definition(symbol, (), _letter(rate), "a dot as the derivative by t", -1, True) if rate else None
 
 
 def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
@@ -336,8 +411,10 @@ def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
     return f", where {', '.join(map(vocabulary.name, letters))} {verb} not change" if letters else ""
 
 
-def _slope(value: Formula, variable: str) -> Formula:
-    return Tree("slope", [value, _letter(variable)])
+def _slope(value: Formula, variable: str, order: str | None = None) -> Formula:
+    for _ in range(int((order or "^1")[1:])):
+        value = Tree("slope", [value, _letter(variable)])
+    return value
 
 
 def _letter(symbol: str) -> Formula:

@@ -10,7 +10,8 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.phrases import matrices_in, properties_in, sizes_in
+from algebroproj_sym.reading.defining.dependence import Dependence, Tie, ties_of
+from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -114,17 +115,15 @@ class Survey:
         return frozenset(symbol for side in _sides(self.formulas) for symbol in symbols_in(side))
 
     @cached_property
-    def equated(self) -> Mapping[str, frozenset[str]]:
-        """Of each letter that is alone on the left of an equation somewhere, the symbols of the equation."""
-        found: dict[str, frozenset[str]] = {}
+    def dependence(self) -> Dependence:
+        """What the equations say of the letters that may depend on each other."""
+        ties: list[Tie] = []
+        before = set[str]()
         for formula in self.formulas.values():
             if isinstance(formula, Parsed) and not {*EQUALITIES}.isdisjoint(formula.relations):
-                first, *others = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
-                symbols = frozenset(symbol for side in (first, *others) for symbol in symbols_in(side))
-                letter, _ = defined_by(first)
-                if letter:
-                    found[letter] = found.get(letter, symbols) | symbols
-        return found
+                sides = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
+                ties += ties_of(*defined_by(sides[0]), sides, before)
+        return Dependence(tuple(ties))
 
     @cached_property
     def restricted(self) -> frozenset[str]:
@@ -135,7 +134,13 @@ class Survey:
         """Return what is known of the letters before the first equation."""
         sizes, properties = sizes_in(self.statements), properties_in(self.statements)
         found = Vocabulary(
-            self.given.whole, sizes, self._matrices(), properties, equated=self.equated, euler=self._has_euler()
+            self.given.whole,
+            sizes,
+            self._matrices(),
+            properties,
+            dependence=self.dependence,
+            euler=self._has_euler(),
+            complexes=complexes_in(self.statements),
         )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
@@ -152,6 +157,8 @@ class Survey:
                     found |= {*_factors(tree.children[0])}
                 elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                     found |= {*_factors(tree.children[1])}
+        daggers = {symbol for symbol in self.occurring if r"\dagger" in symbol}
+        found |= daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
         return frozenset(found) | matrices_in(self.statements)
 
     def _has_euler(self) -> bool:

@@ -13,21 +13,13 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import entries, shape, text
-from algebroproj_sym.reading.defining.letters import (
-    ANY,
-    FREE,
-    MOST_TERMS,
-    WHOLE,
-    base_of,
-    index_of,
-    letters_in,
-    letters_of_symbol,
-    require_no_value,
-)
+from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
+from algebroproj_sym.reading.defining.letters import FREE, MOST_TERMS, WHOLE, base_of, require_no_value
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 
-_COUNTED = re.compile(r"\\sum_\{[a-z]=1\}\^\{([a-zA-Z])\}")
+_COUNTED = re.compile(r"\\sum_\{[a-z]=(0(?=.*-1)|[01](?!.*-1))\}\^\{([a-zA-Z](?:_\w)?)(-1)?\}")
+"""From 1 to n, from 0 to n, or from 0 to n - 1: n is a number 0, 1, 2, ..."""
 
 
 class Uncomputed:
@@ -45,11 +37,20 @@ class Uncomputed:
 
     def call(self, name: str, arguments: Sequence[Any]) -> Any:
         """Return the value of a function that nothing defines."""
-        vocabulary = self._vocabulary
-        if name in vocabulary.definitions or vocabulary.is_matrix(name) or any(map(shape, arguments)):
+        if self._vocabulary.is_matrix(name):
             raise UnreadableError(f"no definition of the function {name} is known")
         key = f"{name}({', '.join(map(text, arguments))})"
-        kind = FREE if self._first.setdefault(base_of(name), key) == key else WHOLE
+        is_free = name not in self._vocabulary.definitions and self._first.setdefault(base_of(name), key) == key
+        return self._value(name, arguments, FREE if is_free else WHOLE)
+
+    def known(self, name: str, arguments: Sequence[Any]) -> Any:
+        """Return the value of a function that is known, and not computed."""
+        return self._value(name, arguments, WHOLE)
+
+    def _value(self, name: str, arguments: Sequence[Any], kind: str) -> Any:
+        if any(map(shape, arguments)):
+            raise UnreadableError(f"{name} is of numbers, got a matrix")
+        key = f"{name}({', '.join(map(text, arguments))})"
         return self._letter(key, kind, self._on(*arguments) | letters_in(name) | letters_of_symbol(name))
 
     def big(self, name: str, body: Any) -> Any:
@@ -67,12 +68,18 @@ class Uncomputed:
 
     def _summed(self, name: str, index: str, term: Any) -> Any:
         """Return the sum of a product: what does not depend on the index stands before it."""
-        dependent = [symbol for symbol in term.free_symbols if not {index, ANY}.isdisjoint(self._on(symbol))]
+        varying = self._vocabulary.dependence.related(index) | {index, ANY}
+        dependent = [symbol for symbol in term.free_symbols if not varying.isdisjoint(self._on(symbol))]
         outside, inside = term.as_independent(*dependent, as_Add=False) if dependent else (term, sympy.S.One)
         counted = _COUNTED.fullmatch(name)
-        if inside == 1 and counted and counted[1] not in self._vocabulary.definitions:
-            return outside * self._vocabulary.plain(counted[1])
+        if inside == 1 and counted and self._is_number(counted[2], varying):
+            more = (counted[1] == "0") - bool(counted[3])
+            return outside * (self._vocabulary.plain(counted[2]) + more)
         return outside * self._whole(name, inside)
+
+    def _is_number(self, limit: str, varying: frozenset[str]) -> bool:
+        """Whether the upper limit of a sum is a letter that nothing gives, and that does not depend on the index."""
+        return limit not in self._vocabulary.definitions and varying.isdisjoint({limit, *letters_of_symbol(limit)})
 
     def _whole(self, name: str, body: Any) -> Any:
         letters = (self._on(body) | letters_in(name)) - {index_of(name)}
@@ -84,11 +91,11 @@ class Uncomputed:
         return sympy.Symbol(name)
 
     def _on(self, *values: Any) -> frozenset[str]:
-        """Return the letters of the document on which values depend."""
+        """Return the symbols of the document on which values depend, and the letters of these."""
         found: set[str] = set()
         for name in _names(*values):
             symbols = self._vocabulary.behind(self._vocabulary.symbol_of(name))
-            found |= self._letters.get(name) or frozenset().union(*map(letters_of_symbol, symbols))
+            found |= self._letters.get(name) or symbols.union(*map(letters_of_symbol, symbols))
         return frozenset(found)
 
 
@@ -100,6 +107,7 @@ def with_values(vocabulary: Vocabulary) -> Vocabulary:
     """Return a vocabulary in which values that are not computed are letters."""
     found = vocabulary.copied()
     found.uncomputed = Uncomputed(found)
+    found.forget()
     return found
 
 

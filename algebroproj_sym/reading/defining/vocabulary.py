@@ -12,6 +12,7 @@ import sympy
 from lark import Token
 
 from algebroproj_sym.expressions import shape
+from algebroproj_sym.reading.defining.dependence import Dependence
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -19,6 +20,8 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Values, evaluated, symbols_in, text_of
 
 MOST_DEFINITIONS = 20_000
+MOST_LETTERS = 60
+"""How many letters the name of a symbol has; what has the same name by then gets a number."""
 Role = Literal["definition", "premise", "case"]
 
 _LIKE_IDENTITY = re.compile(r"I|\\math(?:bf|bb|rm)\{I\}")
@@ -85,11 +88,13 @@ class Vocabulary:
         matrices: frozenset[str],
         properties: Mapping[str, tuple[str, ...]],
         *,
-        equated: Mapping[str, frozenset[str]],
+        dependence: Dependence,
         euler: bool = False,
+        complexes: frozenset[str] = frozenset(),
     ) -> None:
         self.given = given
-        self.equated = equated
+        self.complexes = complexes
+        self.dependence = dependence
         self.euler = euler
         self.uncomputed: Values | None = None
         self.definitions: dict[str, Definition] = {}
@@ -104,7 +109,7 @@ class Vocabulary:
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
         given = self.given, self._sizes, self._matrices, self._properties
-        copied = Vocabulary(*given, equated=self.equated, euler=self.euler)
+        copied = Vocabulary(*given, dependence=self.dependence, euler=self.euler, complexes=self.complexes)
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
@@ -120,8 +125,7 @@ class Vocabulary:
         shapes = {each for each in map(self._shape_of, trees) if each and each[0] == each[1]}
         if len(shapes) == 1:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
-        else:
-            found._properties |= dict.fromkeys(letters, ("identity",))
+        found._properties = found._properties | dict.fromkeys(letters, ("identity",))
         return found
 
     def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:
@@ -149,7 +153,7 @@ class Vocabulary:
     def name(self, symbol: str) -> str:
         """Return the name of a symbol: one of its own for each, that a Python program could use."""
         if symbol not in self._names:
-            wanted = _identifier(symbol, self.given.letters)
+            wanted = _identifier(symbol, self.given.letters)[:MOST_LETTERS].rstrip("_")
             if wanted in self._taken and _BOLD.search(symbol):
                 wanted += "_bold"
             name, count = wanted, 1
@@ -165,7 +169,7 @@ class Vocabulary:
         while waiting:
             last = waiting.pop()
             definition = self.definitions.get(last)
-            more = ({*definition.symbols} if definition else set()) | self.equated.get(last, frozenset())
+            more = ({*definition.symbols} if definition else set()) | self.dependence.equated.get(last, frozenset())
             waiting += more - found
             found |= more
         return frozenset(found)
@@ -315,6 +319,19 @@ class Vocabulary:
                 return self.name(parameter)
         return ""
 
+    def hidden_behind(self, definition: Definition) -> str:
+        """Return a parameter on which a letter of a function depends otherwise than by definitions; empty if none."""
+        used = self.used_in(definition.tree)
+        given = {each.symbol for each in used}
+        symbols = {symbol for each in (definition, *used) for symbol in each.symbols}
+        for parameter in definition.parameters:
+            if self._has_big(definition) or any(
+                _stands_in(parameter, each) or (each not in given and self.depends([each], parameter))
+                for each in symbols - {parameter}
+            ):
+                return self.name(parameter)
+        return ""
+
     def _has_big(self, definition: Definition) -> bool:
         trees = (definition.tree, *(each.tree for each in self.used_in(definition.tree)))
         return any(part.data == "big" for tree in trees for part in tree.iter_subtrees())
@@ -322,6 +339,8 @@ class Vocabulary:
     def _function(self, definition: Definition, values: Mapping[str, Any]) -> Callable[..., Any]:
         def function(*arguments: Any) -> Any:
             if len(arguments) != len(definition.parameters):
+                if self.uncomputed is not None:
+                    return self.uncomputed.call(definition.symbol, arguments)
                 raise UnreadableError(f"{definition.symbol} is a function of {len(definition.parameters)} arguments")
             if (hidden := self._hidden_in(definition)) and not self._are(arguments, definition.parameters):
                 raise UnreadableError(f"{definition.symbol} depends on {hidden} in a way that is not computed")

@@ -213,9 +213,10 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
             if part and statements and (bracketed or _OPENS.search(statements[-1][1][-1] if statements[-1][1] else "")):
                 statements[-1][1].append("".join(piece.text for piece in part))
                 part = []
-            if part and all(piece.text in _ELLIPSES or piece.text.isspace() for piece in part):
+            if _goes_through(part, statements):
                 if len(statements) > 1:
-                    statements[-2][1].append("".join(piece.text for piece in statements.pop()[0]))
+                    begun = "".join(piece.text for piece in statements.pop()[0])
+                    statements[-1][1].extend([begun, "".join(piece.text for piece in part)])
                 ranges = True
                 continue
             if (part and (_has_relation(part) or (continuing and not statements)) and not ranges) or (
@@ -228,6 +229,15 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
                 statements[-1][1].append(words)
     for pieces, conditions in statements:
         yield pieces, " ".join(conditions).strip()
+
+
+def _goes_through(part: Sequence[Piece], statements: Sequence[tuple[list[Piece], list[str]]]) -> bool:
+    """Whether an ellipsis or a number goes on with a range behind an equation, as in ``x_i = 0, i = 1, 2``."""
+    if part and all(piece.text in _ELLIPSES or piece.text.isspace() for piece in part):
+        return True
+    number, last = ("".join(each.text for each in pieces) for pieces in (part, statements[-1][0] if statements else ()))
+    is_number = re.fullmatch(r"\s*\d+\s*", number) is not None
+    return is_number and len(statements) > 1 and re.fullmatch(r"\s*[a-z]\s*=\s*\d+\s*", last) is not None
 
 
 def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
@@ -270,6 +280,9 @@ def _is_script(before: Sequence[Piece]) -> bool:
 
 def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> bool:
     r"""Whether words stand in a formula, as in ``3 \text{ m} + 4 \text{ m}``."""
+    last = next((piece.text for piece in reversed(before) if not piece.text.isspace()), "")
+    if last in ("+", "-") or last in RELATIONS:
+        return words not in _BETWEEN
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
     goes_on = following in ("+", "-", "/", r"\cdot", r"\times") or following in RELATIONS
     return goes_on and any(not piece.text.isspace() for piece in before) and words not in _BETWEEN

@@ -16,6 +16,7 @@ _BOXES = frozenset((r"\mbox", r"\hbox", r"\textnormal", r"\textup", r"\textsf", 
 _OVER = frozenset((r"\overset", r"\stackrel", r"\underset"))
 _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbracket"))
 _FRAMES = frozenset((*_BRACES, r"\smash", r"\mathclap", r"\textcolor", r"\colorbox"))
+_INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
 _ROOM = frozenset((r"\hskip", r"\kern", r"\mskip", r"\mkern", r"\hspace", r"\hspace*"))
 _ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
 _LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
@@ -73,7 +74,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             relation = "".join(each.text for each in base).strip()
             above = "".join(each.text for each in over).strip()
             if relation == "=" and above in ("!", "?"):
-                relation = r"\equiv"
+                relation = r"\equiv" if above == "!" else r"\questeq"
             defines = relation == "=" and re.search(r"def|triangle", above)
             plain = [piece, *_braced(piece, over), *_braced(piece, base)]
             out += _at(piece, ":=" if defines else relation) if relation in RELATIONS else plain
@@ -85,6 +86,9 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
                 waiting.group()
                 waiting.group()
             waiting.put(_braced(piece, inside))
+        elif text in _INFIX and (start := _group_start(out)) is not None:
+            out[start:] = [_as(piece, _INFIX[text]), *_braced(piece, out[start:]), _as(piece, "{")]
+            waiting.close_group(piece)
         elif text == r"\color":
             waiting.group()
         elif text in _ROOM:
@@ -146,6 +150,14 @@ class _Waiting(list[Piece]):
                 return taken
         raise UnreadableError(f"{opening} is not closed", taken[0].place)
 
+    def close_group(self, piece: Piece) -> None:
+        """Put a closing brace at the end of the group in which the next piece stands."""
+        depth, place = 0, len(self)
+        while place and depth >= 0:
+            place -= 1
+            depth += (self[place].text == "{") - (self[place].text == "}")
+        self.insert(place + 1 if depth < 0 else 0, _as(piece, "}"))
+
     def length(self) -> None:
         r"""Go over a length, as behind ``\hskip`` and ``\hspace``."""
         if self.next == "{":
@@ -171,6 +183,16 @@ class _Waiting(list[Piece]):
                         return [begin, *reversed(body), end]
         self[:] = kept
         return None
+
+
+def _group_start(pieces: Sequence[Piece]) -> int | None:
+    """Return where the group begins in which the next piece stands; None if it stands in none."""
+    depth = 0
+    for place in range(len(pieces) - 1, -1, -1):
+        depth += (pieces[place].text == "}") - (pieces[place].text == "{")
+        if depth < 0:
+            return place + 1
+    return None
 
 
 def _formulas_in(words: Sequence[Piece]) -> list[Piece]:

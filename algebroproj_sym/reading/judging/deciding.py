@@ -23,6 +23,7 @@ from algebroproj_sym.reading.judging.questions import (
     is_elementary,
     is_lettered,
     questions_of,
+    rests_of,
     used_by,
     values_of,
 )
@@ -52,6 +53,7 @@ class Asked:
     identity: bool
     certain: bool
     chained: bool
+    gives: bool
 
 
 def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
@@ -81,6 +83,9 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
             link = replace(link, corrected=best[2][1])
         if way is each.ways[0] or _says(link) > _says(each.link):
             each.link = link
+    for each in asked:
+        if each.gives and each.link.verdict != "follows" and not any(_says(each.link)):
+            each.link = Link("definition", rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
 
 
 def _says(link: Link) -> tuple[bool, bool]:

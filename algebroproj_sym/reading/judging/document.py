@@ -13,7 +13,9 @@ from algebroproj_sym.reading.defining.premises import (
     computed,
     derivatives_in,
     extended,
+    given_values,
     neighbours,
+    with_given,
 )
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -29,12 +31,14 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import Asked, decide
-from algebroproj_sym.reading.judging.doubts import NOT_GIVEN, doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import Sides, Way, asked_of, both_sides, rests_of, used_by
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.words import (
+    CASES,
     CONDITIONAL,
     DEFINES,
+    SAYS,
     Beside,
     beside,
     has_ended,
@@ -117,6 +121,7 @@ class _Pass:
         self.vocabulary = survey.vocabulary()
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
+        self.alone = set[str]()
         self.introduced = False
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
@@ -154,14 +159,25 @@ class _Pass:
         return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
-        before = statement.display.before
-        if len(formula.sides) == 2 and DEFINES.search(before) and not CONDITIONAL.search(last_sentence(before)):
-            definition = self._definition(statement, formula, explicit=True, late=True)
-            if definition is not None and definition.symbol not in self.vocabulary.definitions:
+        before, sentence = statement.display.before, last_sentence(statement.display.before)
+        says = DEFINES.search(before) and not CONDITIONAL.search(sentence)
+        if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
+            definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
+            if (
+                definition is not None
+                and not is_one_value(definition.parameters, definition.tree)
+                and (says or self._is_only_one(definition))
+                and definition.symbol not in self.vocabulary.definitions
+            ):
                 self.vocabulary.define(definition)
         if len(formula.sides) > 1:
             self._note(statement, formula)
             self._restate(formula)
+
+    def _is_only_one(self, definition: Definition) -> bool:
+        """Whether a letter is given by letters, and by no other equation of the document."""
+        ties = self.survey.dependence.ties
+        return bool(definition.symbols) and sum(tie.given == definition.symbol for tie in ties) == 1
 
     def _restate(self, formula: Parsed) -> None:
         """Take notice that a letter with a definition is given within the text, and otherwise."""
@@ -216,14 +232,17 @@ class _Pass:
         """Keep an equation as a premise of what stands behind it."""
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
+        if self.beside.is_denied:
+            return
         sides = formula.sides[defines:]
-        pairs = [(sides[0], sides[-1]), *(pairwise(sides) if len(sides) > 2 else ())] if len(sides) > 1 else []
+        pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
         special, words = bool(self.beside.case()), self.beside.words
         where, display = _where(statement), statement.display
         for left, right in pairs:
             given = where, display.part, display.place, names, special, words
             self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
+            self.alone |= {defined_by(left)[0], defined_by(right)[0]}
 
     # -- definitions
 
@@ -255,6 +274,33 @@ class _Pass:
         words, place = beside(statement, "").words, statement.display.place
         made = Definition(*given, explicit, not statement.condition, place=place, words=words)
         return replace(made, usable=made.usable and computes(made, self.vocabulary))
+
+    def _gives(self, statement: Statement, left: Formula, right: Formula) -> bool:
+        """Whether an equation is the first one that gives its letter, though the letter was used before.
+
+        No word of its own sentence may speak of a case.  Where an equation near it may give the letter as well, its
+        sentence must say that it is introduced.
+        """
+        square = left.data == "power" and not symbols_in(left.children[1])  # type: ignore[arg-type]  # two trees
+        base: Formula = left.children[0] if square else left  # type: ignore[assignment]  # likewise
+        symbol, parameters = defined_by(base)
+        if not symbol or not symbols_in(right) or is_one_value(parameters, right):
+            return False
+        if self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
+            return False
+        if (
+            self.beside.case_of_sentence
+            or symbol in self.vocabulary.definitions
+            or (square and symbol in self.asserted)
+        ):
+            return False
+        if derivatives_in((left,), self.vocabulary, self.survey.occurring):
+            return False
+        near = neighbours(self.premises, statement.display.part, cited_in(statement.display.before))
+        tied = not self.beside.names and any(
+            each.gives is None and symbol in (*symbols_in(each.left), *symbols_in(each.right)) for each in near
+        )
+        return not (tied or symbol in self.alone or is_circular(symbol, right, self.vocabulary))
 
     # -- relations
 
@@ -289,7 +335,8 @@ class _Pass:
             if not way.reads and (known := way.vocabulary.with_identity(*way.sides)) is not None
         ]
         chained = len(formula.sides) > 2
-        asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained)
+        gives = index == 0 and self._gives(statement, left, right)
+        asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
         return asked.link, asked
 
     def _others(self, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
@@ -312,10 +359,24 @@ class _Pass:
             if (ids := tuple(map(id, used))) not in seen:
                 seen.append(ids)
                 yield Way(left, right, known, doubt_of_premises(self.beside, formula, index, known))
+        yield from self._with_given_values(statement, left, right, vocabulary)
         (ours, made), (theirs, more) = (computed(side, vocabulary, self.survey.occurring) for side in (left, right))
         if made or more:
             known = extended(vocabulary, [*made, *more])
             yield Way(ours, theirs, known, doubt_of(self.beside, formula, index, vocabulary))
+
+    def _with_given_values(
+        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
+    ) -> Iterator[Way]:
+        """Yield a relation in which values that equations above give, such as E(X), stand for what they say."""
+        premises = applicable(self.premises, statement.display.part, cited_in(statement.display.before))
+        values = given_values(premises, vocabulary, (left, right))
+        if any(each.role != "definition" for each in values.values()):
+            ours, theirs = (with_given(side, values) for side in (left, right))
+            given = [each.gives for each in premises if each.gives is not None]
+            lone = {symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol}
+            for plain in ([], [each for each in given if each.symbol not in lone]):
+                yield Way(ours, theirs, extended(vocabulary, [*plain, *values.values()]), A_VALUE)
 
     def _under_equations(
         self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary

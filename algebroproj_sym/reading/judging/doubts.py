@@ -23,6 +23,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 NOT_COMPUTED = "stands for is not computed"
 NOT_GIVEN = "its letters are defined nowhere above it"
 A_CONDITION = "it may be a condition"
+A_VALUE = "a value that it rests on may be one of another case"
 _MINUS_ONE = Tree("sum", [Token("SIGN", "-"), Tree("number", [Token("NUMBER", "1")])])
 _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
 

@@ -18,7 +18,7 @@ from algebroproj_sym.reading.defining.premises import Premise
 from algebroproj_sym.reading.defining.values import values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions, written
 
 Sides = tuple[Formula, Formula]
@@ -88,7 +88,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
     if any(_has_two_signs(tree) for tree in (left, right)):
         both = [[_with_signs(tree, upper) for tree in (left, right)] for upper in (True, False)]
         return [question for sides in both for question in questions_of(vocabulary, *sides)]
-    if any(vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)):
+    properties = {vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)}
+    if properties - {(), ("identity",)}:
         raise UnsizedError("a property of a letter says more than its entries")
     values = [vocabulary.value(tree) for tree in (left, right)]
     shapes = [shape(value) for value in values]
@@ -109,7 +110,10 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
         require_bounded(value, "the equation")
         if value.has(sympy.I, sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
             raise UnreadableError("a value is no real number")
-    if shape(values[0]) and any(map(is_elementary, values)):
+    has_functions = any(map(is_elementary, values))
+    if has_functions and (found := vocabulary.complexes & {*symbols_in(left), *symbols_in(right)}):
+        raise UnreadableError(f"{min(map(vocabulary.name, found))} is said to be complex, and functions are real")
+    if shape(values[0]) and has_functions:
         return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
     return [Question(_text(values[0]), _text(values[1]))]
 

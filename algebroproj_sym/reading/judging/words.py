@@ -23,6 +23,18 @@ CASES = re.compile(
 """Words by which an equation may be about a case, so that it contradicts nothing."""
 CONDITIONAL = re.compile(r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case)\b", re.IGNORECASE)
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
+_DENIED = re.compile(
+    r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|"
+    r"not (?:true|equal|hold|follow|valid|correct|the case))\b",
+    re.IGNORECASE,
+)
+_ONLY_SOMETIMES = re.compile(
+    CONDITIONAL.pattern
+    + r"|\b(?:cases?|assum\w+|suppose|approximat\w*|neglect\w*|limit\w*|otherwise|instead|special\w*|"
+    r"setting|equilibrium|at rest|steady|stationary|extrem\w+|absence|ignor\w+|drop\w*|false|without|except)\b",
+    re.IGNORECASE,
+)
+"""Words by which an equation says what a letter is in a case, and not what it is."""
 HENCE = re.compile(
     r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|we (?:get|obtain|find|have|arrive)|gives?|"
     r"giving|yields?|yielding|becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
@@ -33,6 +45,8 @@ HENCE = re.compile(
 """Words by which an equation is said to follow from what is above it."""
 DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is a definition."""
+SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
+"""Words before an inline formula by which it is one, if nothing else in the document gives its letter."""
 
 _NEUTRAL = re.compile(
     r"a|an|the|this|that|these|those|it|its|we|one|us|our|which|whose|what|both|all|each|any|every|and|or|of|to|into|in|"
@@ -101,9 +115,25 @@ class Beside:
         return _case_in(f"{self.condition} {self.behind}")
 
     @property
+    def case_of_sentence(self) -> str:
+        """Return a word of its own sentence by which the equation holds in a case only; empty for none."""
+        found = _ONLY_SOMETIMES.search(f"{self.sentence} {self.condition} {self.behind}")
+        return found.group() if found else ""
+
+    @property
+    def names(self) -> bool:
+        """Whether its own sentence says what something is or stands for."""
+        return _NAMES.search(self.sentence) is not None
+
+    @property
     def is_conditional(self) -> bool:
-        """Whether its own sentence speaks of a condition."""
-        return CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+        """Whether its own sentence speaks of a condition, or denies it."""
+        return self.is_denied or CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+
+    @property
+    def is_denied(self) -> bool:
+        """Whether its own sentence says that it does not hold."""
+        return _DENIED.search(f"{self.sentence} {self.condition} {self.behind}") is not None
 
     @property
     def words(self) -> frozenset[str]:
@@ -173,6 +203,7 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     return next((each for each in words if each.lower() not in known), "")
 
 
+_NAMES = re.compile(r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for)\b", re.IGNORECASE)
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")

@@ -59,6 +59,7 @@ NO_LETTERS = _words(
 """Commands that stand for no letter."""
 BEFORE_LETTER = _words(r"\leftexp \leftidx \prescript \presuper")
 FRACTIONS = _words(r"\frac \dfrac \tfrac \cfrac")
+BINOMIALS = _words(r"\binom \dbinom \tbinom")
 BIG = _words(r"\sum \prod \int \iint \iiint \oint \lim \max \min \sup \inf \bigcup \bigcap \argmin \argmax")
 FUNCTIONS = _words(
     "sin cos tan cot sec csc arcsin arccos arctan arccot asin acos atan atan2 arctan2 sinh cosh tanh coth arcsinh "
@@ -74,7 +75,7 @@ RELATIONS = dict(
             r"\sim#~ \propto#∝ \in#∈ \notin#∉ \ni#∋ \lesssim#≲ \gtrsim#≳ \hookrightarrow#→ \supset#⊃ \subseteq#⊆ "
             r"\supseteq#⊇ \asymp#≍ \prec#≺ \succ#≻ \parallel#∥ \longmapsto#↦ \Longleftrightarrow#⇔ \Leftarrow#⇐ \to#→ "
             r"\rightarrow#→ \longrightarrow#→ \leadsto#→ \leftarrow#← \mapsto#↦ \Rightarrow#⇒ \Longrightarrow#⇒ "
-            r"\implies#⇒ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
+            r"\implies#⇒ \questeq#≟ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
         )
     )
 )
@@ -112,7 +113,7 @@ VALUE_ENDS = frozenset(
 )
 ELLIPSES = frozenset((r"\ldots", r"\dots", r"\cdots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb", "…"))
 CIRCLED = _words(
-    r"\otimes \oplus \odot \ominus \star \ast \bullet \cup \cap \setminus \backslash \land \lor \wedge \vee \mid "
+    r"\circ \otimes \oplus \odot \ominus \star \ast \bullet \cup \cap \setminus \backslash \land \lor \wedge \vee \mid "
     r"\boxplus \boxminus \bigoplus \bigotimes \colon :"
 )
 """Signs between two values that are read, and not computed."""

@@ -68,6 +68,19 @@ def read_fraction(cursor: Cursor) -> None:
         _read_body(cursor)
 
 
+def read_binomial(cursor: Cursor) -> None:
+    """Read a binomial coefficient, as a function of two numbers."""
+    cursor.emit("FUNCTION", "binom")
+    cursor.index += 1
+    above, below = cursor.group(), cursor.group()
+    cursor.emit("OPEN", "{")
+    cursor.inner(above)
+    cursor.emit("SEPARATOR", ",")
+    cursor.inner(below)
+    cursor.emit("CLOSE", "}")
+    read_after(cursor)
+
+
 def read_root(cursor: Cursor) -> None:
     """Read a root, with its degree."""
     cursor.emit("ROOT", r"\sqrt")

@@ -252,10 +252,19 @@ def _at_argument(cursor: Cursor) -> bool:
     )
 
 
+_OF_MATRIX = re.compile(r"\\mathbf\{|[A-Z]$|[)\]]")
+"""How the token before ``^{-T}``, the transposed inverse, begins: a bold letter, a capital, or a bracket."""
+
+
 def emit_power(cursor: Cursor, above: str, raised: Sequence[Piece]) -> None:
     """Add what stands above a value: a mark of matrices, degrees or an exponent."""
     if above in MARKS:
         cursor.emit("MARK", MARKS[above])
+    elif above[:1] == "-" and MARKS.get(above[1:]) == "T" and _OF_MATRIX.match(cursor.out[-1]):
+        cursor.emit("MARK", "T")
+        cursor.emit("SUP", "^")
+        for kind, text in (("OPEN", "{"), ("SIGN", "-"), ("NUMBER", "1"), ("CLOSE", "}")):
+            cursor.emit(kind, text)
     elif above == r"\circ" and cursor.out[-1].type == "NUMBER":
         if cursor.peek() in UPRIGHT or cursor.peek() in ("C", "F"):
             raise cursor.fail("degrees of temperature are not read")

@@ -97,13 +97,15 @@ def outside_braces(pieces: Sequence[Piece]) -> list[Piece]:
 
 
 def says_more(inside: Sequence[Piece]) -> bool:
-    r"""Whether a bracket has more than expressions: a relation, as in ``(X < a)``, a condition, as in ``(y | x)``."""
+    r"""Whether a bracket has more than expressions: a relation or a condition, as in ``(X < a)`` and ``[P || Q]``."""
     texts = [piece.text for piece in outside_braces(inside)]
     bars = sum(text in ("|", r"\vert", r"\mid") for text in texts), sum(text in (r"\|", r"\Vert") for text in texts)
-    return any(each % 2 for each in bars) or any(text in RELATIONS or text == ":" for text in texts)
+    double = bars[0] == 2 and re.search(r"\|\s*\|", "".join(texts)) is not None
+    return double or any(each % 2 for each in bars) or any(text in RELATIONS or text == ":" for text in texts)
 
 
 def bare(pieces: Sequence[Piece]) -> str:
     """Return the text of pieces without braces, spaces and upright style."""
     text = "".join({r"\{": "⦃", r"\}": "⦄"}.get(piece.text, BOLD.get(piece.text, piece.text)) for piece in pieces)
-    return re.sub(r"\\(?:mathrm|text|textrm|mathit|bf|rm|left|right|[,;:!])(?![a-z])|[{}\s,]", "", text)
+    short = re.sub(r"\\(?:mathrm|text|textrm|mathit|bf|rm|left|right|[,;:!])(?![a-z])|[{}\s]", "", text)
+    return re.sub(r",(?![a-z\\])", "", short)

@@ -17,6 +17,7 @@ from algebroproj_sym.reading.lexing.commands import (
     BARS,
     BEFORE_LETTER,
     BIG,
+    BINOMIALS,
     CIRCLED,
     CLOSING,
     DROPPED,
@@ -32,7 +33,14 @@ from algebroproj_sym.reading.lexing.commands import (
     WITH_ARGUMENT,
 )
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.functions import read_big, read_fraction, read_function, read_root, read_underset
+from algebroproj_sym.reading.lexing.functions import (
+    read_big,
+    read_binomial,
+    read_fraction,
+    read_function,
+    read_root,
+    read_underset,
+)
 from algebroproj_sym.reading.lexing.names import (
     at_symbol,
     at_unknown_letter,
@@ -103,6 +111,8 @@ def _step(cursor: Cursor) -> None:
         _read_number(cursor)
     elif text in FRACTIONS:
         read_fraction(cursor)
+    elif text in BINOMIALS:
+        read_binomial(cursor)
     elif text == r"\sqrt":
         read_root(cursor)
     elif text == r"\underset":
@@ -128,7 +138,7 @@ def _step(cursor: Cursor) -> None:
 def _read_operator(cursor: Cursor) -> None:
     text = cursor.text
     kinds = {"/": "SLASH", r"\cdot": "DOT", r"\times": "CROSS", "*": "DOT", "!": "FACTORIAL", r"\div": "SLASH"}
-    kinds |= {"&": "AMP", r"\\": "ROW", ",": "SEPARATOR", ";": "SEPARATOR", r"\circ": "DOT"}
+    kinds |= {"&": "AMP", r"\\": "ROW", ",": "SEPARATOR", ";": "SEPARATOR"}
     if text in SIGNS and SIGNS[text] in "+-" and cursor.out and cursor.out[-1] == "+" and cursor.out[-1].type == "SIGN":
         cursor.out.pop()
         cursor.emit("SIGN", SIGNS[text])

@@ -205,6 +205,9 @@ class Values(Protocol):
     def call(self, name: str, arguments: Sequence[Any]) -> Any:
         """Return the value of a function that nothing defines."""
 
+    def known(self, name: str, arguments: Sequence[Any]) -> Any:
+        """Return the value of a function that is known, and not computed."""
+
     def require_none(self, value: Any) -> None:
         """Refuse an expression in which there is such a value."""
 
@@ -350,6 +353,8 @@ class _Expressions(_Gathering):
 
     def factorial(self, base: Any) -> Any:
         if not isinstance(base, sympy.Integer) or not 0 <= base <= MOST_FACTORIAL:
+            if self.values is not None:
+                return self.values.known("factorial", [base])
             raise UnreadableError(f"a factorial is computed of a number up to {MOST_FACTORIAL} only")
         return sympy.factorial(base)
 
@@ -357,12 +362,17 @@ class _Expressions(_Gathering):
         return _quotient(above, below)
 
     def function(self, name: Token, arguments: list[Any]) -> Any:
-        return _applied(str(name), arguments)
+        try:
+            return _applied(str(name), arguments)
+        except UnreadableError:
+            if self.values is None or name in _OF_MATRICES or name == "diag":
+                raise
+            return self.values.known(str(name), arguments)
 
     def raised_function(self, name: Token, exponent: Any, arguments: list[Any]) -> Any:
         if exponent == -1 and f"arc{name}" in _FUNCTIONS:
             return _applied(f"arc{name}", arguments)
-        return _raised(_applied(str(name), arguments), exponent)
+        return _raised(self.function(name, arguments), exponent)
 
     def root(self, inside: Any) -> Any:
         return sympy.sqrt(_scalar(inside, "a root"))
@@ -385,6 +395,8 @@ class _Expressions(_Gathering):
 
     def inner(self, items: list[Any]) -> Any:
         if len(items) != 2:
+            if self.values is not None:
+                return self.values.known("mean", items)
             raise UnreadableError("an inner product is of two vectors")
         return _dotted(*items)
 
@@ -553,6 +565,8 @@ def _applied(name: str, arguments: list[Any]) -> Any:
         return _OF_MATRICES[name](matrix)
     if name == "diag" and all(not shape(each) for each in arguments):
         return Matrix(len(arguments), len(arguments), lambda i, j: arguments[i] if i == j else 0)
+    if name == "binom" and all(isinstance(each, sympy.Integer) and 0 <= each <= MOST_FACTORIAL for each in arguments):
+        return sympy.binomial(*arguments)
     base, _, index = name.partition("_")
     function = _FUNCTIONS.get(base)
     if function is None or len(arguments) != (2 if base.endswith("2") else 1):

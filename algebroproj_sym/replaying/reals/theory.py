@@ -237,7 +237,8 @@ class Theory:
         if kind == "*":
             return args[0] * args[1]
         if kind == "/":
-            return args[0] / self._divisor(args[1], granted)
+            self._divisor(args[1], granted)
+            return self._divided(args[0], term.args[1])
         if kind == "^":
             return self._power(args[0], term.value, granted)
         return self.applied(kind, *args, granted=granted)
@@ -246,6 +247,14 @@ class Theory:
         require(not element.is_zero, "a divisor is zero")
         self._ask("!=", element, "a divisor", granted)
         return element
+
+    def _divided(self, value: Element, divisor: Term) -> Element:
+        """Return a quotient by a divisor, factor by factor as it is written: so the sign of x/a**2 is that of x."""
+        if divisor.kind == "*":
+            return self._divided(self._divided(value, divisor.args[0]), divisor.args[1])
+        if divisor.kind == "^" and divisor.value > 0 and divisor.value.denominator == 1:
+            return value * self.term(divisor.args[0]) ** -int(divisor.value)
+        return value / self.term(divisor)
 
     def _power(self, base: Element, exponent: Fraction, granted: bool) -> Element:
         if exponent.denominator > 1:

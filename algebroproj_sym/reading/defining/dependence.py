@@ -1,0 +1,146 @@
+"""On what letters may depend: on what stands in equations with them.
+
+A letter that is alone on the left depends on what stands on the right.  Where none is, or where it was known before,
+each letter of the equation may depend on each other one: ``c - k = 1`` gives c by k as well as k by c.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import pairwise
+
+from lark import Tree
+
+from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+
+ANY = "any"
+"""What stands for all letters on which a symbol may depend that is more than a letter with scripts."""
+_BEGINNING = -1
+
+
+@dataclass(frozen=True)
+class Tie:
+    """An equation, as far as it says on what letters may depend.
+
+    Attributes
+    ----------
+    given : str
+        The letter that is alone on the left; empty for none.
+    others : frozenset of str
+        The other symbols, without those that are indices of sums in it.
+    is_first : bool
+        Whether no equation before it has the letter on the left.
+    """
+
+    given: str
+    others: frozenset[str]
+    is_first: bool
+
+
+@dataclass(frozen=True)
+class Dependence:
+    """What the equations of a document say of the letters that may depend on each other."""
+
+    ties: tuple[Tie, ...] = ()
+    _related: dict[str, frozenset[str]] = field(default_factory=dict, compare=False)
+
+    @cached_property
+    def equated(self) -> dict[str, frozenset[str]]:
+        """Of each letter that is alone on the left somewhere, the symbols of these equations."""
+        found: dict[str, frozenset[str]] = {}
+        for tie in self.ties:
+            if tie.given:
+                found[tie.given] = found.get(tie.given, frozenset()) | tie.others
+        return found
+
+    @cached_property
+    def _places(self) -> dict[str, list[int]]:
+        found: dict[str, list[int]] = {}
+        for place, tie in enumerate(self.ties):
+            for symbol in tie.others | {tie.given}:
+                found.setdefault(symbol, []).append(place)
+        return found
+
+    def related(self, index: str) -> frozenset[str]:
+        """Return the symbols that may depend on an index, as far as equations in which it stands alone say so."""
+        if index not in self._related:
+            self._related[index] = self._closure(index)
+        return self._related[index]
+
+    def _closure(self, index: str) -> frozenset[str]:
+        reasons: dict[str, set[int]] = {index: {_BEGINNING}}
+        waiting = [index]
+        while waiting:
+            for place in self._places.get(waiting.pop(), ()):
+                for symbol in self._reached(self.ties[place], place, index, reasons):
+                    known = reasons.setdefault(symbol, set())
+                    if place not in known and len(known) < 2:
+                        known.add(place)
+                        waiting.append(symbol)
+        return frozenset(reasons)
+
+    def _reached(self, tie: Tie, place: int, index: str, reasons: dict[str, set[int]]) -> frozenset[str]:
+        """Return what depends on the index by an equation, if what has other reasons does."""
+        if not tie.given or not (tie.is_first or index in letters_of_symbol(tie.given)):
+            return tie.others | ({tie.given} if tie.given else frozenset())
+        found: frozenset[str] = frozenset((tie.given,)) if tie.others & reasons.keys() else frozenset()
+        return found | tie.others if reasons.get(tie.given, {place}) - {place} else found
+
+
+def ties_of(letter: str, parameters: Sequence[str], sides: Sequence[Formula], before: set[str]) -> Iterator[Tie]:
+    """Yield what an equation or a chain says, with a letter or a function of parameters on its left, or with none.
+
+    Parameters
+    ----------
+    letter : str
+        The letter that is its first side; empty for none.
+    parameters : sequence of str
+        The letters that it is a function of.
+    sides : sequence of Tree
+        All sides.
+    before : set of str
+        The symbols of the equations before it; those of this one are added.
+    """
+    symbols = [free_symbols(each) - {letter, *parameters} for each in sides]
+    yield Tie(letter, frozenset().union(*symbols), letter not in before)
+    yield from (Tie("", one | other, True) for one, other in pairwise(symbols[1:]) if one != other)
+    before.update({letter}, *symbols)
+
+
+def free_symbols(tree: Formula) -> frozenset[str]:
+    """Return the symbols of a formula, without the indices of the sums in which they stand."""
+    bound = {id(each): index_of(str(each.children[0])) for each in tree.find_data("big")}
+    if not any(bound.values()):
+        return frozenset(symbols_in(tree))
+    found = frozenset().union(*(free_symbols(each) for each in tree.children if isinstance(each, Tree)))
+    own = Tree(tree.data, [each for each in tree.children if not isinstance(each, Tree)])
+    return (found | frozenset(symbols_in(own))) - {bound.get(id(tree), "")}
+
+
+def index_of(name: str) -> str:
+    """Return the index of a sum; empty for what is no sum over one index."""
+    match = re.match(r"\\sum_\{([a-z])(?:=.*)?\}", name)
+    return match[1] if match else ""
+
+
+def letters_in(name: str) -> frozenset[str]:
+    """Return the letters in the name of a sum, an integral or a function."""
+    return frozenset(re.findall(r"(?<![a-zA-Z\\])[a-zA-Z](?![a-zA-Z])", name))
+
+
+def letters_of_symbol(symbol: str) -> frozenset[str]:
+    r"""Return a letter and its scripts, on which it depends; "any" for a symbol that may depend on others.
+
+    Examples
+    --------
+    >>> sorted(letters_of_symbol("x_{ij}")), sorted(letters_of_symbol("d x"))
+    (['i', 'j', 'x'], ['any'])
+    """
+    if " " in symbol or "/" in symbol or symbol == ANY:
+        return frozenset((ANY,))
+    letter, _, below, above = split_symbol(symbol)
+    return frozenset((letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")))

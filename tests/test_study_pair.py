@@ -440,3 +440,12 @@ def test_columns_have_any_order_and_others_are_ignored(tmp_path):
         for text, name in ((table(1, "ordinary", 30), "a"), ("\ufeff" + "\n".join(shuffled), "b"))
     ]
     assert results[0].stdout.splitlines()[:-1] == results[1].stdout.splitlines()[:-1]
+
+
+@pytest.mark.parametrize(("seed", "sigma"), [(1003754, 1.71), (1007612, 0.6)])
+def test_minima_beside_a_critical_configuration_are_found(seed, sigma):
+    """The least minimum, or the next one, is far from what eight points give."""
+    known = pair(seed, "quadric", 100, sigma)
+    judgement = judge(known.x1, known.x2, sigma)
+    assert judgement.verdict == DISTRUST
+    assert any("Another matrix fits, too" in reason for reason in judgement.reasons)

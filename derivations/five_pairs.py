@@ -14,6 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 from itertools import combinations_with_replacement
+from math import prod
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,7 +36,7 @@ BLOCK = 512
 ATTEMPTS = 5
 """How often floating-point numbers try a problem, each time with other unknowns."""
 
-MISSED = 2.0**-43
+MISSED = 2.0**-45
 """By how much complex numbers of float64 miss an equation at most, as a share of the lengths of its two vectors."""
 
 RESIDUAL = 2.0**-89
@@ -271,6 +272,12 @@ def _inverse(matrices: NDArray[Any]) -> NDArray[Any]:
         return np.where(given, np.linalg.pinv(np.where(given, matrices, 0)), np.nan)
 
 
+def _norms(arrays: NDArray[Any]) -> Numbers:
+    """Return the Euclidean norm of each array."""
+    flat = np.ascontiguousarray(arrays.reshape(len(arrays), prod(arrays.shape[1:]))).view(np.float64)
+    return np.asarray(np.sqrt(np.einsum("ij,ij->i", flat, flat)))
+
+
 def _unit(vectors: Complex) -> Complex:
     return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
 
@@ -295,30 +302,33 @@ class _Tested:
 
 def _all_tested(starts: Complex, sides: NDArray[np.int64], left: Numbers, right: Numbers) -> _Tested:
     """Return all solutions: real ones in real numbers, one of two conjugate ones, and the other as its conjugate."""
-    found = _Tested(np.empty_like(starts), np.empty(sides.shape))
-    rows = _rows(left, right)
+    flat, rows = starts.reshape(-1, 3, 3), _rows(left, right)
+    matrices, radii = np.empty_like(flat), np.empty(len(flat))
     for side in (0, 1):
-        of_side = np.nonzero(sides == side)
-        start = starts[of_side] if side else starts[of_side].real
-        place = (*_base_and_rotation(start), rows[of_side[0]])
-        one = _tested(*place) if side else _tested_precisely(*place, *(points[of_side[0]] for points in (left, right)))
-        for k in range(side + 1):
-            solution = of_side[0], of_side[1] + k
-            found.E[solution], found.radius[solution] = one.E.conj() if k else one.E, one.radius
-    return found
+        of_side = np.flatnonzero(sides == side)
+        start, problem = flat[of_side], of_side // SOLUTIONS
+        place = (*_base_and_rotation(start if side else start.real), rows[problem])
+        one = _tested(*place) if side else _tested_precisely(*place, left[problem], right[problem])
+        matrices[of_side], radii[of_side] = one.E, one.radius
+        if side:
+            matrices[of_side + 1], radii[of_side + 1] = one.E.conj(), one.radius
+    return _Tested(matrices.reshape(starts.shape), radii.reshape(sides.shape))
 
 
-def _tested(base: Complex, quaternion: Complex, rows: Numbers) -> _Tested:
-    """Return how far exact solutions are from approximate ones.
+def _tested(base: Complex, quaternion: Complex, rows: Numbers, again: bool = True) -> _Tested:
+    """Return how far exact solutions are from approximate ones; where that fails, after a step of Newton's method.
 
     What is rounded.  The terms of the nine elements have absolute values whose sums, as a vector, have a norm of at
     most 7/2, and there are at most 32 operations on the way from base and quaternion to an equation.  A complex number
-    of float64 is rounded by 9/4 u; this makes less than 2**10 u: see MISSED.
+    of float64 is rounded by 9/4 u; this makes 252 u, less than 2**8 u: see MISSED.
     """
     essential = _essential(base, quaternion)
     residual = (rows @ essential.reshape(-1, 9, 1))[..., 0]
     ball = _ball(base, quaternion, rows, _derivatives(base, quaternion), residual, MISSED)
-    return _Tested(essential, 16 * ball.reach)
+    found = _Tested(essential, 16 * ball.reach)
+    if again:
+        _test_again(_tested, found, ball.step, base, quaternion, rows)
+    return found
 
 
 def _tested_precisely(
@@ -330,8 +340,6 @@ def _tested_precisely(
     from the step by at most ``2 h |1 - Y J| + 48 |Y| h**2``, and by what rounding changes.  In double-double numbers
     each operation rounds at most 16 u**2, which makes less than 2**13 u**2: see RESIDUAL.  The step changes the matrix
     by its derivative times the step, and by less than 9 times the square of the step.
-
-    Where this is not precise enough, the test is done again from there.
     """
     from ._runtime.pairs import DoubleDouble
 
@@ -344,12 +352,20 @@ def _tested_precisely(
     apart = ball.reach * (2 * ball.off + 48 * ball.weight * ball.reach) + ball.rounded
     radius = 16 * (apart + ball.reach**2) + 2.0**-40 * ball.reach
     found = _Tested(essential.reshape(-1, 3, 3), np.where(radius < 16 * PRECISE, radius, np.inf))
-    rest = np.flatnonzero(np.isinf(found.radius) & np.isfinite(ball.step).all(axis=1))
-    if again and len(rest):
-        moved = np.concatenate([base, quaternion], axis=1)[rest] + ball.step[rest]
-        place = _unit(moved[:, :3]), _unit(moved[:, 3:]), *(each[rest] for each in (rows, left, right))
-        found.E[rest], found.radius[rest] = vars(_tested_precisely(*place, again=False)).values()
+    if again:
+        _test_again(_tested_precisely, found, ball.step, base, quaternion, rows, left, right)
     return found
+
+
+def _test_again(
+    test: Any, found: _Tested, step: NDArray[Any], base: NDArray[Any], quaternion: NDArray[Any], *others: Numbers
+) -> None:
+    """Write what a test finds after a step where it has failed before."""
+    rest = np.flatnonzero(np.isinf(found.radius) & np.isfinite(step).all(axis=1))
+    if len(rest):
+        moved = np.concatenate([base, quaternion], axis=1)[rest] + step[rest]
+        one = test(_unit(moved[:, :3]), _unit(moved[:, 3:]), *(each[rest] for each in others), again=False)
+        found.E[rest], found.radius[rest] = one.E, one.radius
 
 
 @dataclass(frozen=True)
@@ -401,14 +417,14 @@ def _ball(
     jacobian[:, :5] = rows @ derivatives
     jacobian[:, 5, :3], jacobian[:, 6, 3:] = base.conj(), quaternion.conj()
     inverse = _inverse(jacobian)
-    lengths = np.sqrt((rows**2).sum(axis=2))
-    weight = np.linalg.norm(inverse[..., :5] * lengths[:, None, :], axis=(1, 2))
-    missed = np.linalg.norm(residual / lengths, axis=1)
+    lengths = _norms(rows.reshape(-1, 9)).reshape(-1, 5)
+    weight = _norms(inverse[..., :5] * lengths[:, None, :])
+    missed = _norms(residual / lengths)
     step = -(inverse[..., :5] @ residual[..., None])[..., 0]
     rounded = weight * (64 * ROUNDOFF * missed + 3 * rounding)
-    reach = np.linalg.norm(step, axis=1) * (1 + 2.0**-20) + rounded
-    off = np.linalg.norm(inverse @ jacobian - np.eye(7), axis=(1, 2)) * (1 + 2.0**-20)
-    off = off + ROUNDOFF * (2.0**15 * weight + 64 * np.linalg.norm(inverse[..., 5:], axis=(1, 2)) + 64)
+    reach = _norms(step) * (1 + 2.0**-20) + rounded
+    off = _norms(inverse @ jacobian - np.eye(7)) * (1 + 2.0**-20)
+    off = off + ROUNDOFF * (2.0**15 * weight + 64 * _norms(inverse[..., 5:]) + 64)
     isotropic = np.minimum(*(np.abs((part**2).sum(axis=-1)) for part in (base, quaternion)))
     passed = (off <= 0.2) & (12 * weight * reach <= 0.1) & (isotropic > 8 * reach + 2.0**-40)
     return _Ball(step, np.where(passed, reach, np.inf), rounded, off, weight)

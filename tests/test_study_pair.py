@@ -439,3 +439,12 @@ def test_columns_have_any_order_and_others_are_ignored(tmp_path):
     texts = (table(1, "ordinary", 30), "\ufeff" + "\n".join(shuffled))
     first, second = (read_pairs(written(tmp_path, text)) for text in texts)
     assert np.array_equal(first, second)
+
+
+@pytest.mark.parametrize(("seed", "sigma"), [(1003754, 1.71), (1007612, 0.6)])
+def test_minima_beside_a_critical_configuration_are_found(seed, sigma):
+    """The least minimum, or the next one, is far from what eight points give."""
+    known = pair(seed, "quadric", 100, sigma)
+    judgement = judge(known.x1, known.x2, sigma)
+    assert judgement.verdict == DISTRUST
+    assert any("Another matrix fits, too" in reason for reason in judgement.reasons)

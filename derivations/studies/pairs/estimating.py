@@ -7,7 +7,7 @@ parameters of a step, and the step ends at the nearest matrix of this kind.  The
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -54,8 +54,15 @@ class Fit:
     jacobian: Numbers
 
 
-def minima(pairs: Pairs) -> list[Fit]:
+def minima(pairs: Pairs, others: Sequence[Numbers] = ()) -> list[Fit]:
     """Return the minima that were found, the least first.
+
+    Parameters
+    ----------
+    pairs : Pairs
+        To scale.
+    others : sequence of ndarray, shape (3, 3)
+        Matrices of rank 2 to start from, too.
 
     Examples
     --------
@@ -65,7 +72,10 @@ def minima(pairs: Pairs) -> list[Fit]:
     >>> bool(abs(np.linalg.det(minima(pairs_of(known.x1, known.x2))[0].matrix)) < 1e-12)
     True
     """
-    some, places = sample(pairs), starts(pairs)
+    some = sample(pairs)
+    fits = _below(some, [*starts(pairs), *others])
+    first = min(fits, key=lambda fit: fit.squares)
+    places = [*(fit.matrix for fit in fits), *_beside(some, first.matrix)]
     if some is not pairs:
         fits = _below(some, places)
         least = min(fit.squares for fit in fits)
@@ -81,6 +91,15 @@ def _below(pairs: Pairs, places: list[Numbers]) -> list[Fit]:
         if all(1 - abs(float((fit.matrix * other.matrix).sum())) > SAME**2 / 2 for other in found):
             found.append(fit)
     return found
+
+
+def _beside(pairs: Pairs, matrix: Numbers) -> list[Numbers]:
+    """Return the matrices of rank 2 between the two that least miss the equations, weighted as at a minimum."""
+    first, second = pairs.points
+    lines = np.concatenate([(first @ matrix.T)[:, :2], (second @ matrix)[:, :2]], axis=1)
+    rows = np.einsum("ni,nj->nij", second, first).reshape(-1, 9) / np.linalg.norm(lines, axis=1, keepdims=True)
+    *_, eighth, ninth = (each.reshape(3, 3) for each in np.linalg.svd(rows.T @ rows)[2])
+    return [nearest(each) for each in of_rank_two(eighth, ninth)]
 
 
 def starts(pairs: Pairs) -> list[Numbers]:

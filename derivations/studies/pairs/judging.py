@@ -148,9 +148,9 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float, frames: ArrayLike | None =
     """
     require_sigma(sigma)
     pairs = pairs_of(x1, x2)
-    minima = estimating.minima(pairs)
-    fit = minima[0]
     nearest = nearest_critical(pairs)
+    minima = estimating.minima(pairs, [estimating.nearest(each) for each in estimating.of_rank_two(*nearest.kernel)])
+    fit = minima[0]
     spread = predicting.covariance(fit, sigma)
     corners = None if frames is None else np.asarray(frames, dtype=np.float64)
     checks = predicting.checks(fit.matrix, pairs, corners)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import combinations, islice
@@ -208,7 +208,18 @@ class Search:
         if depth > 2 or not goal.numerator:
             return False
         polynomial = knowledge.signed(goal)
-        form, cofactors = without_squares(knowledge, polynomial)
+        reduced = without_squares(knowledge, polynomial)
+        forms = [(polynomial, {}), *([reduced] if reduced[0] != polynomial else [])]
+        return any(
+            self._by_factors(knowledge, relation, form, roots, depth)
+            and carried(knowledge, polynomial, form, cofactors, relation == ">")
+            and knowledge.related(relation, goal)
+            for form, cofactors in forms
+        )
+
+    def _by_factors(
+        self, knowledge: Knowledge, relation: str, form: Any, roots: Mapping[int, Element], depth: int
+    ) -> bool:
         factors = form.factor()[1] if form != 0 else []
         if not roots and len(factors) < 2:
             return False
@@ -224,8 +235,7 @@ class Search:
                 )
                 if not any(found) and not (len(factors) > 1 and by_order(knowledge, relation, knowledge.back(own))):
                     return False
-        strict = relation == ">"
-        return carried(knowledge, polynomial, form, cofactors, strict) and knowledge.related(relation, goal)
+        return True
 
     def _by_square(
         self, knowledge: Knowledge, relation: str, polynomial: Any, place: int, radicand: Element, depth: int

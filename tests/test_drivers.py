@@ -8,6 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj import critical, metric
+from algebroproj_derivations.five_pairs import five_pairs
+from algebroproj_sym.declaring.driver import declared_driver
 
 # Normal forms of affine geometry: the diagonal and linear parts, with the kind that every textbook gives.
 NORMAL_FORMS = {
@@ -46,6 +48,12 @@ WITH_REAL_LINES = {
     "a plane and the plane at infinity",
     "whole space",
 }
+
+
+def test_the_modules_that_a_function_imports_travel_with_it():
+    found = {path.name for path in declared_driver("minimal.five_pairs", five_pairs).sources}
+    assert found == {"five_pairs.py", "isolating.py", "solvers.py"}
+
 
 integers = st.integers(-3, 3)
 regular = (

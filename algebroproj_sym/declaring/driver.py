@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import inspect
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 from algebroproj_sym.declaring.claim import DeclarationError
@@ -22,17 +22,27 @@ class Driver:
         Where it is found in the package: ``algebroproj.<module>.<name>``.
     source : Path
         The module that defines it, which is copied into the package.
-    needs : tuple of Path
-        Other hand-written modules that it imports, which are copied, too.
     """
 
     module: str
     name: str
     source: Path
-    needs: tuple[Path, ...] = ()
+
+    @property
+    def sources(self) -> frozenset[Path]:
+        """The module that defines it, and those beside it that it imports, which are copied, too."""
+        found, waiting = set[Path](), [self.source]
+        while waiting:
+            source = waiting.pop()
+            found.add(source)
+            nodes = ast.walk(ast.parse(source.read_text(encoding="utf-8")))
+            names = [node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 1]
+            beside = (source.with_name(f"{name}.py") for name in names)
+            waiting += [path for path in beside if path.is_file() and path not in found]
+        return frozenset(found)
 
 
-def declared_driver(qualified_name: str, function: Callable[..., Any], needs: Sequence[ModuleType] = ()) -> Driver:
+def declared_driver(qualified_name: str, function: Callable[..., Any]) -> Driver:
     """Return a driver.
 
     Raises
@@ -43,5 +53,4 @@ def declared_driver(qualified_name: str, function: Callable[..., Any], needs: Se
     module, _, name = qualified_name.partition(".")
     if function.__name__ != name:
         raise DeclarationError(f"driver {qualified_name}: expected a function {name}, got {function.__name__}")
-    needed = tuple(Path(str(inspect.getsourcefile(each))) for each in needs)
-    return Driver(module, name, Path(str(inspect.getsourcefile(function))), needed)
+    return Driver(module, name, Path(str(inspect.getsourcefile(function))))

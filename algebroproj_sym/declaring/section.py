@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from types import ModuleType
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
@@ -65,9 +64,9 @@ class Section:
             self.kernels.append(declared_kernel(self.paper, self.number, f"{qualified_name}_jacobian", about, **slopes))
         return kernel
 
-    def driver(self, qualified_name: str, function: Callable[..., Any], needs: Sequence[ModuleType] = ()) -> None:
-        """Declare a hand-written function that calls generated ones and is shipped with them, and modules it needs."""
-        self.drivers.append(declared_driver(qualified_name, function, needs))
+    def driver(self, qualified_name: str, function: Callable[..., Any]) -> None:
+        """Declare a hand-written function that calls generated ones and is shipped with them."""
+        self.drivers.append(declared_driver(qualified_name, function))
 
     def declare(self, kind: Kind, number: str, title: str, printed: Any, derived: Any, **options: Any) -> Claim:
         """Declare a claim of a kind, for the caller of the caller."""

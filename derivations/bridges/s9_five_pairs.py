@@ -9,7 +9,6 @@ from itertools import combinations_with_replacement
 
 import sympy
 
-from algebroproj_derivations import isolating
 from algebroproj_derivations.cameras import skew
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.five_pairs import five_pairs
@@ -206,4 +205,4 @@ section.kernel(
     claims=["9/rotation", "9/expansion", "9/cubics"],
     example={"b": ("1", "-0.5", "2"), "q": ("3", "1", "-2", "0.5")},
 )
-section.driver("minimal.five_pairs", five_pairs, needs=[isolating])
+section.driver("minimal.five_pairs", five_pairs)

@@ -51,7 +51,7 @@ def render(lowered: Iterable[Lowered], drivers: Sequence[Driver] = (), package: 
         f"{name}.py": _module(group, [driver for driver in drivers if driver.module == name])
         for name, group in modules.items()
     }
-    written = {path for driver in drivers for path in (driver.source, *driver.needs)}
+    written = frozenset[Path]().union(*(driver.sources for driver in drivers))
     files |= {path.name: path.read_text(encoding="utf-8") for path in sorted(written)}
     files["__init__.py"] = _TEMPLATES.get_template("init.py.j2").render(
         notice=NOTICE, version=__version__, modules=sorted(modules)

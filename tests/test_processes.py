@@ -161,7 +161,7 @@ def main():
 
 if __name__ == "__main__":
     from algebroproj_sym.cli.group import Group
-    Group(callback=main, invoke_without_command=True)([], standalone_mode=True)
+    Group(summaries={}, callback=main, invoke_without_command=True)([], standalone_mode=True)
 """
 
 

@@ -205,6 +205,12 @@ def test_no_mutation_that_is_false_is_proved(start):
     assert verdicts.count("refuted") > len(verdicts) / 3
 
 
+def test_a_root_in_a_divisor_says_what_is_positive():
+    """Its own sign is needed before its square gives way to what stands under it."""
+    assert prove("2*(sqrt(x + 1) - sqrt(x))", "1/sqrt(x)", relation="<").verdict == "proved"
+    assert prove("2*(sqrt(x + 1) - sqrt(x))", "9/10/sqrt(x)", relation="<").verdict == "refuted"
+
+
 # -- forged proofs ----------------------------------------------------------------------------------------------------
 
 

@@ -87,14 +87,14 @@ def _figures():
     columns = ["function", "stratum", "samples", *heads, *(f"plain: {head}" for head in heads)]
     lines = [f"| {' | '.join(columns)} |", f"|---|---|{'--:|' * (len(columns) - 2)}"]
     for function in functions:
-        plain = function["plain"]
+        plain = function.get("plain", {"all": None, "strata": [None] * len(function["strata"])})
         pairs = [
             ({**function["all"], "name": "all"}, plain["all"]),
             *zip(function["strata"], plain["strata"], strict=True),
         ]
         for place, (figures, without) in enumerate(pairs):
             name = figures["name"] if len(figures["name"]) <= 60 else f"{figures['name'][:57]}..."
-            values = " | ".join(f"{each[key]:.3g}" for each in (figures, without) for key in keys)
+            values = " | ".join(f"{each[key]:.3g}" if each else "–" for each in (figures, without) for key in keys)
             first = "" if place else f"`{function['function']}`"
             lines.append(f"| {first} | {name.replace('*', '·')} | {figures['samples']} | {values} |")
     return "\n".join(lines)

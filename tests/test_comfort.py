@@ -268,7 +268,9 @@ def test_an_exception_in_a_cell_is_an_error_that_names_the_cell(tmp_path):
     module = tmp_path / "mine.py"
     cell = "if 'get_ipython' in globals(): raise ValueError('only in a notebook')"
     module.write_text(MODULE.format(cell=cell), encoding="utf-8")
-    with pytest.raises(NotebookError, match=r"mine.py: cell 2, which begins with .if 'get_ipython'.*: ValueError: only in"):
+    with pytest.raises(
+        NotebookError, match=r"mine.py: cell 2, which begins with .if 'get_ipython'.*: ValueError: only in"
+    ):
         run_notebook(derivation_at(module)[0])
 
 

@@ -327,8 +327,9 @@ class Vocabulary:
         used = self.used_in(definition.tree)
         given = {each.symbol for each in used}
         symbols = {symbol for each in (definition, *used) for symbol in each.symbols}
+        has_big = self._has_big(definition)
         for parameter in definition.parameters:
-            if self._has_big(definition) or any(
+            if has_big or any(
                 _stands_in(parameter, each) or (each not in given and self.depends([each], parameter))
                 for each in symbols - {parameter}
             ):

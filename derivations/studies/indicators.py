@@ -200,15 +200,20 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             line = fit["offset"] + (-ends if name in FALLING else ends)
             axes.plot(ends, line, color=INK, lw=1.0)
             axes.set(xlabel=f"log10 {_short(name)}", ylim=(-1, 17))
-            axes.set_title(f"scatter {fit['scatter']:.2f}", color=GREY)
+            axes.set_title(f"scatter about the line: {fit['scatter']:.2f} decades", color=GREY, fontsize=7.5)
         for axes in panels[:, 0]:
-            axes.set_ylabel("digits lost in Z")
+            axes.set_ylabel("decimal digits lost in Z")
         drawing.colorbar(cells, ax=panels, label="stereo pairs per cell", pad=0.01, aspect=40)
     return {"indicators": drawing}
 
 
 def _short(name: str) -> str:
-    shorter = {"sampson": "distance from the quadric", "sigma_5": "smallest singular value"}
+    shorter = {
+        "sampson": "distance [units of basic points]",
+        "sigma_5": "smallest singular value",
+        "determinant": "determinant",
+        "z_bound": "guaranteed bound [roundoff]",
+    }
     return shorter.get(name, WORDS[name].removesuffix(" of Z"))
 
 

@@ -24,6 +24,7 @@ from algebroproj_sym.study.sampling import normal, uniform
 DIRECTIONS, DISTANCES = 0, 1
 X_EDGES, SMALL_EDGES, LOST_EDGES = np.linspace(-13, 0, 40), np.linspace(-18, 2, 401), np.linspace(-2, 20, 441)
 FITTED = -9.0, -3.0
+LEGEND = "Z, images rounded to float64:\nmedian, 5 % and 95 %;\nno line where there is no result"
 
 
 def check(**options: Any) -> None:
@@ -146,12 +147,12 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
                 panel.fill_between(x[known], low[known], high[known], color=COLOURS[line], alpha=0.18, lw=0)
                 panel.plot(x[known], median[known], color=COLOURS[line], ls=DASHES[line], label=label)
             panel.set_title(f"{layout.name}: {examine(layout.scene()).verdict}", fontsize=7.5)
-            panel.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":")
+            panel.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":", label="all digits of float64")
             panel.set(xscale="log", xlim=(1e-12, 0.1), ylim=(-1.5, 17.5), yticks=[0, 5, 10, 15])
         axes.flat[-1].set_axis_off()
         axes[-2, -1].tick_params(labelbottom=True)
         handles, labels = axes.flat[0].get_legend_handles_labels()
-        axes.flat[-1].legend(handles, labels, loc="center", title="Z, images rounded to float64:\nmedian, 5 % and 95 %")
+        axes.flat[-1].legend(handles, labels, loc="center", title=LEGEND)
         drawing.supxlabel("change of the points [length of the base]", fontsize=8)
         drawing.supylabel("decimal digits lost", fontsize=8)
     return {"digits-lost-by-layout": drawing}

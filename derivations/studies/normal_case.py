@@ -162,7 +162,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             if place:
                 right.semilogx(*_distribution(noise[..., place] / noise[..., 0]), **look)
         left.set(xlabel="decimal digits lost by rounding", ylabel="part of the stereo pairs", xlim=(0, 10))
-        right.set(xlabel="standard deviation, over that without a normal case", xlim=(1e-2, 1e2))
+        right.set(xlabel="standard deviation of object points,\nover that without a normal case [1]", xlim=(1e-2, 1e2))
         right.axvline(1.0, color=GREY, lw=0.7)
         left.legend(loc="lower right")
     return {"normal-case": drawing}

@@ -114,7 +114,7 @@ def report(dataset: xarray.Dataset) -> str:
     lines = [
         f"{dataset.sizes[MEMBER]} stereo pairs, from the object to the model. Errors are medians of relative errors.",
         f"{head:72}",
-        f"  {'':26}{'CPU us':>8}{'Z':>9}{'model':>9}{'Z':>11}{'model':>9}{'bound/error of Z':>18}{'no bound':>9}",
+        f"  {'':26}{'CPU µs':>8}{'Z':>9}{'model':>9}{'Z':>11}{'model':>9}{'bound/error of Z':>18}{'no bound':>9}",
     ]
     for place, name in enumerate(dataset[ARITHMETIC].values):
         spent = f"{1e6 * np.median(dataset.time.values[:, place]):8.1f}" if "time" in dataset else f"{'':8}"
@@ -154,10 +154,20 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
                 left.loglog(spent, errors, marker=marker, ls="none", ms=4, color=colour)
                 if place == 0:
                     for name, x, y in zip(names, spent, errors, strict=True):
-                        offset = (5, -6) if "enclosures" in name else (5, -1)
-                        left.annotate(_short(name), (x, y), offset, textcoords="offset points", fontsize=6, color=INK)
+                        below = "enclosures" in name
+                        left.annotate(
+                            _short(name),
+                            (x, y),
+                            (0, -9) if below else (5, -1),
+                            textcoords="offset points",
+                            fontsize=6,
+                            color=INK,
+                            ha="center" if below else "left",
+                        )
         right.semilogy(digits, 10.0**-digits, color=GREY, lw=0.8, ls=":", label="no digits lost")
-        left.set(xlabel="CPU time of a stereo pair [us]", ylabel="median relative error of the model")
+        left.margins(x=0.16)
+        left.set(xlabel="CPU time of a stereo pair [µs]", ylabel="median relative error of the model")
+        left.set_yticks(10.0 ** np.arange(-120, 1, 20))
         right.set(xlabel="decimal digits of the arithmetic")
         right.legend(loc="upper right")
     return {"precision": drawing}

@@ -37,6 +37,9 @@ SIGMA_STREAM, DRAW_STREAM = 5, 6
 LEVEL, CONFIDENCE = 0.6826894921370859, 0.95
 """What a normal variable has within one standard deviation of its mean, and how sure the ends of an interval are."""
 
+WIDTH, HEIGHT = (1e-5, 1e3), (1e-5, 1e2)
+"""What the figure shows."""
+
 Array = NDArray[np.float64]
 
 
@@ -290,14 +293,15 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             shown = ("nu", "Z") if output == "z" else ("nu_epipole", words)
             for place, number in enumerate((shown[0], f"{output}_rho")):
                 axes.loglog(
-                    dataset[number].values,
-                    np.maximum(dataset[f"{output}_ends"].values, 1e-5),
+                    np.clip(dataset[number].values, *WIDTH),
+                    np.clip(dataset[f"{output}_ends"].values, *HEIGHT),
                     ls="none",
                     marker="ox"[place],
                     ms=2.2,
                     mew=0.6,
                     color=COLOURS[place],
                     alpha=0.6,
+                    clip_on=False,
                     label=NUMBERS[number if number in NUMBERS else "rho"],
                 )
             for place, limit in enumerate(THRESHOLDS):
@@ -305,11 +309,10 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
                 axes.text(1.2e-5, limit * 1.1, f"{100 * limit:.0f} %", color=INK, fontsize=6.5)
             axes.set_title(words)
             axes.legend(loc="lower right", markerscale=2)
-            axes.set(xlim=(1e-5, 1e3), ylim=(1e-5, 1e2))
+            axes.set(xlim=WIDTH, ylim=HEIGHT)
         for axes in panels[1]:
-            axes.set_xlabel("dimensionless number")
-        for axes in panels[:, 0]:
-            axes.set_ylabel("error of the ends [std. dev.]")
+            axes.set_xlabel("number of the legend [1]; marks outside are on the edge")
+        drawing.supylabel("error of the ends [standard deviations]", fontsize=8)
     return {"propagation": drawing}
 
 

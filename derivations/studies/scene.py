@@ -129,7 +129,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
     ground = ground.assign_coords(s=middle[0] + reach * ground.s, t=middle[1] + reach * ground.t)
     title = f"{given.names[7]} at its height"
     return {
-        "quadric": quadric_in_space(scene, form),
+        "quadric": quadric_in_space(scene, form, given.unit),
         "map": map_of_lost_digits(ground, title, f"$x_1$ [{given.unit}]", f"$x_2$ [{given.unit}]"),
     }
 

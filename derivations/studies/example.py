@@ -118,7 +118,8 @@ def chunk(indices: Indices, seed: int, *, decimals: int, **axis: float) -> xarra
     with np.errstate(all="ignore"):
         found = _results(from_images(float64(), Images(changed[None, :, 0], changed[None, :, 1]), point), float64())
     reference = _results(_unrounded(point), double_double())
-    data: dict[str, Any] = {"point": variable(["point"], np.array(example().names[FIRST:], dtype=object))}
+    names = np.array(example().names[FIRST:], dtype=object)
+    data: dict[str, Any] = {"point": variable(["point"], names, about="name of the point")}
     for name, about in QUANTITIES.items():
         value, true = found[name], reference[name]
         dimensions = [f"{name}_{k}" if name != "model" or k else "point" for k in range(true.hi.ndim)]
@@ -172,8 +173,8 @@ def spread(dataset: xarray.Dataset, name: str) -> Spread:
 def report(dataset: xarray.Dataset) -> str:
     """Return which decimals of each result are determined by those of the images."""
     lines = [
-        "The images vary at random within half a unit of the last printed decimal. For the element that changes most:",
-        "standard deviation, largest change, decimals that hold in 95 % of the cases, and decimals that are printed.",
+        "The images vary at random within half a unit of the last printed decimal. Columns are of the element that",
+        "changes most.",
         "",
         f"{'':<38}{'deviation':>11}{'largest':>11}{'decimals':>10}{'printed':>9}",
     ]
@@ -294,4 +295,10 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    terms={
+        "deviation": "standard deviation [affine coordinates; of Z: multiples of the element z10 = 1]",
+        "largest": "largest change [as before]",
+        "decimals": "decimals that hold in 95 % of the cases [number]",
+        "printed": "decimals that are printed [number]",
+    },
 )

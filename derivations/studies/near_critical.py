@@ -41,6 +41,13 @@ X_EDGES, Y_EDGES = np.linspace(-16, 1, 69), np.linspace(-2, 20, 221)
 SHOWN = (-12, -9, -6, -3)
 """Logarithms of the distances of which the report tells the median."""
 
+TERMS = {
+    **{f"at 1e{exponent}": f"median at 1e{exponent} half widths of the model [decimal digits]" for exponent in SHOWN},
+    "slope": "of lost digits over log10(distance), from 1e-12 to 1e-2 half widths [decimal digits a decade]",
+    "scatter": "standard deviation about that line [decimal digits]",
+    "none": "stereo pairs without a result [number]",
+}
+
 UNIT = "half width"
 """Of lengths: half the width of the model."""
 
@@ -162,16 +169,14 @@ def report(dataset: xarray.Dataset) -> str:
     lines = [
         f"{members} stereo pairs of eight points. One is near the quadric through the other seven and the centers.",
         f"{100 * ruled:.0f} % of the critical quadrics are ruled.",
-        "Decimal digits lost: medians at distances from the quadric, in half widths of the model. Then a line over",
-        "log10(distance) from 1e-12 to 1e-2: its slope and the scatter about it. At last the pairs without a result.",
         "",
-        f"{'':<34}" + "".join(f"{f'1e{exponent}':>7}" for exponent in SHOWN) + "  slope  scatter  none",
+        f"{'':<34}" + "".join(f"{name:>9}" for name in TERMS),
     ]
     for name, distribution in counted(dataset).items():
         slope, _, scatter = distribution.line(*FITTED)
         medians = distribution.quantiles([0.5], least=1)[0][np.searchsorted(X_EDGES, SHOWN) - 1]
-        columns = "".join(f"{round(float(median), 1) + 0.0:>7.1f}" for median in medians)
-        lines.append(f"{ERRORS[name]:<34}{columns}{slope:>7.2f}{scatter:>9.2f}{distribution.outside:>6}")
+        columns = "".join(f"{round(float(median), 1) + 0.0:>9.1f}" for median in medians)
+        lines.append(f"{ERRORS[name]:<34}{columns}{slope:>9.2f}{scatter:>9.2f}{distribution.outside:>9}")
     return "\n".join(lines) + "\n"
 
 
@@ -240,4 +245,5 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    terms=TERMS,
 )

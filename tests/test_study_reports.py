@@ -10,6 +10,8 @@ from algebroproj_derivations.studies.pairs.populating import pair
 from algebroproj_sym.cli import main
 from algebroproj_sym.study import datasets, discovery, figures
 
+pytestmark = pytest.mark.whole
+
 STUDIES = {study.name: study for study in discovery.studies()}
 SMALL = {
     "near-critical": ["--members", "400"],

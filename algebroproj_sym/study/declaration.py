@@ -96,7 +96,7 @@ class Study:
     def legend(self) -> str:
         """Return the terms of the report, a line each."""
         width = max(map(len, self.terms), default=0)
-        return "".join(f"\n  {term:{width}}  {meaning}" for term, meaning in self.terms.items())
+        return "".join(f"  {term:{width}}  {meaning}\n" for term, meaning in self.terms.items())
 
     def arguments(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return the value of each option: what is given, or its default.

@@ -226,6 +226,19 @@ def test_a_pair_whose_prediction_hardly_holds_is_not_trusted():
     assert "Linear prediction is off by 19 %" in judgement.reasons[0]
 
 
+@pytest.mark.parametrize(
+    "seed, kind, count, sigma",
+    [(1328187, "planes", 12, 1.953129479259549), (1330980, "ordinary", 8, 0.7216700296161394)],
+)
+def test_a_pair_whose_error_grows_within_three_deviations_is_not_trusted(seed, kind, count, sigma):
+    """Of 10 551 trusted ones the one that erred by more than twice its bound, and one that did when repeated."""
+    known = pair(seed, kind, count, sigma)
+    judgement = judge(known.x1, known.x2, sigma)
+    assert judgement.verdict == UNDECIDED
+    (reason,) = judgement.reasons
+    assert reason.startswith("Three standard deviations away the error may be 1.")
+
+
 def test_pairs_that_are_measured_once_and_listed_twice_are_noticed():
     known = pair(5, "ordinary", 40, 0.5)
     twice = [np.concatenate([side, side + 0.01]) for side in (known.x1, known.x2)]

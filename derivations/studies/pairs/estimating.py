@@ -237,10 +237,10 @@ def uncertainty(fit: Fit, sigma: float) -> tuple[Numbers, Numbers]:
     return sigma / np.maximum(singular, DETERMINED * singular[0]), v @ fit.tangents
 
 
-def rises(pairs: Pairs, fit: Fit, sigma: float) -> Numbers:
-    """Return by how many standard deviations the least sum of squares rises at -3 and +3 of them, shape (2,).
+def aside(pairs: Pairs, fit: Fit, sigma: float) -> list[Fit]:
+    """Return the best fits three standard deviations away, on both sides in the least certain direction.
 
-    The matrix moves in its least certain direction, and all else adapts.  If the first order holds, both are 3.
+    If the first order holds, their sums of squares are larger by nine times the variance of a pixel coordinate.
     """
     deviations, directions = uncertainty(fit, sigma)
     deviation, direction = deviations[-1], directions[-1]
@@ -255,5 +255,5 @@ def rises(pairs: Pairs, fit: Fit, sigma: float) -> Numbers:
             return weight * (across / along - place), weight * slope
 
         start = nearest(fit.matrix + place * direction.reshape(3, 3))
-        found.append(np.sqrt(max(0.0, descended(pairs, start, tie).squares - fit.squares)) / sigma)
-    return np.array(found)
+        found.append(descended(pairs, start, tie))
+    return found

@@ -36,6 +36,8 @@ class Limit:
 
 BENT = Limit(0.15, 0.5)
 """Of the rise of the sum of squares at three standard deviations: its relative difference from a parabola."""
+GROWN = Limit(0.3, np.inf)
+"""Of the error at check points: by how much more is predicted three standard deviations away, if it is not bent."""
 AMBIGUOUS = Limit(-6.0, -3.0)
 """Of another minimum, and of the nearest critical configuration: how many deviations worse they are, negative."""
 IMPRECISE = Limit(0.05, 0.2)
@@ -159,9 +161,15 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float, frames: ArrayLike | None =
 
     second = np.sqrt((minima[1].squares - fit.squares) / sigma**2) if len(minima) > 1 else np.inf
     excess = np.sqrt(max(0.0, nearest.upper**2 - fit.squares)) / sigma
-    rises = estimating.rises(pairs, fit, sigma)
-    bent = float(np.abs(rises / SIDE - 1).max())
     bound = predicting.bound(slopes, spread)
+    aside = estimating.aside(pairs, fit, sigma)
+    rises = [np.sqrt(max(0.0, each.squares - fit.squares)) / sigma for each in aside]
+    bent = max(abs(float(rise) / SIDE - 1) for rise in rises)
+    bounds = [
+        predicting.bound(predicting.derivatives(each, pairs, checks), predicting.covariance(each, sigma))
+        for each in aside
+    ]
+    growth = max(bounds) / bound - 1 if bent <= BENT.undecided else 0.0
     share = bound * float(pairs.scales.mean()) / WIDTH
     large = f"{bound:.2g} px" if share < 1 else "as large as the pictures"
     off = f"{100 * bent:.0f} %" if bent < 1 else "more than 100 %"
@@ -175,6 +183,7 @@ def judge(x1: ArrayLike, x2: ArrayLike, sigma: float, frames: ArrayLike | None =
         ),
         (share, IMPRECISE, f"The error at check points may be {large}."),
         (bent, BENT, f"Linear prediction is off by {off} at three standard deviations."),
+        (growth, GROWN, f"Three standard deviations away the error may be {1 + growth:.2g} times as large."),
         (-second, AMBIGUOUS, f"Another matrix fits, too: {second:.1f} standard deviations worse."),
         (-excess, AMBIGUOUS, f"A critical configuration fits, too: {excess:.1f} standard deviations worse."),
         (

@@ -227,7 +227,7 @@ def test_a_pair_whose_prediction_hardly_holds_is_not_trusted():
 
 
 @pytest.mark.parametrize(
-    "seed, kind, count, sigma",
+    ("seed", "kind", "count", "sigma"),
     [(1328187, "planes", 12, 1.953129479259549), (1330980, "ordinary", 8, 0.7216700296161394)],
 )
 def test_a_pair_whose_error_grows_within_three_deviations_is_not_trusted(seed, kind, count, sigma):

@@ -202,7 +202,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             width = 3.0 if name == "lost_total" else 1.4
             right.plot(10.0**x, median, color=COLOURS[(0, 1, 5, 3)[place]], ls=DASHES[place], lw=width, label=about)
         right.set(title="medians")
-        right.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2)
+        right.legend(loc="upper right", bbox_to_anchor=(1.0, 0.89), fontsize=7)
         for axes in (left, right):
             axes.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":")
             axes.set(xscale="log", xlabel="distance from the quadric [half widths of the model]")

@@ -177,6 +177,6 @@ STUDY = Study(
         "sigma": "standard deviation of a coordinate, as given [px]; as a unit: how far all coordinates move together",
         "leverage": "share of its own error that the fit hides [0 to 1]",
         "probability": "of distances as large as these, if sigma is right [0 to 1]",
-        "(430, 830)": "places in the left and in the right picture [px]",
+        "(x, y)": "places in the left and in the right picture [px]",
     },
 )

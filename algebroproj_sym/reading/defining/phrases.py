@@ -96,7 +96,9 @@ def _called(statements: Iterable[Statement], things: str) -> frozenset[str]:
     """Return the symbols that words before or behind them call by a name."""
     is_before = re.compile(rf"\b{things}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
     is_behind = re.compile(
-        rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{things}\b", re.IGNORECASE
+        r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*"
+        rf"(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{things}\b",
+        re.IGNORECASE,
     )
     found = set[str]()
     for each in statements:

@@ -7,6 +7,7 @@ import re
 from lark import Tree
 
 from algebroproj_sym.expressions import require_bounded
+from algebroproj_sym.reading.defining.dependence import letters_in
 from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -50,8 +51,9 @@ def given_by(tree: Formula) -> str:
 
 def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:
     """Whether an equation such as y(a) = b says one value of a function, and not what it is everywhere."""
-    symbols = symbols_in(value)
-    return bool(parameters) and not {*parameters} & {*symbols} and not any("/" in each for each in symbols)
+    limits = (letters_in(str(each.children[0])) for each in value.find_data("big"))
+    symbols = {*symbols_in(value)}.union(*limits)
+    return bool(parameters) and not {*parameters} & symbols and not any("/" in each for each in symbols)
 
 
 def is_table(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:

@@ -151,6 +151,13 @@ class Survey:
         found = {each for each in ("i", "j") if each in raised or self._is_root(each)}
         return frozenset(found - alone - given - indices)
 
+    @property
+    def _equated_with_units(self) -> Iterator[str]:
+        """Yield the letters that are a side of an equation in which the imaginary unit may stand."""
+        for formula in self.formulas.values() if self._units else ():
+            if isinstance(formula, Parsed) and self._units & {x for side in formula.sides for x in symbols_in(side)}:
+                yield from (symbol for side in formula.sides if (symbol := defined_by(side)[0]))
+
     def _is_root(self, letter: str) -> bool:
         root = re.compile(rf"{letter}(?:\^2=-1|=\\sqrt-1)")
         return any(root.fullmatch(bare(each.pieces)) for each in self.statements)
@@ -165,7 +172,7 @@ class Survey:
             properties,
             dependence=self.dependence,
             euler=self._has_euler(),
-            complexes=complexes_in(self.statements) | self._units,
+            complexes=complexes_in(self.statements) | self._units | {*self._equated_with_units},
             imaginary=self.imaginary,
         )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)

@@ -21,7 +21,11 @@ CASES = re.compile(
     re.IGNORECASE,
 )
 """Words by which an equation may be about a case, so that it contradicts nothing."""
-CONDITIONAL = re.compile(r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case)\b", re.IGNORECASE)
+CONDITIONAL = re.compile(
+    r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case|"
+    r"for (?:very |sufficiently |all )?(?:small|large|weak|thin|low|high|slow|fast|short|long))\b",
+    re.IGNORECASE,
+)
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
 _DENIED = re.compile(
     r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|"

@@ -31,6 +31,9 @@ def verdicts(latex):
         r"\[ m x = k. \] With the terms of the error, the residual is \[ x = y - z. \]",
         r"Then the density is \[ F(x) = \int_{-\infty}^x f(t) \, dt. \]",
         r"Then the mean is \[ E(X) = p. \] The mean is defined as \[ E(X) = \sum_x x f(x). \]",
+        USED + r"Then the angle is \[ \cos h = \frac{a}{c}. \]",
+        USED + r"The log-likelihood is \[ \ln p(y|m) = - \frac{n}{2} s. \]",
+        USED + r"The velocity is \[ v(x) = \frac{\partial}{\partial x} \left\lbrace \phi(x, y) \right\rbrace. \]",
         SUM + NEXT + r"Here it is \[ s = 5 c \]",
     ],
 )
@@ -61,6 +64,10 @@ def test_an_equation_that_gives_its_letter_is_a_definition(latex):
         BEFORE + r"It stops unless, say, \[ b = f. \]",
         r"\[ y'' = c y. \] The string is held, so \[ y(0) = a. \]",
         r"\[ \mathrm{Var}(X) = 0. \]",
+        BEFORE + r"The pole is where \[ \cos b = 0. \]",
+        BEFORE + r"It turns if \[ \ln b = f. \]",
+        r"The angle has \[ \cos t = \sin u. \] The angle has \[ \cos t = \tan u. \]",
+        BEFORE + r"The identity is \[ \sin (2 f) = 2 g. \]",
         r"\[ \mathrm{E}(a X) = a \mathrm{E}(X). \]",
     ],
 )

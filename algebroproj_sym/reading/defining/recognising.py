@@ -49,6 +49,13 @@ def given_by(tree: Formula) -> str:
     return f"{tree.children[0]} {' '.join(str(each) for each in tree.scan_values(lambda each: True))}"
 
 
+def argument_of(tree: Formula) -> Formula:
+    r"""Return the letter of which a side is a function, as in ``\ln L`` and ``\cos t``; else the side itself."""
+    inside = tree.children[-1] if tree.data == "function" else None
+    lone = isinstance(inside, Tree) and len(inside.children) == 1 and defined_by(inside)[0]
+    return inside if isinstance(inside, Tree) and lone else tree
+
+
 def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:
     """Whether an equation such as y(a) = b says one value of a function, and not what it is everywhere."""
     limits = (letters_in(str(each.children[0])) for each in value.find_data("big"))

@@ -20,6 +20,7 @@ from algebroproj_sym.reading.defining.premises import (
 )
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
+    argument_of,
     computes,
     defined_by,
     given_by,
@@ -296,7 +297,7 @@ class _Pass:
         for left, right in pairs:
             given = where, display.part, display.place, names, special, words
             self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
-            self.alone |= dict.fromkeys((given_by(left), given_by(right)), display.part)
+            self.alone |= dict.fromkeys((given_by(argument_of(each)) for each in (left, right)), display.part)
 
     # -- definitions
 
@@ -336,7 +337,7 @@ class _Pass:
         sentence must say that it is introduced.
         """
         square = left.data == "power" and not symbols_in(left.children[1])  # type: ignore[arg-type]  # two trees
-        base: Formula = left.children[0] if square else left  # type: ignore[assignment]  # likewise
+        base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
         symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
         part = statement.display.part
         if not symbol or not symbols_in(right) or is_one_value(parameters, right):

@@ -14,6 +14,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
+_RANDOM = re.compile(r"[XYZ](?:_.*)?")
 EQUALITIES = ("=", ":=", "=:", "≡")
 """The relations that say that two sides are equal."""
 
@@ -37,8 +38,14 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
 
 
 def is_named(tree: Formula) -> bool:
-    """Whether a side is the value of a function with a name of its own, such as Var(X): the value is what is given."""
-    return tree.data == "call" and _NAME.fullmatch(str(tree.children[0])) is not None
+    """Whether a side is the value of a function with a name of its own, such as Var(X): the value is what is given.
+
+    So is the entropy H(X), or h(X), of a random variable X, Y or Z.
+    """
+    if tree.data != "call":
+        return False
+    head, random = str(tree.children[0]), all(map(_RANDOM.fullmatch, defined_by(tree)[1] or ("",)))
+    return _NAME.fullmatch(head) is not None or (head in ("H", "h", "I") and random)
 
 
 def given_by(tree: Formula) -> str:

@@ -111,12 +111,8 @@ def read_environment(cursor: Cursor) -> None:
     while inner.out and inner.out[-1].type in ("ROW", "SEPARATOR"):
         inner.out.pop()
     cursor.emit("BEGIN", name)
-    following = [*(each.type for each in inner.out[1:]), ""]
-    cursor.out += [
-        each
-        for each, kind in zip(inner.out, following, strict=True)
-        if not (each.type == "SEPARATOR" and kind in ("AMP", "ROW"))
-    ]
+    ends = {place for place, each in enumerate(inner.out, -1) if each.type in ("AMP", "ROW")}
+    cursor.out += [each for place, each in enumerate(inner.out) if each.type != "SEPARATOR" or place not in ends]
     cursor.emit("END", name)
     read_after(cursor)
 

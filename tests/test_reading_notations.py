@@ -51,6 +51,7 @@ def read(latex, **options):
         (r"C = \mathrm{KL} \left[ p(t|y) \, || \, p(t|m) \right]", ["C = KL_p_t_y_p_t_m"]),
         (r"F = \begin{pmatrix} x, & y \end{pmatrix}", ["F = [[x, y]]"]),
         (r"a = \begin{matrix} \end{matrix}", ["a = [[]]"]),
+        (r"\mathrm{E_}(X) = a", ["E(X) = a"]),
         (r"V = A^{k^\prime}", ["V = Ap**k"]),
         (r"a = \\ = b == c", ["a = b = c"]),
         (r"a = b . \avoidbreak", ["a = b"]),

@@ -65,6 +65,7 @@ Value = TypeVar("Value")
 _SPACE_OF = re.compile(
     r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
 )
+_COMPLEX = re.compile(r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*C\b")
 _ROTATIONS = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathrm|mathbf|text|operatorname|mathbb)\s*)?\{?\s*SO\s*\}?\s*\(\s*([23])\s*\)\s*$"
 )
@@ -88,15 +89,19 @@ def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
 
 
 def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
-    """Return the symbols that are said to be complex."""
-    return _called(statements, r"complex(?: (?:[a-z-]+|number|variable)s?)?")
+    r"""Return the symbols that are said to be complex, in words or as in ``z \in \mathbb{C}``."""
+    every = tuple(statements)
+    members = (symbol for each in every if (match := _COMPLEX.match(each.latex)) for symbol in _symbols(match[1]))
+    return _called(every, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | {*members}
 
 
 def _called(statements: Iterable[Statement], things: str) -> frozenset[str]:
     """Return the symbols that words before or behind them call by a name."""
     is_before = re.compile(rf"\b{things}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
     is_behind = re.compile(
-        rf"^\$?\s*(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{things}\b", re.IGNORECASE
+        r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*"
+        rf"(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{things}\b",
+        re.IGNORECASE,
     )
     found = set[str]()
     for each in statements:

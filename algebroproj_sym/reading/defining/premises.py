@@ -19,7 +19,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
-from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
@@ -313,7 +313,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
         hidden = vocabulary.depends(others, variable)
     else:
         hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
-    if variable not in letters or changing or inside or hidden:
+    if variable not in letters or changing or inside or hidden or stands_within(variable, letters):
         return found, made
     where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
@@ -346,6 +346,8 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     variable = _by_bare(sorted(letters)).get(below)
     used = vocabulary.used_in(definition.tree)
     if variable is None or any(variable in vocabulary.letters_of(each.tree) for each in used):
+        return None
+    if stands_within(variable, letters):
         return None
     others = sorted(letters - {variable}) if sign == "d" else []
     if vocabulary.depends(others, variable):

@@ -7,12 +7,14 @@ import re
 from lark import Tree
 
 from algebroproj_sym.expressions import require_bounded
+from algebroproj_sym.reading.defining.dependence import letters_in
 from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
+_RANDOM = re.compile(r"[XYZ](?:_.*)?")
 EQUALITIES = ("=", ":=", "=:", "≡")
 """The relations that say that two sides are equal."""
 
@@ -36,8 +38,14 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
 
 
 def is_named(tree: Formula) -> bool:
-    """Whether a side is the value of a function with a name of its own, such as Var(X): the value is what is given."""
-    return tree.data == "call" and _NAME.fullmatch(str(tree.children[0])) is not None
+    """Whether a side is the value of a function with a name of its own, such as Var(X): the value is what is given.
+
+    So is the entropy H(X), or h(X), of a random variable X, Y or Z.
+    """
+    if tree.data != "call":
+        return False
+    head, random = str(tree.children[0]), all(map(_RANDOM.fullmatch, defined_by(tree)[1] or ("",)))
+    return _NAME.fullmatch(head) is not None or (head in ("H", "h", "I") and random)
 
 
 def given_by(tree: Formula) -> str:
@@ -48,10 +56,18 @@ def given_by(tree: Formula) -> str:
     return f"{tree.children[0]} {' '.join(str(each) for each in tree.scan_values(lambda each: True))}"
 
 
+def argument_of(tree: Formula) -> Formula:
+    r"""Return the letter of which a side is a function, as in ``\ln L`` and ``\cos t``; else the side itself."""
+    inside = tree.children[-1] if tree.data == "function" else None
+    lone = isinstance(inside, Tree) and len(inside.children) == 1 and defined_by(inside)[0]
+    return inside if isinstance(inside, Tree) and lone else tree
+
+
 def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:
     """Whether an equation such as y(a) = b says one value of a function, and not what it is everywhere."""
-    symbols = symbols_in(value)
-    return bool(parameters) and not {*parameters} & {*symbols} and not any("/" in each for each in symbols)
+    limits = (letters_in(str(each.children[0])) for each in value.find_data("big"))
+    symbols = {*symbols_in(value)}.union(*limits)
+    return bool(parameters) and not {*parameters} & symbols and not any("/" in each for each in symbols)
 
 
 def is_table(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:

@@ -10,7 +10,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.dependence import Dependence, Tie, ties_of
+from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
@@ -19,7 +19,7 @@ from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.lexing.names import split_symbol, written
-from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, parsed, symbols_in
 
@@ -130,6 +130,38 @@ class Survey:
         r"""The letters that are said to be in a set or an interval, as in ``x \in \{0, 1\}``."""
         return frozenset(match[1] for each in self.document.formulas for match in _IN_A_SET.finditer(each.latex))
 
+    @cached_property
+    def imaginary(self) -> str:
+        """The letter that is the imaginary unit; empty for none.
+
+        It is said to be a root of -1, or a document that speaks of complex numbers has it in an exponent of e.
+        """
+        spoken = any(_COMPLEX.search(f"{each.before} {each.after}") for each in self.document.formulas)
+        return next((each for each in sorted(self._units) if spoken or self._is_root(each)), "")
+
+    @cached_property
+    def _units(self) -> frozenset[str]:
+        """The letters i and j that may be the imaginary unit: roots of -1, or in an exponent of e, and no indices."""
+        trees = [tree for side in _sides(self.formulas) for tree in side.iter_subtrees()]
+        names = [str(each.children[0]) for each in trees if each.data == "big"]
+        raised = {symbol for each in trees if _is_exponential(each) for symbol in symbols_in(each)}
+        alone = {_lone_letter(each.children[-1]) for each in trees if each.data == "function"}
+        given = {tie.given for tie in self.dependence.ties if tie.others}
+        indices = frozenset().union(*map(letters_in, names), *map(letters_of_symbol, self.occurring - {"i", "j"}))
+        found = {each for each in ("i", "j") if each in raised or self._is_root(each)}
+        return frozenset(found - alone - given - indices)
+
+    @property
+    def _equated_with_units(self) -> Iterator[str]:
+        """Yield the letters that are a side of an equation in which the imaginary unit may stand."""
+        for formula in self.formulas.values() if self._units else ():
+            if isinstance(formula, Parsed) and self._units & {x for side in formula.sides for x in symbols_in(side)}:
+                yield from (symbol for side in formula.sides if (symbol := defined_by(side)[0]))
+
+    def _is_root(self, letter: str) -> bool:
+        root = re.compile(rf"{letter}(?:\^2=-1|=\\sqrt-1)")
+        return any(root.fullmatch(bare(each.pieces)) for each in self.statements)
+
     def vocabulary(self) -> Vocabulary:
         """Return what is known of the letters before the first equation."""
         sizes, properties = sizes_in(self.statements), properties_in(self.statements)
@@ -140,7 +172,8 @@ class Survey:
             properties,
             dependence=self.dependence,
             euler=self._has_euler(),
-            complexes=complexes_in(self.statements),
+            complexes=complexes_in(self.statements) | self._units | {*self._equated_with_units},
+            imaginary=self.imaginary,
         )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
@@ -173,6 +206,7 @@ class Survey:
         return len(powers) == letters and any(powers)
 
 
+_COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 
 
@@ -183,9 +217,13 @@ def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula
                 yield side
 
 
+def _is_exponential(tree: Formula) -> bool:
+    return tree.children[:1] == [_E] if tree.data == "power" else tree.data == "function" and tree.children[0] == "exp"
+
+
 def _lone_letter(tree: Any) -> str:
     """Return the Latin letter that an exponent is; empty if it is more or something else."""
-    while isinstance(tree, Tree) and tree.data == "group" and len(tree.children) == 1:
+    while isinstance(tree, Tree) and tree.data in ("group", "items") and len(tree.children) == 1:
         (tree,) = tree.children
     alone = isinstance(tree, Tree) and tree.data == "symbol"
     letter = str(tree.children[0]) if alone else ""

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import entries, shape, text
+from algebroproj_sym.expressions import entries, over, shape, text
 from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.letters import FREE, MOST_TERMS, WHOLE, base_of, require_no_value
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
@@ -57,7 +57,10 @@ class Uncomputed:
         """Return a sum, a product, an integral or a limit."""
         if shape(body):
             raise UnreadableError(f"{name} is read, and not computed")
+        body = body.replace(over, lambda above, below: above * over(1, below))
         require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
+        if name.startswith(r"\prod"):
+            return self._multiplied(name, body)
         index = index_of(name)
         if not index:
             return self._whole(name, body)
@@ -69,13 +72,32 @@ class Uncomputed:
     def _summed(self, name: str, index: str, term: Any) -> Any:
         """Return the sum of a product: what does not depend on the index stands before it."""
         varying = self._vocabulary.dependence.related(index) | {index, ANY}
-        dependent = [symbol for symbol in term.free_symbols if not varying.isdisjoint(self._on(symbol))]
+        dependent = self._dependent(term, varying)
         outside, inside = term.as_independent(*dependent, as_Add=False) if dependent else (term, sympy.S.One)
         counted = _COUNTED.fullmatch(name)
         if inside == 1 and counted and self._is_number(counted[2], varying):
             more = (counted[1] == "0") - bool(counted[3])
             return outside * (self._vocabulary.plain(counted[2]) + more)
         return outside * self._whole(name, inside)
+
+    def _dependent(self, value: Any, varying: frozenset[str]) -> list[Any]:
+        return [symbol for symbol in value.free_symbols if not varying.isdisjoint(self._on(symbol))]
+
+    def _multiplied(self, name: str, body: Any) -> Any:
+        """Return a product over an index: of exponentials that of a sum, and of what does not change a power."""
+        as_sum = name.replace(r"\prod", r"\sum", 1)
+        index, counted = index_of(as_sum), _COUNTED.fullmatch(as_sum)
+        if not index or counted is None or len(factors := sympy.Mul.make_args(body)) > MOST_TERMS:
+            return self._whole(name, body)
+        varying = self._vocabulary.dependence.related(index) | {index, ANY}
+        found, rest = sympy.S.One, sympy.S.One
+        for factor in factors:
+            base, exponent = factor.as_base_exp()
+            if base == sympy.E or not self._dependent(base, varying):
+                found *= base ** self.big(as_sum, exponent)
+            else:
+                rest *= factor
+        return found if rest == 1 else found * self._whole(name, rest)
 
     def _is_number(self, limit: str, varying: frozenset[str]) -> bool:
         """Whether the upper limit of a sum is a letter that nothing gives, and that does not depend on the index."""

@@ -23,6 +23,8 @@ MOST_DEFINITIONS = 20_000
 MOST_LETTERS = 60
 """How many letters the name of a symbol has; what has the same name by then gets a number."""
 Role = Literal["definition", "premise", "case"]
+Numbers = Literal["real", "complex", "some complex"]
+"""Whether letters stand for real numbers, or all for complex ones, or those that complex ones give."""
 
 _LIKE_IDENTITY = re.compile(r"I|\\math(?:bf|bb|rm)\{I\}")
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
@@ -91,9 +93,12 @@ class Vocabulary:
         dependence: Dependence,
         euler: bool = False,
         complexes: frozenset[str] = frozenset(),
+        imaginary: str = "",
     ) -> None:
         self.given = given
         self.complexes = complexes
+        self.imaginary = imaginary
+        self.numbers: Numbers = "real"
         self.dependence = dependence
         self.euler = euler
         self.uncomputed: Values | None = None
@@ -109,7 +114,14 @@ class Vocabulary:
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
         given = self.given, self._sizes, self._matrices, self._properties
-        copied = Vocabulary(*given, dependence=self.dependence, euler=self.euler, complexes=self.complexes)
+        copied = Vocabulary(
+            *given,
+            dependence=self.dependence,
+            euler=self.euler,
+            complexes=self.complexes,
+            imaginary=self.imaginary,
+        )
+        copied.numbers = self.numbers
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
@@ -127,6 +139,18 @@ class Vocabulary:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         found._properties = found._properties | dict.fromkeys(letters, ("identity",))
         return found
+
+    def with_complex_numbers(self, numbers: Numbers) -> Vocabulary:
+        """Return the vocabulary in which i is the imaginary unit, and other letters stand for complex numbers."""
+        found = self.copied()
+        found.numbers = numbers
+        found.forget()
+        return found
+
+    def complex_letters(self, symbols: Iterable[str]) -> frozenset[str]:
+        """Return the symbols that are the imaginary unit, said to be complex, or given by what is."""
+        units = self.complexes | {self.imaginary} - {""}
+        return frozenset(each for each in symbols if units and units & self.behind(each))
 
     def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:
         """Return the shape of what a formula stands for; None if it has no entries."""
@@ -183,8 +207,9 @@ class Vocabulary:
         return frozenset(found)
 
     def depends(self, symbols: Iterable[str], letter: str) -> bool:
-        """Whether some symbols may depend on a letter."""
-        return any(letter in self.behind(each) for each in symbols)
+        """Whether some symbols may depend on a letter: by equations, or as ``p(y|x)`` does on x."""
+        behind = frozenset().union(*(self.behind(each) for each in symbols))
+        return letter in behind or stands_within(letter, behind)
 
     def symbol_of(self, name: str) -> str:
         """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
@@ -277,12 +302,14 @@ class Vocabulary:
         ):
             found |= {s for s in symbols if s not in hidden and s not in self.given.symbols}
         unknown = frozenset(s for s in found if s not in self.definitions or not self.definitions[s].usable)
-        return unknown - {symbol for symbol in (r"\pi", "e") if self.constant(symbol) is not None}
+        return unknown - {symbol for symbol in (r"\pi", "e", self.imaginary) if self.constant(symbol) is not None}
 
     def constant(self, symbol: str) -> Any:
         """Return the number that a symbol stands for in all documents; None for none."""
         if symbol == r"\pi" and symbol not in self.definitions:
             return sympy.pi
+        if symbol == self.imaginary and self.numbers != "real":
+            return sympy.I
         return sympy.E if symbol == "e" and self.euler else None
 
     def value(self, tree: Formula) -> Any:
@@ -392,6 +419,11 @@ def _stands_in(letter: str, symbol: str) -> bool:
     if "/" in symbol:
         return re.sub(r"[{}]", "", letter) in re.sub(r"[{}]", "", symbol)
     return re.search(rf"(?<![a-zA-Z\\]){re.escape(letter)}(?![a-zA-Z])", symbol) is not None
+
+
+def stands_within(letter: str, symbols: Iterable[str]) -> bool:
+    """Whether a letter stands in the brackets of a value with a condition, such as ``p(y|x)``."""
+    return any(" " in each and _stands_in(letter, each) for each in symbols)
 
 
 _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")

@@ -17,6 +17,9 @@ _TAGGED = re.compile(r"\\(?:nonumber|notag|tag)(?![a-z])")
 _WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shortintertext")
 _WIDE = (r"\quad", r"\qquad")
 _OPENS = re.compile(r"\b(?:for|if|when|where|with|at|and|or|as|all|every|any)\s*$")
+_BEGINS = re.compile(r"\b(?:if|when|for|cases?|unless|provided|suppos\w+|assum\w+|otherwise|else)\b", re.IGNORECASE)
+"""Words before an equation that are a condition of it."""
+_IF = re.compile(r"\b(?:if|when|for|unless)\s*$", re.IGNORECASE)
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
 _ARROWS = (r"\Rightarrow", r"\Longrightarrow", r"\implies", r"\Leftrightarrow", r"\Longleftrightarrow", r"\iff")
 _SPACES = (r"\;", r"\:", r"\,", r"\ ", "~", *_WIDE)
@@ -220,29 +223,36 @@ def _columns(row: Sequence[Piece]) -> list[list[Piece]]:
 def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iterator[Part]:
     """Yield the statements of a row, each with the words beside it."""
     statements: list[tuple[list[Piece], list[str]]] = []
+    begun: list[str] = []
     for column in columns:
         ranges, known = False, len(statements)
         label, parts = _labelled([*_separated(column)])
         for part, words in parts:
             part = _without_idle(part)
+            if part and begun and not statements and _IF.search(begun[-1]):
+                begun.append(_text_of(part))
+                part = []
             bracketed = part and part[0].text == "(" and part[-1].text == ")" and _has_relation(part)
             if part and statements and (bracketed or _OPENS.search(statements[-1][1][-1] if statements[-1][1] else "")):
                 statements[-1][1].append("".join(piece.text for piece in part))
                 part = []
             if _goes_through(part, statements):
                 if len(statements) > 1:
-                    begun = "".join(piece.text for piece in statements.pop()[0])
-                    statements[-1][1].extend([begun, "".join(piece.text for piece in part)])
+                    last = "".join(piece.text for piece in statements.pop()[0])
+                    statements[-1][1].extend([last, "".join(piece.text for piece in part)])
                 ranges = True
                 continue
             if (part and (_has_relation(part) or (continuing and not statements)) and not ranges) or (
                 part and not statements
             ):
-                statements.append((list(part), []))
+                statements.append((list(part), begun))
+                begun = []
             elif part:
                 statements[-1][1].append("".join(piece.text for piece in part).strip())
             if words and statements:
                 statements[-1][1].append(words)
+            elif _BEGINS.search(words):
+                begun.append(words)
         for _, conditions in statements[known:] if label else ():
             conditions.insert(0, label)
     for pieces, conditions in statements:

@@ -20,6 +20,7 @@ from algebroproj_sym.reading.defining.premises import (
 )
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
+    argument_of,
     computes,
     defined_by,
     given_by,
@@ -35,7 +36,15 @@ from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import Asked, agree, decide
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
-from algebroproj_sym.reading.judging.questions import Sides, Way, asked_of, both_sides, rests_of, used_by
+from algebroproj_sym.reading.judging.questions import (
+    Sides,
+    Way,
+    asked_of,
+    both_sides,
+    complex_letters_in,
+    rests_of,
+    used_by,
+)
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.words import (
     CASES,
@@ -50,6 +59,7 @@ from algebroproj_sym.reading.judging.words import (
 )
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
+from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
 
 
 def read_document(
@@ -235,7 +245,8 @@ class _Pass:
     def _renew(self, statement: Statement, formula: Parsed) -> None:
         """Forget what a letter was in another section, and what rests on it, where an equation gives it anew.
 
-        It stands for the new value from there on, unless words speak of a case.
+        It does if words say so, or if its value is another one of the same letters; one of other letters may be equal.
+        The letter stands for the new value from there on, unless words speak of a case.
         """
         if not formula.relations or formula.relations[0] not in EQUALITIES:
             return
@@ -243,17 +254,26 @@ class _Pass:
         symbol, parameters = defined_by(left)
         known = self.vocabulary.definitions.get(symbol)
         before = known.part if known else self.alone.get(given_by(left), part)
-        if not given_by(left) or before == part or self._named(statement, self.given.statements):
+        if not given_by(left) or self._named(statement, self.given.statements):
             return
-        named = is_named(left)
+        if before == part and not (known and self.beside.defines):
+            return
         older, recent = self.premises[:-MOST_PREMISES], self.premises[-MOST_PREMISES:]
-        given = [each.gives for each in recent if each.gives is not None and each.gives.symbol == symbol]
-        if not named and (is_one_value(parameters, value) or agree(extended(self.vocabulary, given), (left, value))):
+        told = extended(self.vocabulary, [each.gives for each in recent if each.gives and each.gives.symbol == symbol])
+        others = [
+            two for each in recent for one, two in ((each.left, each.right), (each.right, each.left)) if one == left
+        ]
+        letters = told.letters_of(left).union(*map(told.letters_of, others if is_named(left) else []))
+        theirs = self.vocabulary.letters_of(value)
+        if not (self.beside.renews or letters <= theirs or theirs <= letters):
+            return
+        if not is_named(left) and (is_one_value(parameters, value) or agree(told, (left, value))):
             return
         self.premises = older + [
             each
             for each in recent
-            if each.part == part or not (left in (each.left, each.right) if named else symbol in each.symbols)
+            if (each.part == part and before != part)
+            or not (left in (each.left, each.right) if is_named(left) else symbol in each.symbols)
         ]
         if known is None:
             return
@@ -277,7 +297,7 @@ class _Pass:
         for left, right in pairs:
             given = where, display.part, display.place, names, special, words
             self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
-            self.alone |= dict.fromkeys((given_by(left), given_by(right)), display.part)
+            self.alone |= dict.fromkeys((given_by(argument_of(each)) for each in (left, right)), display.part)
 
     # -- definitions
 
@@ -317,7 +337,7 @@ class _Pass:
         sentence must say that it is introduced.
         """
         square = left.data == "power" and not symbols_in(left.children[1])  # type: ignore[arg-type]  # two trees
-        base: Formula = left.children[0] if square else left  # type: ignore[assignment]  # likewise
+        base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
         symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
         part = statement.display.part
         if not symbol or not symbols_in(right) or is_one_value(parameters, right):
@@ -325,7 +345,11 @@ class _Pass:
         if self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
             return False
         known = self.vocabulary.definitions.get(symbol)
-        if self.beside.case_of_sentence or (known and known.part == part) or (square and symbol in self.asserted):
+        if self.beside.case_of_sentence or (square and symbol in self.asserted):
+            return False
+        if self.beside.defines:
+            return not is_circular(symbol, right, self.vocabulary)
+        if known and known.part == part:
             return False
         if derivatives_in((left,), self.vocabulary, self.survey.occurring):
             return False
@@ -355,6 +379,7 @@ class _Pass:
         ways = [
             Way(left, right, vocabulary, doubt),
             *(Way(*each, vocabulary, reads=" = ".join(map(vocabulary.text, each))) for each in others),
+            *_with_sums(left, right, vocabulary),
             *(
                 replace(each, doubt=doubt) if ranged else each
                 for each in self._with_premises(statement, formula, index, vocabulary)
@@ -367,6 +392,7 @@ class _Pass:
             for way in ways
             if not way.reads and (known := way.vocabulary.with_identity(*way.sides)) is not None
         ]
+        ways += [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
         chained = len(formula.sides) > 2
         gives = index == 0 and self._gives(statement, left, right)
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
@@ -457,3 +483,20 @@ class _Pass:
         for each in neighbours(self.premises, part, cited):
             if (solution := each.solved(vocabulary, wanted)) is not None:
                 yield extended(vocabulary, [solution])
+
+
+def _with_sums(left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
+    """Yield a relation with logarithms of products over an index as sums."""
+    if (sides := (with_sums(left), with_sums(right))) != (left, right):
+        yield Way(*sides, vocabulary, reads=f"{' = '.join(map(vocabulary.text, sides))}, {POSITIVE}")
+
+
+def _with_complex_numbers(way: Way) -> Iterator[Way]:
+    """Yield a way in which letters stand for complex numbers: all of them, or only those that complex ones give."""
+    if not complex_letters_in(way.vocabulary, *way.sides):
+        return
+    shown, unit = " = ".join(map(way.vocabulary.text, way.sides)), way.vocabulary.imaginary
+    unit = f", where {unit} is the imaginary unit" if unit else ", of complex numbers"
+    for numbers, letters in (("complex", ""), ("some complex", ", and letters that nothing complex gives are real")):
+        known = way.vocabulary.with_complex_numbers("complex" if numbers == "complex" else "some complex")
+        yield replace(way, vocabulary=known, reads=f"{shown}{unit}{letters}")

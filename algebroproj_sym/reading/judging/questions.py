@@ -108,14 +108,41 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
         raise UnreadableError(f"the sides have shapes {shapes[0] or 'of numbers'} and {shapes[1] or 'of numbers'}")
     for value in values:
         require_bounded(value, "the equation")
-        if value.has(sympy.I, sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
-            raise UnreadableError("a value is no real number")
+        if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+            raise UnreadableError("a value is no number")
+    if vocabulary.numbers != "real":
+        return [_of_complex(vocabulary, *pair) for pair in zip(*map(entries, values), strict=True)]
+    if any(value.has(sympy.I) for value in values):
+        raise UnreadableError("a value is no real number")
     has_functions = any(map(is_elementary, values))
-    if has_functions and (found := vocabulary.complexes & {*symbols_in(left), *symbols_in(right)}):
-        raise UnreadableError(f"{min(map(vocabulary.name, found))} is said to be complex, and functions are real")
+    if has_functions and (found := complex_letters_in(vocabulary, left, right)):
+        raise UnreadableError(f"{min(map(vocabulary.name, found))} may be complex, and functions are real")
     if shape(values[0]) and has_functions:
         return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
     return [Question(_text(values[0]), _text(values[1]))]
+
+
+def complex_letters_in(vocabulary: Vocabulary, *trees: Formula) -> frozenset[str]:
+    """Return the letters of formulas that may be complex, or the imaginary unit."""
+    symbols = frozenset().union(*({*symbols_in(each)} | vocabulary.letters_of(each) for each in trees))
+    return vocabulary.complex_letters(symbols)
+
+
+def _of_complex(vocabulary: Vocabulary, left: Any, right: Any) -> Question:
+    """Return the question whether two complex numbers are equal."""
+    left, right = (each.replace(_is_exponential, lambda power: sympy.exp(power.exp)) for each in (left, right))
+    names = {symbol.name for value in (left, right) for symbol in value.free_symbols}
+    if "I" in names or any(value.atoms(type(sympy.E)) for value in (left, right)):
+        raise UnreadableError("a letter of it would look like a number")
+    if vocabulary.numbers == "some complex":
+        plain = {name for name in names if not values_in(name)}
+        some = vocabulary.complex_letters(map(vocabulary.symbol_of, plain))
+        names = names - plain | {*map(vocabulary.name, some)}
+    return Question(text(left), text(right), complex=tuple(sorted(names)))
+
+
+def _is_exponential(value: Any) -> bool:
+    return bool(value.is_Pow and value.base == sympy.E)
 
 
 def _has_two_signs(tree: Formula) -> bool:
@@ -222,6 +249,7 @@ def both_sides(questions: Sequence[Question]) -> tuple[str, str] | None:
     """Return the sides as a derivation states them; none with functions or values, which it does not."""
     sides = questions[0].lhs, questions[0].rhs
     plain = len(questions) == 1 and questions[0].letters is None and not values_of(questions)
+    plain = plain and questions[0].complex is None
     return sides if plain and not any(map(has_functions, sides)) else None
 
 

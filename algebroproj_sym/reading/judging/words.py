@@ -21,7 +21,11 @@ CASES = re.compile(
     re.IGNORECASE,
 )
 """Words by which an equation may be about a case, so that it contradicts nothing."""
-CONDITIONAL = re.compile(r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case)\b", re.IGNORECASE)
+CONDITIONAL = re.compile(
+    r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case|"
+    r"for (?:very |sufficiently |all )?(?:small|large|weak|thin|low|high|slow|fast|short|long))\b",
+    re.IGNORECASE,
+)
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
 _DENIED = re.compile(
     r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|"
@@ -143,6 +147,16 @@ class Beside:
         return _NAMES.search(self.sentence) is not None
 
     @property
+    def defines(self) -> bool:
+        """Whether its last clause says that it is a definition, whatever was said of its letter before."""
+        return _DEFINED.search(_main_clause(self.sentence)) is not None and not self.case_of_sentence
+
+    @property
+    def renews(self) -> bool:
+        """Whether its own sentence speaks of another thing than the text before it."""
+        return _ANEW.search(self.sentence) is not None
+
+    @property
     def is_conditional(self) -> bool:
         """Whether its own sentence speaks of a condition, or denies it."""
         return self.is_denied or CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
@@ -243,6 +257,12 @@ _NAMES = re.compile(
     r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
     r"(?:is|are) (?:then |here )?(?:computed|calculated|evaluated|determined|expressed|set|chosen|modell?ed))\b"
     r"|\b[Tt]he\b[^,]* (?:is|are)\W*$|\bwith\b[^,]*\bterms?\W*$",
+    re.IGNORECASE,
+)
+_DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe (?:\w+ )?define\b", re.IGNORECASE)
+_ANEW = re.compile(
+    r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"
+    r"denote\w*|this time)\b",
     re.IGNORECASE,
 )
 _FORMULA = re.compile(r"\$[^$]*\$")

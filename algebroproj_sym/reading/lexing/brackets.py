@@ -9,7 +9,14 @@ from lark import Token
 from algebroproj_sym.reading.lexing.commands import BARS, CLOSING, ELLIPSES, MATRIX, MAX_NESTING, OPENING, UPRIGHT
 from algebroproj_sym.reading.lexing.cursor import Cursor
 from algebroproj_sym.reading.lexing.names import bracket_ahead, read_after, take_scripts
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, outside_braces, says_more, split_pieces
+from algebroproj_sym.reading.lexing.pieces import (
+    Piece,
+    UnreadableError,
+    outside_braces,
+    outside_brackets,
+    says_more,
+    split_pieces,
+)
 
 
 def _partner(opening: str) -> str:
@@ -75,8 +82,8 @@ def _read_place(cursor: Cursor) -> None:
 def _is_shown(inside: Sequence[Piece]) -> bool:
     """Whether a bracket is no expression: a set, a condition, or one with a relation."""
     curly = bool(inside) and inside[0].text in (r"\{", r"\lbrace")
-    body = outside_braces(inside[1:-1])
-    return says_more(inside) or (curly and any(piece.text in (",", *ELLIPSES) for piece in body))
+    listed = outside_brackets([piece.text for piece in outside_braces(inside)])
+    return says_more(inside) or (curly and any(text in (",", *ELLIPSES) for text in listed))
 
 
 def _close(cursor: Cursor, kind: str) -> None:
@@ -104,12 +111,8 @@ def read_environment(cursor: Cursor) -> None:
     while inner.out and inner.out[-1].type in ("ROW", "SEPARATOR"):
         inner.out.pop()
     cursor.emit("BEGIN", name)
-    following = [*(each.type for each in inner.out[1:]), ""]
-    cursor.out += [
-        each
-        for each, kind in zip(inner.out, following, strict=True)
-        if not (each.type == "SEPARATOR" and kind in ("AMP", "ROW"))
-    ]
+    ends = {place for place, each in enumerate(inner.out, -1) if each.type in ("AMP", "ROW")}
+    cursor.out += [each for place, each in enumerate(inner.out) if each.type != "SEPARATOR" or place not in ends]
     cursor.emit("END", name)
     read_after(cursor)
 

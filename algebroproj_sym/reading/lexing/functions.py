@@ -32,7 +32,7 @@ from algebroproj_sym.reading.lexing.names import (
     take_scripts,
     written,
 )
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, says_more
 
 
 def _derivative(above: str, below: str) -> str | None:
@@ -227,6 +227,7 @@ def _read_argument(cursor: Cursor) -> None:
         if number:
             cursor.index += 1
             take_scripts(cursor) if cursor.text == "^" else None
+            _take_factorial(cursor)
             continue
         letter = ""
         if cursor.text in FRACTIONS or cursor.text == r"\sqrt":
@@ -234,14 +235,29 @@ def _read_argument(cursor: Cursor) -> None:
         else:
             letter = take_letter(cursor)
         _, below, _ = take_scripts(cursor)
-        if cursor.functions is not None and written(letter, 0, below, "") in cursor.functions:
-            cursor.index += len(bracket_ahead(cursor))
+        inside = bracket_ahead(cursor) if cursor.functions is not None else []
+        if written(letter, 0, below, "") in (cursor.functions or ()) or _has_condition(letter, inside):
+            cursor.index += len(inside)
+        _take_factorial(cursor)
         values += 1
         if cursor.index == here:
             break
     if cursor.index == start:
         raise cursor.fail("expected the argument of a function")
     cursor.inner(cursor.pieces[start : cursor.index])
+
+
+def _has_condition(letter: str, inside: Sequence[Piece]) -> bool:
+    r"""Whether a bracket makes a letter a value with a condition, as in ``\log p(y|x)``."""
+    is_name = re.fullmatch(r"[a-zA-Z]{2,}", letter) is not None
+    return says_more(inside) and (is_name or any(piece.text in ("|", r"\mid", r"\vert") for piece in inside))
+
+
+def _take_factorial(cursor: Cursor) -> None:
+    if cursor.peek() == "!":
+        while cursor.text != "!":
+            cursor.index += 1
+        cursor.index += 1
 
 
 def _take_bracket(cursor: Cursor) -> list[Piece]:

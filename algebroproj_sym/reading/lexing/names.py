@@ -27,11 +27,18 @@ from algebroproj_sym.reading.lexing.commands import (
     UPRIGHT,
 )
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.pieces import Piece, bare, outside_braces, pieces_of, says_more
+from algebroproj_sym.reading.lexing.pieces import (
+    Piece,
+    UnreadableError,
+    bare,
+    outside_braces,
+    pieces_of,
+    says_more,
+)
 
 
 def split_symbol(symbol: str) -> tuple[str, int, str, str]:
-    r"""Return letter, number of primes, subscript and superscript of a symbol.
+    r"""Return letter, number of primes, subscript and superscript of a symbol; the whole if a script is missing.
 
     Examples
     --------
@@ -41,8 +48,11 @@ def split_symbol(symbol: str) -> tuple[str, int, str, str]:
     word = re.match(r"[a-zA-Z]*", symbol)[0]  # type: ignore[index]  # it always matches
     rest = symbol[len(word) :] if len(word) > 1 else symbol
     inner = Cursor(pieces_of(rest))
-    letter = word if len(word) > 1 else take_letter(inner)
-    return (letter, *take_scripts(inner))
+    try:
+        letter = word if len(word) > 1 else take_letter(inner)
+        return (letter, *take_scripts(inner))
+    except UnreadableError:
+        return symbol, 0, "", ""
 
 
 def written(letter: str, primes: int, subscript: str, superscript: str) -> str:

@@ -99,13 +99,13 @@ def outside_braces(pieces: Sequence[Piece]) -> list[Piece]:
 def says_more(inside: Sequence[Piece]) -> bool:
     r"""Whether a bracket has more than expressions: a relation or a condition, as in ``(X < a)`` and ``[P || Q]``."""
     texts = [piece.text for piece in outside_braces(inside)]
-    alone = _outside_brackets(texts)
+    alone = outside_brackets(texts)
     bars = sum(text in ("|", r"\vert", r"\mid") for text in texts), sum(text in (r"\|", r"\Vert") for text in texts)
     double = alone.count("|") == 2 and re.search(r"\|\s*\|", "".join(alone)) is not None
     return double or any(each % 2 for each in bars) or any(text in RELATIONS or text == ":" for text in texts)
 
 
-def _outside_brackets(texts: Sequence[str]) -> list[str]:
+def outside_brackets(texts: Sequence[str]) -> list[str]:
     """Return what stands in an outer bracket alone, and in none within it."""
     kept, depth = list[str](), 0
     for text in texts:

@@ -393,10 +393,10 @@ class _Expressions(_Gathering):
         raise UnreadableError(f"{name} is read, and not computed", name.start_pos)
 
     def absolute(self, inside: Any) -> Any:
-        return _determinant(inside) if shape(inside) else sympy.Abs(inside)
+        return _determinant(inside) if shape(inside) else _absolute(inside)
 
     def norm(self, inside: Any) -> Any:
-        return sympy.sqrt(dot(inside, inside)) if shape(inside) else sympy.Abs(inside)
+        return sympy.sqrt(dot(inside, inside)) if shape(inside) else _absolute(inside)
 
     def inner(self, items: list[Any]) -> Any:
         if len(items) != 2:
@@ -415,6 +415,12 @@ class _Expressions(_Gathering):
 
 def _pairs(parts: Sequence[Any]) -> list[tuple[Any, Any]]:
     return list(zip(parts[::2], parts[1::2], strict=True))
+
+
+def _absolute(value: Any) -> Any:
+    """Return an absolute value; SymPy makes one of complex parts where it does not know that letters are real."""
+    found = sympy.Abs(value)
+    return sympy.Abs(value, evaluate=False) if found.has(sympy.re, sympy.im, sympy.arg) else found
 
 
 def _signed(sign: str, term: Any) -> Any:

@@ -1,4 +1,4 @@
-"""What the parts of a statement in letters may be: prover and replay accept what NumPy can compute, and nothing else."""
+"""What the parts of a statement in letters may be: prover and replay accept what NumPy can compute, and no more."""
 
 import numpy as np
 import pytest

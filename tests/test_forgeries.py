@@ -581,6 +581,8 @@ def shown_numbers():
         yield honest, changed(honest, ["1", "0", str(c)], "certificate", "extension", "coefficients")
         yield honest, changed(honest, {"x": ["1", "0"]}, "certificate", "extension", "values")
         yield honest, changed(honest, ["x"], "hypotheses")
+        for method in ("normal form", "ideal membership", "Counterexample"):
+            yield honest, changed(changed(honest, method, "certificate", "method"), method, "method")
 
 
 def matrices_as_conditions():

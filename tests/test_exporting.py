@@ -23,6 +23,7 @@ from algebroproj_sym.exporting.compiling import ALLOWED, assumed, axioms
 from algebroproj_sym.exporting.files import translated, word
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed, rational, reserved
 from algebroproj_sym.exporting.making import made_by_derivations
+from algebroproj_sym.exporting.objects import _determinant
 from algebroproj_sym.exporting.points import values
 from algebroproj_sym.exporting.terms import (
     difference,
@@ -299,6 +300,16 @@ def test_nothing_is_admitted(repository):
     for lemmas in LEMMAS:
         text = (repository / "algebroproj_sym/exporting" / lemmas).read_text(encoding="utf-8")
         assert not re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture|Abort|Hypothesis Hfalse)\b", text)
+
+
+@pytest.mark.parametrize("size", range(5))
+def test_a_determinant_is_written_out_with_the_right_signs(size):
+    generator = random.Random(size)
+    places = [[f"a{i}{j}" for j in range(size)] for i in range(size)]
+    point = {each: Fraction(generator.randint(-9, 9), generator.randint(1, 9)) for row in places for each in row}
+    written = _determinant(tuple(tuple(map(name, row)) for row in places))
+    exact = sympy.Matrix(size, size, [sympy.Rational(str(value)) for value in point.values()]).det()
+    assert values(point, {}, [written]) == [Fraction(str(exact))]
 
 
 # ---------------------------------------------------------------------------------------------------------------------

@@ -154,6 +154,15 @@ def test_no_error_is_larger_than_its_bound(lowered):
     assert Fraction(1, 8) < largest <= 1
 
 
+def test_the_rule_of_an_error_names_the_operation_that_computes_it(lowered):
+    found = analysis(straight_line(lowered))
+    names = {"ErrorOfSum": "+", "ErrorOfDifference": "-", "ErrorOfProduct": "product_error"}
+    errors = [fact for fact in found.certificate if fact.rule in names]
+    assert len(errors) >= 5
+    for fact in errors:
+        assert found.line.operations[fact.arguments[0]][0] == names[fact.rule]
+
+
 def extreme_point(generator, count, k):
     """Numbers from both ends of a range, or such that sums of some of them and 1 nearly cancel several times."""
     if generator.random() < 0.5:

@@ -57,9 +57,54 @@ def count_of_seven(left, right):
 
 
 def count_of_five(left, right):
-    """Return the number of real solutions; None where two are the same, real or not, or infinitely many.
+    """Return the number of different real solutions; None where two are the same, real or not, or infinitely many."""
+    found = _multiplications(left, right)
+    if found is None:
+        return None
+    characteristic = found[0].charpoly().numer()
+    return None if _repeats(characteristic) else _real_roots(characteristic)
 
-    With the last unknown 1, multiplication by the first one is a matrix.  Its eigenvalues are those of the solutions.
+
+def counts_of_five(left, right):
+    """Return the number of different real solutions, and that with multiplicities; None for infinitely many.
+
+    The form of the traces of products of two elements of the ring has as many more positive than negative eigenvalues
+    as there are different real solutions (Hermite 1856).
+    """
+    times = _multiplications(left, right)
+    if times is None:
+        return None
+    characteristic = times[0].charpoly().numer()
+    if not _repeats(characteristic):
+        return (_real_roots(characteristic),) * 2
+    # One unknown may be the same in different solutions; a sum of all is not, but for a coincidence.
+    mixed = times[0] + times[1] * flint.fmpq(355, 113) + times[2] * flint.fmpq(-1457, 536)
+    real = _real_roots(mixed.charpoly().numer())
+    one = flint.fmpq_mat(10, 10, [flint.fmpq(int(i == j)) for i in range(10) for j in range(10)])
+    basis = [one, *times, *(times[i] * times[j] for i in range(3) for j in range(i + 1))]
+    traces = [flint.fmpq(0)] * 100
+    for i, j in np.ndindex(10, 10):
+        product = basis[i] * basis[j]
+        traces[10 * i + j] = sum(product[k, k] for k in range(10))
+    form = flint.fmpq_mat(10, 10, traces).charpoly().numer()
+    positive, negative = (
+        sum(multiplicity for root, multiplicity in form.complex_roots() if sign * root.real > 0) for sign in (1, -1)
+    )
+    return positive - negative, real
+
+
+def _repeats(polynomial):
+    return polynomial.gcd(polynomial.derivative()).degree() > 0
+
+
+def _real_roots(polynomial):
+    return sum(multiplicity for root, multiplicity in polynomial.complex_roots() if root.imag == 0)
+
+
+def _multiplications(left, right):
+    """Return the matrices of multiplication by three unknowns, with the fourth one 1; None for infinitely many.
+
+    Their eigenvalues are those unknowns of the ten solutions.
     """
     basis, divisor = kernel(left, right)
     if len(basis) != 4:
@@ -75,15 +120,17 @@ def count_of_five(left, right):
     cubics = [determinant(elements), *(2 * a - trace * b for a, b in zip(square.dot(e).flat, e.flat, strict=True))]
     powers = [each for each in np.ndindex(4, 4, 4) if sum(each) <= 3]
     powers.sort(key=lambda each: -sum(each))
-    rows = [[cubic.to_dict().get(tuple(each), flint.fmpq(0)) for each in powers] for cubic in cubics]
+    rows = [
+        [terms.get(tuple(each), flint.fmpq(0)) for each in powers] for terms in (cubic.to_dict() for cubic in cubics)
+    ]
     matrix, rank = flint.fmpq_mat(rows).rref()
     if rank < 10 or any(matrix[i, i] != 1 for i in range(10)):
         return None
     times = []
-    for each in powers[10:]:
-        place = powers.index((each[0] + 1, *each[1:]))
-        times.append([-matrix[place, j] if place < 10 else flint.fmpq(int(place == j)) for j in range(10, 20)])
-    characteristic = flint.fmpq_mat(times).charpoly().numer()
-    if characteristic.gcd(characteristic.derivative()).degree() > 0:
-        return None
-    return sum(root.imag == 0 for root, _ in characteristic.complex_roots())
+    for unknown in range(3):
+        rows = []
+        for each in powers[10:]:
+            place = powers.index(tuple(power + (k == unknown) for k, power in enumerate(each)))
+            rows.append([-matrix[place, j] if place < 10 else flint.fmpq(int(place == j)) for j in range(10, 20)])
+        times.append(flint.fmpq_mat(rows))
+    return times

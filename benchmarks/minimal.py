@@ -1,19 +1,23 @@
 """How often minimal solvers return a wrong number of solutions, beside OpenCV and PoseLib.
 
     python benchmarks/minimal.py seven COUNT [SEED]    # COUNT problems of each kind, a tenth with a double root
-    python benchmarks/minimal.py five COUNT [SEED]     # COUNT problems of each kind
+    python benchmarks/minimal.py five COUNT [SEED]     # COUNT problems, and a hundredth with a double solution
+    python benchmarks/minimal.py batches ROUNDS        # five pairs: time by the number of problems in a call
 
 Of seven pairs the truth is the exact sign of the discriminant, by python-flint.  PoseLib has no function for them in
-Python.  Of five pairs the truth is the proved count, which the tests compare with exact arithmetic.
+Python.  Of five pairs the truth is the proved count.  Exact arithmetic checks it for all problems with a planted double
+solution, and for some others, first of all those of which PoseLib has another count.
 """
 
 import sys
 import time
+from collections import Counter
+from functools import partial
 
 import cv2
 import numpy as np
 import poselib
-from exact_counts import count_of_seven, scenes
+from exact_counts import count_of_seven, counts_of_five, scenes
 
 from algebroproj import minimal
 
@@ -60,12 +64,45 @@ def double_root(generator, count):
     return tuple(points[..., :2] / points[..., 2:] * 1000 + 500 for points in (left, right))
 
 
+def few_digits(generator, count):
+    """Return problems whose coordinates have 3 to 12 binary places."""
+    places = generator.integers(3, 13, (count, 1, 1))
+    return tuple(np.ldexp(np.rint(np.ldexp(points, places)), -places) for points in scenes(generator, count))
+
+
+def double_solution(generator, count):
+    """Return problems with a double solution, but for the rounding of their coordinates.
+
+    A solution E is double if a tangent of the essential matrices at E satisfies the five equations, too.
+    """
+
+    def crossed(vectors):
+        return np.cross(vectors[:, None], np.eye(3)).swapaxes(1, 2)
+
+    base, change, turn, axis = generator.normal(size=(4, count, 3))
+    rotation = np.linalg.inv(np.eye(3) - crossed(axis)) @ (np.eye(3) + crossed(axis))
+    form = crossed(base) @ rotation
+    tangent = crossed(change) @ rotation + crossed(base) @ crossed(turn) @ rotation
+    left = np.concatenate([generator.uniform(-1, 1, (count, 5, 2)), np.ones((count, 5, 1))], axis=2)
+    right = np.cross(left @ form, left @ tangent)
+    return left[..., :2], right[..., :2] / right[..., 2:]
+
+
 OF_FIVE = {
-    "ordinary": (0.5, 1.0),
-    "near a plane": (0.5, 4e-3),
-    "in a plane": (0.5, 0.0),
-    "short base": (4e-3, 1.0),
+    "planted double solution": (double_solution, 0.01),
+    "ordinary": (scenes, 0.5),
+    "near a plane": (partial(scenes, depth=4e-3), 0.2),
+    "in a plane": (partial(scenes, depth=0.0), 0.2),
+    "few digits": (few_digits, 0.05),
+    "short base": (partial(scenes, base=4e-3), 0.05),
 }
+"""How problems of each kind are made, and which share of the problems they are."""
+
+COMPARED = 100
+"""How many of each block are compared with exact arithmetic, first those of which PoseLib has another count."""
+
+OF_OPENCV = 1000
+"""How many of each block OpenCV solves."""
 
 OF_SEVEN = {
     "ordinary": ordinary,
@@ -114,24 +151,68 @@ def measured(make, generator, count):
     return wrong, seconds, worst
 
 
+def checked(found, left, right, places):
+    """Return how many problems were compared with exact arithmetic, and how many of them are told wrongly.
+
+    A count must be exact.  Of a cluster the multiplicities must be those of all real solutions, but for pairs of
+    complex ones.
+    """
+    compared = wrong = 0
+    for place in places:
+        exact = counts_of_five(left[place], right[place])
+        told, within = int(found.count[place]), int(found.multiplicity[place].sum())
+        if exact is None or found.case[place] in ("singular", "undecided"):
+            continue
+        different, real = exact
+        fits = told == different if told >= 0 else within >= real and (within - real) % 2 == 0
+        compared += 1
+        wrong += not fits
+        if not fits:
+            print("wrong:", exact, told, within, left[place].tolist(), right[place].tolist(), flush=True)
+    return compared, wrong
+
+
 def main_of_five(count, seed=1):
     """Print the table of five pairs."""
-    print("| problems | number | not told here | wrong: OpenCV, PoseLib | µs here, OpenCV, PoseLib | largest error |")
-    print("|---|---|---|---|---|---|")
-    for place, (kind, scene) in enumerate(OF_FIVE.items()):
-        generator = np.random.default_rng([seed, place])
-        untold, wrong, seconds, worst = 0, np.zeros(2, int), np.zeros(3), 0.0
-        for start in range(0, count, BLOCK):
-            left, right = scenes(generator, min(BLOCK, count - start), 5, *scene)
+    print("| problems | number | not told here | compared, wrong | wrong: PoseLib | wrong: OpenCV, of ", end="")
+    print("| µs here, PoseLib, OpenCV | largest error |\n|---|---|---|---|---|---|---|---|", flush=True)
+    for place, (kind, (make, share)) in enumerate(OF_FIVE.items()):
+        generator, number = np.random.default_rng([seed, place]), int(share * count)
+        cases, compared, solved = Counter(), np.zeros(2, int), np.zeros(3, int)
+        wrong, seconds, worst = np.zeros(2, int), np.zeros(3), 0.0
+        for start in range(0, number, BLOCK):
+            left, right = make(generator, min(BLOCK, number - start))
             found, own = timed(minimal.five_pairs, left, right)
-            others, their = zip(*(timed(each, left, right) for each in (opencv_of_five, poselib_of_five)), strict=True)
+            of_poselib, its = timed(poselib_of_five, left, right)
+            of_opencv, their = timed(opencv_of_five, left[:OF_OPENCV], right[:OF_OPENCV])
             told = found.count >= 0
-            untold += (~told).sum()
-            wrong += [(counts != found.count)[told].sum() for counts in others]
-            seconds += own, *their
+            cases.update(found.case[~told].tolist())
+            different = told & (of_poselib != found.count)
+            wrong += different.sum(), (of_opencv != found.count[:OF_OPENCV])[told[:OF_OPENCV]].sum()
+            seconds += own, its, their
+            solved += len(left), len(left), len(of_opencv)
             worst = max(worst, float(np.nanmax(found.error)))
-        times = ", ".join(f"{1e6 * each / count:.0f}" for each in seconds)
-        print(f"| {kind} | {count} | {untold} | {wrong[0]}, {wrong[1]} | {times} | {worst:.0e} |", flush=True)
+            most = len(left) if make is double_solution else COMPARED
+            compared += checked(found, left, right, np.argsort(~different, kind="stable")[:most])
+        times = ", ".join(f"{each:.0f}" for each in 1e6 * seconds / solved)
+        untold = ", ".join(f"{amount} {case}" for case, amount in sorted(cases.items())) or "0"
+        print(f"| {kind} | {number} | {untold} | {compared[0]}, {compared[1]} | {wrong[0]} ", end="")
+        print(f"| {wrong[1]}, {solved[2]} | {times} | {worst:.0e} |", flush=True)
+
+
+def main_of_batches(rounds):
+    """Print the processor time of five pairs by the number of problems in a call, in turns with PoseLib."""
+    left, right = scenes(np.random.default_rng(1), 8192)
+    print("| problems in a call | µs a problem | µs, PoseLib | ratio |\n|---|---|---|---|")
+    for size in (1, 4, 16, 64, 256, 1024, 8192):
+        calls = max(1, 1024 // size)
+        seconds = np.zeros((rounds, 2))
+        for turn in range(rounds):
+            for column, solve in enumerate((minimal.five_pairs, poselib_of_five)):
+                parts = [slice(k * size, (k + 1) * size) for k in range(calls)]
+                seconds[turn, column] = sum(timed(solve, left[part], right[part])[1] for part in parts)
+        own, their = 1e6 * np.median(seconds, axis=0) / (size * calls)
+        print(f"| {size} | {own:.0f} | {their:.1f} | {own / their:.0f} |", flush=True)
 
 
 def main_of_seven(count, seed=1):
@@ -146,4 +227,4 @@ def main_of_seven(count, seed=1):
 
 
 if __name__ == "__main__":
-    {"five": main_of_five, "seven": main_of_seven}[sys.argv[1]](*map(int, sys.argv[2:]))
+    {"five": main_of_five, "seven": main_of_seven, "batches": main_of_batches}[sys.argv[1]](*map(int, sys.argv[2:]))

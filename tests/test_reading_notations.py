@@ -39,6 +39,26 @@ def read(latex, **options):
         (r"y = α² + β · 30°", ["y = alpha**2 + beta*30*pi/180"]),
         (r"(A B)' = C", ["(A*B)_prime = C"]),
         (r"p \oplus q = \ominus r", [r"p o q = [\ominus]*r"]),
+        (r"h = \left.v\right)_0 r", ["h = v_at_0*r"]),
+        (r"a = b \left[ c - \right. \\ &\hphantom{=} \quad \left. d \right]", ["a = b*(c - d)"]),
+        (r"a = b{+}c {-} d", ["a = b + c - d"]),
+        (r"x^{+} = \left| x - 1 \right| + \left\lvert y \right\lvert", ["x_plus = Abs(x - 1) + Abs(y)"]),
+        (r"y = \ln\left| x \right| + \sin \lvert x \rvert", ["y = log(Abs(x)) + sin(Abs(x))"]),
+        (r"\text{Pr}(\text{yes}|A) \times \text{Pr}(A) = c", ["Pr_textyes_A x Pr(A) = c"]),
+        (r"n = \left\lfloor x \right\rfloor + \lceil y \rceil", ["n = floor(x) + ceil(y)"]),
+        (r"\operatorname{Re} z = \Re z = c", ["Re(z) = Re(z) = c"]),
+        (r"\mathrm{Re} = v d", ["Re = v*d"]),
+        (r"C = \mathrm{KL} \left[ p(t|y) \, || \, p(t|m) \right]", ["C = KL_p_t_y_p_t_m"]),
+        (r"F = \begin{pmatrix} x, & y \end{pmatrix}", ["F = [[x, y]]"]),
+        (r"V = A^{k^\prime}", ["V = Ap**k"]),
+        (r"a = \\ = b == c", ["a = b = c"]),
+        (r"a = b . \avoidbreak", ["a = b"]),
+        (r"a &= b && c &= d", ["a = b", "c = d"]),
+        (r"m a &= b - c & & = d", ["m*a = b - c = d"]),
+        (r"\begin{cases} x & = & 2 r \\ y & = & r \\ \end{cases}", ["x = 2*r", "y = r"]),
+        (r"\left\{ \begin{array}{l} x=s \\ y=2 \end{array} , \ 0 \le s \right.", ["x = s", "y = 2", "0 <= s"]),
+        (r"m = \begin{cases} \left\lbrace 0, 1 \right\rbrace , & x < 1 \\ 1 & x > 1 \end{cases}", None),
+        (r"y = \nicefrac{1}{2}", ["y = 1/2"]),
     ],
 )
 def test_a_notation_is_read(latex, expected):
@@ -56,6 +76,13 @@ def test_a_notation_is_read(latex, expected):
         r"\{x | x > 0\} = \{x | x > 0\}",
         r"\inv{A} \inv{B} = \inv{B} \inv{A}",
         r"\phi_0 \oplus b = \phi_0 \otimes b",
+        r"\lfloor x \rfloor = x",
+        r"\left\lceil x + y \right\rceil = \lceil x \rceil + \lceil y \rceil",
+        r"\Re (x y) = \Re x \Re y",
+        r"\operatorname{Im} z = 0",
+        r"\left. f \right)_0 - \left. f \right)_1 = 0",
+        r"\left. f \right|_{x=0} - f = 0",
+        r"2 p\left( y \left| x \right. \right) = 2 p\left( x \left| y \right. \right)",
     ],
 )
 def test_what_is_shown_only_is_never_decided(latex):
@@ -71,3 +98,30 @@ def test_blocks_of_code_are_formulas_where_they_say_so():
 
 def test_blocks_of_code_that_do_not_close_end_within_bounds():
     assert read_document(document_of("```math\n" * 20_000, latex=False)) == []
+
+
+def test_a_display_that_begins_with_a_relation_goes_on_with_the_one_before_it():
+    found = read_document(document_of(r"\[ a = b + c \] \[ = c + b \] So \[ = d \]"))
+    assert [each.read for each in found] == ["a = b + c", "b + c = c + b", None]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ H_0: \; \mu = m \] \[ \mu - m = 0 \]",
+        r"\[ H_0: \quad \mu = m \] \[ 2 \mu = 2 m \]",
+        r"\[ x \ge 0 : \quad y = x \] \[ y - x = 0 \]",
+        r"\[ A : \; y = x, \quad z = x \] \[ z - x = 0 \]",
+        r"\[ x = y \text{ if } t > 0 \] \[ = z \] \[ x - z = 0 \]",
+        r"\[ x = y \text{ Only}(t = 0) \] \[ x - y = 0 \]",
+        r"\[ a = b \\% \quad = c" "\n" r"\] \[ a - c = 0 \]",
+    ],
+)
+def test_an_equation_with_a_name_or_a_condition_is_no_premise(latex):
+    assert read_document(document_of(latex))[-1].verdict not in ("follows", "contradicts")
+
+
+def test_a_comment_in_a_formula_says_nothing():
+    text = "$$ a = b \\\\ % = c\n d = e $$"
+    assert [each.read for each in read_document(document_of(text, latex=False))] == ["a = b", "d = e"]
+    assert read("\\begin{align} a &= b \\\\% c\n d &= e \\end{align}") == ["a = b", "d = e"]

@@ -13,7 +13,7 @@ from algebroproj_derivations.studies.stereo.advice import exchanges, moves, stre
 from algebroproj_derivations.studies.stereo.aerial import aerial
 from algebroproj_derivations.studies.stereo.closest import closest_critical, condition
 from algebroproj_derivations.studies.stereo.layouts import LAYOUTS, examine, homogeneous_rows
-from algebroproj_derivations.studies.stereo.maps import lost_homogeneous, over_image, over_plane
+from algebroproj_derivations.studies.stereo.maps import lost_homogeneous, lost_on_average, over_image, over_plane
 from algebroproj_derivations.studies.stereo.quadric import (
     conditions,
     critical_quadric,
@@ -335,6 +335,32 @@ def test_a_place_on_the_curve_loses_all_digits_and_does_not_spoil_the_others():
     assert value(form, exact(scene.points[4])) == 0
     assert lost[0] == lost[2] < 4
     assert np.isnan(lost[1]) or lost[1] > 12
+
+
+def test_a_map_shows_what_many_roundings_lose_on_average():
+    scene = single(3)
+    places = over_plane(scene, [0, 0, 0], [1.5, 0, 0], [0, 1.5, 0], size=3).place.values.reshape(-1, 3)
+    points = np.repeat(scene.points[None], len(places), axis=0)
+    points[:, 7] = places
+    batch = Scene(points, *(np.repeat(part[None], len(places), axis=0) for part in (scene.centers, scene.planes)))
+    general = algebroproj.correlation.general_correlation_matrix
+    u = images(batch)
+    z = general(u[:, 0], u[:, 1])
+    again = np.repeat(u[None], 2000, axis=0)
+    again[..., 3:, :] *= 1 + 1e-12 * np.random.default_rng(1).normal(size=again[..., 3:, :].shape)
+    again = general(again[:, :, 0], again[:, :, 1]).reshape(2000, -1, 9)
+    unit = (z / np.linalg.norm(z, axis=(1, 2), keepdims=True)).reshape(-1, 9)
+    across = again - (again * unit).sum(axis=2, keepdims=True) * unit
+    sines = np.linalg.norm(across, axis=2) / np.linalg.norm(again, axis=2)
+    mean = np.log10(np.sqrt((sines**2).mean(axis=0)) / 1e-12)
+    assert np.allclose(lost_on_average(batch), mean, atol=0.03)
+
+
+def test_a_map_is_smooth():
+    lost = over_plane(single(3), [0, 0, 0], [1.5, 0, 0], [0, 1.5, 0], size=81).lost.values
+    bends = np.abs(np.diff(lost, n=2, axis=1))
+    assert np.isfinite(lost).all()
+    assert np.median(bends) < 0.01
 
 
 def test_the_map_of_the_image_shows_the_places_that_the_image_shows():

@@ -215,7 +215,8 @@ def _show(study: Study, dataset: xarray.Dataset, out: Path, *written: str) -> No
     from algebroproj_sym.study.datasets import thinned
 
     dataset, step = thinned(dataset, study.shown)
-    text = study.report(dataset) + (f"\nReport and figures show one member in {step}.\n" if step > 1 else "")
+    text = study.report(dataset) + (f"\n{study.legend()}" if study.terms else "")
+    text += f"\nReport and figures show one member in {step}.\n" if step > 1 else ""
     drawings = figures.save(study.figures(dataset), out / "figures")
     write_texts({"report.txt": text}, out)
     console().print(text.rstrip("\n"))

@@ -74,7 +74,7 @@ def reading_lines(name: str, readings: Sequence[Reading], *, full: bool) -> Iter
         for verdict in ("definition", "follows", "independent"):
             lines = [str(each.line) for each in readings if each.verdict == verdict]
             if lines:
-                yield f"{verdict}: lines {_some(lines)}"
+                yield f"{verdict}: {_some(lines)}"
         for verdict in ("not decided", "not read"):
             yield from _by_reason(verdict, [each for each in readings if each.verdict == verdict])
     counts = summary_of(readings)
@@ -94,7 +94,7 @@ def _by_reason(verdict: str, readings: Sequence[Reading]) -> Iterator[str]:
         lines.setdefault(rest if begin.startswith("line ") else reason, []).append(str(each.line))
     ordered = sorted(lines.items(), key=lambda item: (-len(item[1]), item[0]))
     for reason, found in ordered[:MOST_REASONS]:
-        yield f"{verdict}: {reason} (line{'s' * (len(found) > 1)} {_some(found)})"
+        yield f"{verdict}: {reason} ({_some(found)})"
     if len(ordered) > MOST_REASONS:
         others = sum(len(found) for _, found in ordered[MOST_REASONS:])
         yield f"{verdict}: {others} more for {len(ordered) - MOST_REASONS} other reasons; see them with --full"
@@ -102,7 +102,7 @@ def _by_reason(verdict: str, readings: Sequence[Reading]) -> Iterator[str]:
 
 def _some(lines: Sequence[str]) -> str:
     different = list(dict.fromkeys(lines))
-    shown = ", ".join(different[:MOST_LINES])
+    shown = f"line{'s' * (len(different) > 1)} " + ", ".join(different[:MOST_LINES])
     return shown if len(different) <= MOST_LINES else f"{shown}, ... ({len(different)})"
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -72,6 +72,8 @@ class Study:
     shown : int, optional
         How many members report and figures are given at most, evenly spaced, because they need them in memory; all if
         they go through them part by part.
+    terms : mapping of str to str, optional
+        What the columns and words of the report mean, each with its unit in brackets; written below the report.
     """
 
     name: str
@@ -84,11 +86,17 @@ class Study:
     check: Callable[..., None] = lambda **options: None
     size: int = 10_000
     shown: int | None = None
+    terms: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def source(self) -> Path:
         """The module whose function computes the members."""
         return Path(inspect.getfile(self.chunk))
+
+    def legend(self) -> str:
+        """Return the terms of the report, a line each."""
+        width = max(map(len, self.terms), default=0)
+        return "".join(f"  {term:{width}}  {meaning}\n" for term, meaning in self.terms.items())
 
     def arguments(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return the value of each option: what is given, or its default.

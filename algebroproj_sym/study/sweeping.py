@@ -29,7 +29,7 @@ import numpy as np
 import xarray
 
 from algebroproj_sym.files import write_texts
-from algebroproj_sym.study.datasets import attributes, join, provenance, read, write
+from algebroproj_sym.study.datasets import attributes, join, provenance, read, variable, write
 from algebroproj_sym.study.declaration import MEMBER, Indices, Study
 
 MANIFEST = "manifest.json"
@@ -206,7 +206,7 @@ def computed(
     dataset = chunk(indices, seed, **options)
     if MEMBER not in dataset.coords or not np.array_equal(dataset[MEMBER].values, indices):
         raise RuntimeError(f"study: expected the members {indices[0]} to {indices[-1]} in order, got others")
-    return dataset
+    return dataset.assign_coords({MEMBER: variable([MEMBER], indices, about="number of the member")})
 
 
 def assemble(sweep: Sweep) -> xarray.Dataset:

@@ -118,7 +118,8 @@ def chunk(indices: Indices, seed: int, *, decimals: int, **axis: float) -> xarra
     with np.errstate(all="ignore"):
         found = _results(from_images(float64(), Images(changed[None, :, 0], changed[None, :, 1]), point), float64())
     reference = _results(_unrounded(point), double_double())
-    data: dict[str, Any] = {"point": variable(["point"], np.array(example().names[FIRST:], dtype=object))}
+    names = np.array(example().names[FIRST:], dtype=object)
+    data: dict[str, Any] = {"point": variable(["point"], names, about="name of the point")}
     for name, about in QUANTITIES.items():
         value, true = found[name], reference[name]
         dimensions = [f"{name}_{k}" if name != "model" or k else "point" for k in range(true.hi.ndim)]
@@ -172,8 +173,8 @@ def spread(dataset: xarray.Dataset, name: str) -> Spread:
 def report(dataset: xarray.Dataset) -> str:
     """Return which decimals of each result are determined by those of the images."""
     lines = [
-        "The images vary at random within half a unit of the last printed decimal. For the element that changes most:",
-        "standard deviation, largest change, decimals that hold in 95 % of the cases, and decimals that are printed.",
+        "The images vary at random within half a unit of the last printed decimal. Columns are of the element that",
+        "changes most.",
         "",
         f"{'':<38}{'deviation':>11}{'largest':>11}{'decimals':>10}{'printed':>9}",
     ]
@@ -218,9 +219,9 @@ def _ellipses(dataset: xarray.Dataset, found: Mapping[str, Spread]) -> Figure:
             left.annotate(str(name), points[place, :2], xytext=offset, textcoords="offset points", fontsize=7)
         left.plot([], [], color=COLOURS[0], marker="o", ms=2.5, label="determine the correlation")
         left.plot([], [], color=COLOURS[1], ls=DASHES[1], marker="s", ms=2.5, label="others")
-        left.legend(loc="best")
+        drawing.legend(loc="outside lower left", ncols=2, title="no ellipse: smaller than its mark")
         left.set_title(f"model: 95 % ellipses, enlarged {factor:g} times")
-        left.set(xlabel="$y_1$", ylabel="$y_2$", aspect="equal")
+        left.set(xlabel="$y_1$ [affine coordinate]", ylabel="$y_2$ [affine coordinate]", aspect="equal")
         left.margins(0.12)
         for place, (name, each) in enumerate(found.items()):
             values = each.deviation[each.deviation > UNCHANGED]
@@ -229,7 +230,8 @@ def _ellipses(dataset: xarray.Dataset, found: Mapping[str, Spread]) -> Figure:
             printed = 0.5 * 10.0 ** -example().printed[name]
             right.hlines(printed, place - 0.36, place + 0.36, color=INK, lw=1.2)
         right.hlines([], 0, 0, color=INK, lw=1.2, label="half a unit of the last\nprinted decimal")
-        right.set(yscale="log", title="standard deviations", ylim=(1e-10, 0.1))
+        right.set(yscale="log", title="one mark for each element", ylim=(1e-10, 0.1))
+        right.set_ylabel("standard deviation [affine coordinates]")
         right.set_xticks(range(len(found)), ["Z", "epipoles", "centers", "model"])
         right.grid(visible=False, axis="x")
         right.legend(loc="lower left")
@@ -249,11 +251,13 @@ def _ellipsoids(dataset: xarray.Dataset, found: Spread) -> Figure:
             axes.plot_wireframe(*surface, color=colour, lw=0.7, rcount=9, ccount=9, zorder=2)
             axes.plot(*np.stack([points[place], [*points[place, :2], 0.0]]).T, color=GREY, lw=0.6, ls=":", zorder=1)
             axes.scatter(*points[place], color=colour, marker="o" if place < DETERMINING else "s", s=6, zorder=3)
-            axes.text(*points[place], f"  {name}", fontsize=7, zorder=4)
+            aside = {"ha": "right", "va": "bottom"} if place % 2 else {"ha": "left", "va": "top"}
+            axes.text(*points[place], f"  {name}  ", fontsize=7, zorder=4, **aside)
         axes.plot([], [], color=COLOURS[0], marker="o", ms=2.5, label="determine the correlation")
         axes.plot([], [], color=COLOURS[1], marker="s", ms=2.5, label="others")
-        axes.set(xlabel="$y_1$", ylabel="$y_2$", zlabel="$y_3$")
-        axes.set_title(f"model: 95 % ellipsoids, enlarged {factor:g} times")
+        axes.set(xlabel="$y_1$ [affine]", ylabel="$y_2$ [affine]", zlabel="$y_3$ [affine]")
+        axes.locator_params(nbins=5)
+        axes.set_title(f"model: 95 % ellipsoids, enlarged {factor:g} times; dotted: down to $y_3 = 0$")
         axes.set_box_aspect(None, zoom=0.9)
         axes.view_init(elev=18, azim=-62)
         drawing.legend(loc="outside lower center", ncols=2)
@@ -291,4 +295,10 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    terms={
+        "deviation": "standard deviation [affine coordinates; of Z: multiples of the element z10 = 1]",
+        "largest": "largest change [as before]",
+        "decimals": "decimals that hold in 95 % of the cases [number]",
+        "printed": "decimals that are printed [number]",
+    },
 )

@@ -45,6 +45,12 @@ FALLING = ("algebraic", "sampson", "sigma_5", "relative_sigma_5", "determinant",
 """Indicators that are small where many digits are lost."""
 
 OUTPUTS = {"z": "Z", "epipole": "epipoles"}
+UNITS = {"sampson": "unit of the basic points", "z_bound": "roundoff", "epipole_bound": "roundoff"}
+KINDS = {
+    "error": "root mean square error over images that round to the same",
+    "single": "error of one rounding",
+    "largest": "largest error over images that round to the same",
+}
 Array = NDArray[np.float64]
 
 
@@ -60,9 +66,14 @@ def chunk(indices: Indices, seed: int, *, replicas: int, nearest: float, farthes
     scene = near_critical(indices, seed, farthest, nearest, np.asarray(indices) % 4 != 0)
     values = indicators(scene)._asdict()
     errors = _errors(scene, seed, indices, replicas)
-    data = {name: variable([MEMBER], value, "1", WORDS[name]) for name, value in values.items()}
-    data |= {name: variable([MEMBER], value, "1", f"{name}, in units of roundoff") for name, value in errors.items()}
+    data = {name: variable([MEMBER], value, UNITS.get(name, "1"), WORDS[name]) for name, value in values.items()}
+    data |= {name: variable([MEMBER], value, "roundoff", _words(name)) for name, value in errors.items()}
     return xarray.Dataset(data, coords={MEMBER: indices})
+
+
+def _words(error: str) -> str:
+    output, kind = error.split("_")
+    return f"{KINDS[kind]} of {OUTPUTS[output]}, images rounded"
 
 
 def _errors(scene: Scene, seed: int, indices: Indices, replicas: int) -> dict[str, Array]:
@@ -163,12 +174,12 @@ def report(dataset: xarray.Dataset) -> str:
     """Return how well each indicator predicts, and how tight the guaranteed bound is."""
     lines = [f"{dataset.sizes[MEMBER]} stereo pairs. Digits lost in float64, with images rounded to float64."]
     for output, name in OUTPUTS.items():
-        lines += [f"{name}:", f"  {'':44}slope  scatter  offset"]
+        lines += [f"{name}:", f"  {'':44}   slope  scatter  offset"]
         for indicator, fit in fits(dataset, output).items():
             words = f"  {WORDS[indicator]:44}"
-            lines.append(f"{words}{fit['slope']:5.2f}{fit['scatter']:9.2f}{fit['offset']:8.2f}")
+            lines.append(f"{words}{fit['slope']:8.2f}{fit['scatter']:9.2f}{fit['offset']:8.2f}")
         single = fits(dataset, output, "single")[f"{output}_mean"]
-        lines.append(f"  with one rounding instead of the mean of several: scatter {single['scatter']:.2f}")
+        lines.append(f"  with one rounding instead of the mean of several: scatter {single['scatter']:.2f} decades")
         bound, largest = dataset[f"{output}_bound"].values, dataset[f"{output}_largest"].values
         usable = np.isfinite(bound) & (bound < 1 / UNIT_ROUNDOFF)
         broken = int((largest[usable] > bound[usable]).sum())
@@ -200,15 +211,20 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             line = fit["offset"] + (-ends if name in FALLING else ends)
             axes.plot(ends, line, color=INK, lw=1.0)
             axes.set(xlabel=f"log10 {_short(name)}", ylim=(-1, 17))
-            axes.set_title(f"scatter {fit['scatter']:.2f}", color=GREY)
+            axes.set_title(f"scatter about the line: {fit['scatter']:.2f} decades", color=GREY, fontsize=7.5)
         for axes in panels[:, 0]:
-            axes.set_ylabel("digits lost in Z")
+            axes.set_ylabel("decimal digits lost in Z")
         drawing.colorbar(cells, ax=panels, label="stereo pairs per cell", pad=0.01, aspect=40)
     return {"indicators": drawing}
 
 
 def _short(name: str) -> str:
-    shorter = {"sampson": "distance from the quadric", "sigma_5": "smallest singular value"}
+    shorter = {
+        "sampson": "distance [units of basic points]",
+        "sigma_5": "smallest singular value",
+        "determinant": "determinant",
+        "z_bound": "guaranteed bound [roundoff]",
+    }
     return shorter.get(name, WORDS[name].removesuffix(" of Z"))
 
 
@@ -226,4 +242,11 @@ STUDY = Study(
     figures=figures,
     check=check,
     shown=1_000_000,
+    terms={
+        "slope": "of log10(error) over log10(indicator) [1]",
+        "scatter": "standard deviation of log10(error) about a line of slope 1 or -1 [decades]",
+        "offset": "median of log10(error in roundoffs) less, or plus, log10(indicator) [decades]",
+        "error": "of Z relative to its largest element, of epipoles as an angle in radians [roundoff, 1.1e-16]",
+        "distance": "of the point that was moved [units of the basic points]; other indicators have no unit [1]",
+    },
 )

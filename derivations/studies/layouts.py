@@ -24,6 +24,7 @@ from algebroproj_sym.study.sampling import normal, uniform
 DIRECTIONS, DISTANCES = 0, 1
 X_EDGES, SMALL_EDGES, LOST_EDGES = np.linspace(-13, 0, 40), np.linspace(-18, 2, 401), np.linspace(-2, 20, 441)
 FITTED = -9.0, -3.0
+LEGEND = "Z, images rounded to float64:\nmedian, 5 % and 95 %;\nno line where there is no result"
 
 
 def check(**options: Any) -> None:
@@ -103,11 +104,9 @@ def _only(dataset: xarray.Dataset, name: str, number: int) -> xarray.Dataset:
 def report(dataset: xarray.Dataset) -> str:
     """Return a table of the layouts: exact ranks, the quadric, and the slopes that are measured on the way."""
     lines = [
-        "Exact: ranks of the 5 equations and of the 8 homogeneous ones, conditions of the 10 points on a quadric.",
-        "Measured: all points change by 1e-9 to 1e-3 of the base. The slope is that of log10 of the smallest singular",
-        "value over log10 of the change. Lost are decimal digits of Z at a change of 1e-6.",
+        "Ranks are exact. Slopes and lost digits are measured while all points change by 1e-9 to 1e-3 of the base.",
         "",
-        f"{'layout':<28}{'of 5':>5}{'of 8':>5}{'of 10':>6}  {'verdict':<14}{'slope 5':>8}{'slope 8':>8}"
+        f"{'layout':<27}{'of 5':>6}{'of 8':>6}{'of 10':>7}  {'verdict':<13}{'slope 5':>9}{'slope 8':>9}"
         f"{'lost 5':>8}{'lost 8':>8}  quadric",
     ]
     for layout, distributions in zip(LAYOUTS, counted(dataset), strict=True):
@@ -116,10 +115,10 @@ def report(dataset: xarray.Dataset) -> str:
         slopes = [round(slope, 1) + 0.0 for slope, _, _ in fitted]
         lost = [_at(distributions[name], -6.0) for name in ("lost_divided", "lost_homogeneous")]
         kind = exact.kind.name if exact.kind else "none" if exact.conditions == 10 else "several"
-        ranks = f"{exact.rank_of_five:>5}{exact.rank_of_eight:>5}{exact.conditions:>6}"
+        ranks = f"{exact.rank_of_five:>6}{exact.rank_of_eight:>6}{exact.conditions:>7}"
         lines.append(
-            f"{layout.name:<28}{ranks}  {exact.verdict:<14}"
-            f"{slopes[0]:>8.1f}{slopes[1]:>8.1f}{lost[0]:>8.0f}{lost[1]:>8.0f}  {kind}"
+            f"{layout.name:<27}{ranks}  {exact.verdict:<13}"
+            f"{slopes[0]:>9.1f}{slopes[1]:>9.1f}{lost[0]:>8.0f}{lost[1]:>8.0f}  {kind}"
         )
     return "\n".join(lines) + "\n"
 
@@ -146,12 +145,12 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
                 panel.fill_between(x[known], low[known], high[known], color=COLOURS[line], alpha=0.18, lw=0)
                 panel.plot(x[known], median[known], color=COLOURS[line], ls=DASHES[line], label=label)
             panel.set_title(f"{layout.name}: {examine(layout.scene()).verdict}", fontsize=7.5)
-            panel.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":")
+            panel.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":", label="all digits of float64")
             panel.set(xscale="log", xlim=(1e-12, 0.1), ylim=(-1.5, 17.5), yticks=[0, 5, 10, 15])
         axes.flat[-1].set_axis_off()
         axes[-2, -1].tick_params(labelbottom=True)
         handles, labels = axes.flat[0].get_legend_handles_labels()
-        axes.flat[-1].legend(handles, labels, loc="center", title="Z, images rounded to float64:\nmedian, 5 % and 95 %")
+        axes.flat[-1].legend(handles, labels, loc="center", title=LEGEND)
         drawing.supxlabel("change of the points [length of the base]", fontsize=8)
         drawing.supylabel("decimal digits lost", fontsize=8)
     return {"digits-lost-by-layout": drawing}
@@ -167,4 +166,16 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    terms={
+        "layout": "name of the layout [word]",
+        "of 5": "rank of the five equations [number]; below 5 they are singular",
+        "of 8": "rank of the eight homogeneous equations [number]; below 8 they leave a choice",
+        "of 10": "conditions of the eight points and both centers on a quadric [number]; below 10 they are on one",
+        "verdict": "what follows [word]; normalisation: another order of the points helps",
+        "slope 5": "of log10 of the smallest singular value of the five equations over log10 of the change [1]",
+        "slope 8": "the same of the eight equations [1]",
+        "lost 5": "digits of Z lost at a change of 1e-6 of the base, by the five equations [decimal digits]",
+        "lost 8": "the same by the eight equations [decimal digits]",
+        "quadric": "the critical quadric [word]",
+    },
 )

@@ -41,6 +41,16 @@ X_EDGES, Y_EDGES = np.linspace(-16, 1, 69), np.linspace(-2, 20, 221)
 SHOWN = (-12, -9, -6, -3)
 """Logarithms of the distances of which the report tells the median."""
 
+TERMS = {
+    **{f"at 1e{exponent}": f"median at 1e{exponent} half widths of the model [decimal digits]" for exponent in SHOWN},
+    "slope": "of lost digits over log10(distance), from 1e-12 to 1e-2 half widths [decimal digits a decade]",
+    "scatter": "standard deviation about that line [decimal digits]",
+    "none": "stereo pairs without a result [number]",
+}
+
+UNIT = "half width"
+"""Of lengths: half the width of the model."""
+
 TYPICAL = 3
 """Seed of the stereo pair that is drawn."""
 
@@ -159,16 +169,14 @@ def report(dataset: xarray.Dataset) -> str:
     lines = [
         f"{members} stereo pairs of eight points. One is near the quadric through the other seven and the centers.",
         f"{100 * ruled:.0f} % of the critical quadrics are ruled.",
-        "Decimal digits lost: medians at distances from the quadric, in half widths of the model. Then a line over",
-        "log10(distance) from 1e-12 to 1e-2: its slope and the scatter about it. At last the pairs without a result.",
         "",
-        f"{'':<34}" + "".join(f"{f'1e{exponent}':>7}" for exponent in SHOWN) + "  slope  scatter  none",
+        f"{'':<34}" + "".join(f"{name:>9}" for name in TERMS),
     ]
     for name, distribution in counted(dataset).items():
         slope, _, scatter = distribution.line(*FITTED)
         medians = distribution.quantiles([0.5], least=1)[0][np.searchsorted(X_EDGES, SHOWN) - 1]
-        columns = "".join(f"{round(float(median), 1) + 0.0:>7.1f}" for median in medians)
-        lines.append(f"{ERRORS[name]:<34}{columns}{slope:>7.2f}{scatter:>9.2f}{distribution.outside:>6}")
+        columns = "".join(f"{round(float(median), 1) + 0.0:>9.1f}" for median in medians)
+        lines.append(f"{ERRORS[name]:<34}{columns}{slope:>9.2f}{scatter:>9.2f}{distribution.outside:>9}")
     return "\n".join(lines) + "\n"
 
 
@@ -183,7 +191,10 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
         shown = np.ma.masked_equal(total.counts.T, 0)
         mesh = left.pcolormesh(10.0**X_EDGES, Y_EDGES, shown, norm="log", rasterized=True)
         for probability, median in zip((0.05, 0.5, 0.95), total.quantiles([0.05, 0.5, 0.95]), strict=True):
-            left.plot(10.0**x, median, color=INK, lw=1.4 if probability == 0.5 else 0.8, ls=DASHES[probability != 0.5])
+            words = {0.05: "5 % and 95 %", 0.5: "median"}.get(probability)
+            width = 1.4 if probability == 0.5 else 0.8
+            left.plot(10.0**x, median, color=INK, lw=width, ls=DASHES[probability != 0.5], label=words)
+        left.legend(loc="lower left")
         drawing.colorbar(mesh, ax=left, label="stereo pairs per cell", pad=0.02, location="bottom", aspect=40)
         left.set(title="Z from images rounded to float64", ylabel="decimal digits lost")
         for place, (name, about) in enumerate(ERRORS.items()):
@@ -191,10 +202,10 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
             width = 3.0 if name == "lost_total" else 1.4
             right.plot(10.0**x, median, color=COLOURS[(0, 1, 5, 3)[place]], ls=DASHES[place], lw=width, label=about)
         right.set(title="medians")
-        right.legend(loc="upper right")
+        right.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2)
         for axes in (left, right):
             axes.axhline(-np.log10(UNIT_ROUNDOFF), color=GREY, lw=0.8, ls=":")
-            axes.set(xscale="log", xlabel="distance from the critical quadric [half widths]")
+            axes.set(xscale="log", xlabel="distance from the quadric [half widths of the model]")
             axes.set(xlim=(1e-15, 1.0), ylim=(-1.5, 18))
         left.text(0.5, 16.3, "all digits of float64", color=GREY, fontsize=7, ha="right")
     return {"digits-against-distance": drawing} | _typical()
@@ -208,9 +219,13 @@ def _typical() -> dict[str, Figure]:
     ground = ground.assign_coords(s=1.5 * ground.s, t=1.5 * ground.t)
     seen = over_image(scene, 0.0, reach=0.6)
     return {
-        "quadric": quadric_in_space(replace(scene, points=scene.points[:MOVED]), form),
-        "map-of-the-ground": map_of_lost_digits(ground, "eighth point on the ground, $x_3 = 0$", "$x_1$", "$x_2$"),
-        "map-of-the-image": map_of_lost_digits(seen, "eighth point in the left image", "$x$", "$y$"),
+        "quadric": quadric_in_space(replace(scene, points=scene.points[:MOVED]), form, UNIT),
+        "map-of-the-ground": map_of_lost_digits(
+            ground, "eighth point on the ground, $x_3 = 0$", f"$x_1$ [{UNIT}]", f"$x_2$ [{UNIT}]"
+        ),
+        "map-of-the-image": map_of_lost_digits(
+            seen, "eighth point in the left image", "$x$ [principal distance]", "$y$ [principal distance]"
+        ),
     }
 
 
@@ -230,4 +245,5 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    terms=TERMS,
 )

@@ -78,7 +78,12 @@ def chunk(indices: Indices, seed: int, *, range: float, choices: int) -> xarray.
         "u_n31": variable(dimensions, u_n31.reshape(shape), "1", "first image coordinate of G3 in the normal case"),
     }
     varied = ["y_a"] * choices + ["u_n31"] * choices
-    coordinates = {MEMBER: indices, CHOICE: varied, WAY: list(WAYS), AXIS: ["1", "2", "3"]}
+    coordinates = {
+        MEMBER: indices,
+        CHOICE: variable([CHOICE], varied, about="what is varied"),
+        WAY: variable([WAY], list(WAYS), about="transformation to the normal case"),
+        AXIS: variable([AXIS], ["1", "2", "3"], about="number of the coordinate"),
+    }
     return xarray.Dataset(data, coords=coordinates)
 
 
@@ -124,19 +129,19 @@ def report(dataset: xarray.Dataset) -> str:
     pairs = f"{dataset.sizes[MEMBER]} stereo pairs, each with {dataset.sizes[CHOICE] // 2} axis points and u_N31"
     lines = [
         f"{pairs}. The model is judged at three other object points.",
-        f"  {'':52}{'5 %':>8}{'50 %':>8}{'95 %':>8}",
+        f"  {'':56}{'5 %':>8}{'50 %':>8}{'95 %':>8}",
     ]
     for place, words in enumerate(WAYS.values()):
-        lines.append(f"  {words + ': digits lost by rounding':52}{_quantiles(lost[..., place])}")
+        lines.append(f"  {words + ': digits lost by rounding [decimal digits]':56}{_quantiles(lost[..., place])}")
         if place:
             ratio = noise[..., place] - noise[..., 0]
-            lines.append(f"  {'  log10 of noise, over that without a normal case':52}{_quantiles(ratio)}")
+            lines.append(f"  {'  noise over that without a normal case [decades]':56}{_quantiles(ratio)}")
         for name, symbol in CHOICES.items():
             if name == "u_n31" and place != WAYS_OF_U:
                 continue
             some = dataset[CHOICE].values == name
-            lines.append(f"  {'  digits between best and worst ' + symbol:52}{_spread(lost[:, some, place])}")
-            lines.append(f"  {'  log10 of noise, worst ' + symbol + ' over best':52}{_spread(noise[:, some, place])}")
+            lines.append(f"  {f'  between best and worst {symbol} [decimal digits]':56}{_spread(lost[:, some, place])}")
+            lines.append(f"  {f'  noise, worst {symbol} over best [decades]':56}{_spread(noise[:, some, place])}")
     return "\n".join(lines) + "\n"
 
 
@@ -155,14 +160,14 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
     noise = dataset.noise.values
     with style():
         drawing = figure(PAGE, 2.8)
-        left, right = drawing.subplots(1, 2)
+        left, right = drawing.subplots(1, 2, sharey=True)
         for place, words in enumerate(WAYS.values()):
             look: dict[str, Any] = {"color": COLOURS[place], "ls": DASHES[place], "label": words}
             left.plot(*_distribution(dataset.lost.values[..., place]), **look)
             if place:
                 right.semilogx(*_distribution(noise[..., place] / noise[..., 0]), **look)
         left.set(xlabel="decimal digits lost by rounding", ylabel="part of the stereo pairs", xlim=(0, 10))
-        right.set(xlabel="standard deviation, over that without a normal case", xlim=(1e-2, 1e2))
+        right.set(xlabel="standard deviation of object points,\nover that without a normal case [1]", xlim=(1e-2, 1e2))
         right.axvline(1.0, color=GREY, lw=0.7)
         left.legend(loc="lower right")
     return {"normal-case": drawing}
@@ -187,4 +192,10 @@ STUDY = Study(
     figures=figures,
     check=check,
     shown=1_000_000,
+    terms={
+        "5 %": "what 5 % of the stereo pairs are below, in the unit of the row [unit of the row]",
+        "50 %": "the same of 50 %, the median [unit of the row]",
+        "95 %": "the same of 95 % [unit of the row]",
+        "noise": "standard deviation of object points over that of image points [1]; decades are its log10",
+    },
 )

@@ -24,6 +24,8 @@ from algebroproj_sym.study.datasets import variable
 from algebroproj_sym.study.declaration import MEMBER, Indices, Option, Study
 from algebroproj_sym.study.sampling import normal
 
+UNIT_OF_FILE = "unit of the file"
+
 
 def check(**options: Any) -> None:
     """Refuse a file without pairs, and options without sense."""
@@ -75,9 +77,11 @@ def chunk(indices: Indices, seed: int, *, sigma: float, **source: Any) -> xarray
         known = np.where(np.isfinite(given.objects), true, np.nan)
         found = [_in_space(*member[0], known) for member in again]
         data |= {
-            "object": variable(["pair", "xyz"], given.objects, about="object points, in the unit of the file"),
-            "place": variable(["pair", "xyz"], true, about="where the pairs put them"),
-            "place_again": variable([MEMBER, "pair", "xyz"], found, about="where repeated measurements put them"),
+            "object": variable(["pair", "xyz"], given.objects, UNIT_OF_FILE, "object points"),
+            "place": variable(["pair", "xyz"], true, UNIT_OF_FILE, "where the pairs put them"),
+            "place_again": variable(
+                [MEMBER, "pair", "xyz"], found, UNIT_OF_FILE, "where repeated measurements put them"
+            ),
         }
     return xarray.Dataset(data, coords={MEMBER: indices})
 
@@ -124,7 +128,7 @@ def _of_objects(dataset: xarray.Dataset) -> list[str]:
         f"{known.sum()} object points: off by {np.sqrt((off[known] ** 2).mean()):.2g} (root mean square), "
         f"pair {int(np.nanargmax(off)) + 1} by {np.nanmax(off):.2g}; pixels explain {expected:.2g}.",
         f"Simulated errors in space: median {np.median(deviations):.2g}, largest {deviations.max():.2g} "
-        f"(pair {int(deviations.argmax()) + 1}).",
+        f"(pair {int(deviations.argmax()) + 1}), in the unit of the file.",
     ]
 
 
@@ -168,4 +172,11 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    terms={
+        "distance, error": "Sampson's: by how much both points of a pair must move to fit the matrix [px: pixels]",
+        "sigma": "standard deviation of a coordinate, as given [px]; as a unit: how far all coordinates move together",
+        "leverage": "share of its own error that the fit hides [0 to 1]",
+        "probability": "of distances as large as these, if sigma is right [0 to 1]",
+        "(430, 830)": "places in the left and in the right picture [px]",
+    },
 )

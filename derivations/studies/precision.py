@@ -73,7 +73,8 @@ def chunk(indices: Indices, seed: int, *, timed: bool, nearest: float, farthest:
         spread = np.broadcast_to(times, (len(odd), len(times)))
         data["time"] = variable([MEMBER, ARITHMETIC], spread, "s", "CPU time of a member, the mean of its chunk")
     names = [arithmetic.name for arithmetic in ARITHMETICS]
-    return xarray.Dataset(data, coords={MEMBER: indices, ARITHMETIC: names})
+    coordinates = {MEMBER: indices, ARITHMETIC: variable([ARITHMETIC], names, about="name of the arithmetic")}
+    return xarray.Dataset(data, coords=coordinates)
 
 
 def _distance(arithmetic: Arithmetic, numbers: Numbers, exact: Numbers) -> tuple[Array, Array]:
@@ -112,9 +113,9 @@ def report(dataset: xarray.Dataset) -> str:
     near = dataset.near.values
     head = "                                        ordinary           near-critical"
     lines = [
-        f"{dataset.sizes[MEMBER]} stereo pairs, from the object to the model. Errors are medians of relative errors.",
+        f"{dataset.sizes[MEMBER]} stereo pairs, from the object to the model.",
         f"{head:72}",
-        f"  {'':26}{'CPU us':>8}{'Z':>9}{'model':>9}{'Z':>11}{'model':>9}{'bound/error of Z':>18}{'no bound':>9}",
+        f"  {'':26}{'CPU µs':>8}{'Z':>9}{'model':>9}{'Z':>11}{'model':>9}{'bound/error of Z':>18}{'no bound':>10}",
     ]
     for place, name in enumerate(dataset[ARITHMETIC].values):
         spent = f"{1e6 * np.median(dataset.time.values[:, place]):8.1f}" if "time" in dataset else f"{'':8}"
@@ -134,7 +135,7 @@ def _tightness(dataset: xarray.Dataset, place: int) -> str:
     if not usable.any():
         return ""
     without = 1 - np.isfinite(dataset.model_bound.values[:, place]).mean()
-    return f"{np.median(bound[usable] / error[usable]):18.3g}{100 * without:7.1f} %"
+    return f"{np.median(bound[usable] / error[usable]):18.3g}{100 * without:8.1f} %"
 
 
 def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
@@ -154,10 +155,20 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
                 left.loglog(spent, errors, marker=marker, ls="none", ms=4, color=colour)
                 if place == 0:
                     for name, x, y in zip(names, spent, errors, strict=True):
-                        offset = (5, -6) if "enclosures" in name else (5, -1)
-                        left.annotate(_short(name), (x, y), offset, textcoords="offset points", fontsize=6, color=INK)
+                        below = "enclosures" in name
+                        left.annotate(
+                            _short(name),
+                            (x, y),
+                            (0, -9) if below else (5, -1),
+                            textcoords="offset points",
+                            fontsize=6,
+                            color=INK,
+                            ha="center" if below else "left",
+                        )
         right.semilogy(digits, 10.0**-digits, color=GREY, lw=0.8, ls=":", label="no digits lost")
-        left.set(xlabel="CPU time of a stereo pair [us]", ylabel="median relative error of the model")
+        left.margins(x=0.16)
+        left.set(xlabel="CPU time of a stereo pair [µs]", ylabel="median relative error of the model [1]")
+        left.set_yticks(10.0 ** np.arange(-120, 1, 20))
         right.set(xlabel="decimal digits of the arithmetic")
         right.legend(loc="upper right")
     return {"precision": drawing}
@@ -184,4 +195,11 @@ STUDY = Study(
     figures=figures,
     check=check,
     shown=1_000_000,
+    terms={
+        "CPU µs": "processor time of a stereo pair, median [microseconds]",
+        "Z": "error of the matrix of correlation over its largest element, median [1]",
+        "model": "error of the points of the model over their largest coordinate, median [1]",
+        "bound/error of Z": "guaranteed bound over error, median [1]",
+        "no bound": "stereo pairs without a guaranteed bound of the model [%]",
+    },
 )

@@ -74,18 +74,19 @@ def report(dataset: xarray.Dataset) -> str:
         f"Points {', '.join(given.names[:8])}: {found.verdict}; rank {found.rank_of_eight} of the eight equations.",
         *_of_quadric(given),
         f"Closest critical configuration: the points move by {nearest.distance:.3g} {unit} in all.",
-        f"Digits of Z lost, with images rounded to float64: {_of_digits(dataset.lost.values)}.",
-        f"Smallest singular value: {float(strength(scene)):.2g}.",
+        f"Decimal digits of Z lost, with images rounded to float64: {_of_digits(dataset.lost.values)}.",
+        f"Strength: {float(strength(scene)):.2g}.",
     ]
     size = float(np.ptp(scene.points, axis=0).max())
     best = moves(scene, 0.1 * size)[0]
     direction = ", ".join(f"{x:.3g}" for x in best.place - scene.points[best.point])
     lines.append(
-        f"Best movement by {0.1 * size:.3g} {unit}: {given.names[best.point]} by ({direction}), to {best.after:.2g}."
+        f"Best movement by {0.1 * size:.3g} {unit}: {given.names[best.point]} by ({direction}) {unit}. "
+        f"Strength: {best.after:.2g}."
     )
     for exchange in exchanges(scene, given.candidates)[:3] if len(given.candidates) else []:
         taken, left = given.names[8 + exchange.candidate], given.names[exchange.point]
-        lines.append(f"Exchange {left} for {taken}: {exchange.after:.2g}.")
+        lines.append(f"Exchange {left} for {taken}. Strength: {exchange.after:.2g}.")
     return "\n".join(lines) + "\n"
 
 
@@ -104,7 +105,7 @@ def _of_quadric(given: SceneFile) -> list[str]:
         return [f"The others impose {count} conditions on a quadric. {given.names[7]} is critical wherever it lies."]
     form = critical_quadric(points[:7], centers)
     name = given.names[7]
-    return [f"{name} may not lie on this {kind(form).name}:", f"  {_rounded(form)}"]
+    return [f"{name} may not lie on this {kind(form).name} (coordinates in {given.unit}):", f"  {_rounded(form)}"]
 
 
 def _rounded(form: Any) -> str:
@@ -129,7 +130,7 @@ def figures(dataset: xarray.Dataset) -> Mapping[str, Figure]:
     ground = ground.assign_coords(s=middle[0] + reach * ground.s, t=middle[1] + reach * ground.t)
     title = f"{given.names[7]} at its height"
     return {
-        "quadric": quadric_in_space(scene, form),
+        "quadric": quadric_in_space(scene, form, given.unit),
         "map": map_of_lost_digits(ground, title, f"$x_1$ [{given.unit}]", f"$x_2$ [{given.unit}]"),
     }
 
@@ -147,4 +148,9 @@ STUDY = Study(
     report=report,
     figures=figures,
     check=check,
+    terms={
+        "rank": "exact, of the eight homogeneous equations [number]",
+        "strength": "smallest singular value of the eight equations, rows of length 1 [1]; 0 if critical",
+        "move": "root of the sum of the squares of the movements of all coordinates [unit of the file]",
+    },
 )

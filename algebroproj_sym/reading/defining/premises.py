@@ -77,6 +77,11 @@ class Premise:
     chained: bool
 
     @cached_property
+    def symbols(self) -> frozenset[str]:
+        """The symbols of its sides."""
+        return frozenset((*symbols_in(self.left), *symbols_in(self.right)))
+
+    @cached_property
     def gives(self) -> Definition | None:
         """What it says of a letter that stands alone; None if none does."""
         for side, other in ((self.left, self.right), (self.right, self.left)):

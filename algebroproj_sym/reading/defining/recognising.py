@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from lark import Tree
 
 from algebroproj_sym.expressions import require_bounded
@@ -10,6 +12,7 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
+_NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 EQUALITIES = ("=", ":=", "=:", "≡")
 """The relations that say that two sides are equal."""
 
@@ -30,6 +33,19 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
         if all(parameters) and len({*parameters}) == len(parameters):
             return str(name), tuple(parameters)
     return "", ()
+
+
+def is_named(tree: Formula) -> bool:
+    """Whether a side is the value of a function with a name of its own, such as Var(X): the value is what is given."""
+    return tree.data == "call" and _NAME.fullmatch(str(tree.children[0])) is not None
+
+
+def given_by(tree: Formula) -> str:
+    """Return the letter that is a side of its own, or the value of a named function, as text; empty for neither."""
+    symbol, _ = defined_by(tree)
+    if not is_named(tree):
+        return symbol
+    return f"{tree.children[0]} {' '.join(str(each) for each in tree.scan_values(lambda each: True))}"
 
 
 def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:

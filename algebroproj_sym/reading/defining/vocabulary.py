@@ -146,6 +146,14 @@ class Vocabulary:
             self._values.clear()
         self._mentioned |= {*definition.symbols}
 
+    def drop(self, symbol: str) -> None:
+        """Forget the definition of a symbol, and those that rest on it."""
+        del self.definitions[symbol]
+        for each in [each for each in self.definitions.values() if symbol in each.symbols]:
+            if each.symbol in self.definitions:
+                self.drop(each.symbol)
+        self._values.clear()
+
     def known(self, symbol: str) -> bool:
         """Whether a symbol with a superscript is a name of its own."""
         return symbol in self.given.symbols or symbol in self.given.sizes

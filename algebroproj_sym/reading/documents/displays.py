@@ -142,7 +142,7 @@ def _with_included(text: str, folder: Path, seen: set[Path]) -> Iterator[tuple[s
     """
     for number, line in enumerate(text.split("\n"), 1):
         place = 0
-        for match in _INCLUDED.finditer(_COMMENT.sub(_blank, line)):
+        for match in _INCLUDED.finditer(_without_comments(line)):
             included = _file_in(folder, match[2], ".tex" if match[1] in ("input", "include", "subfile") else ".sty")
             if included is None or included in seen:
                 continue
@@ -186,7 +186,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     """
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbers = lines or tuple(range(1, len(starts) + 1))
-    plain = _without_code(_COMMENT.sub(_blank, text)) if latex else _CODE_IN_LINE.sub(_blank, _without_blocks(text))
+    plain = _without_code(_without_comments(text)) if latex else _CODE_IN_LINE.sub(_blank, _without_blocks(text))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -221,6 +221,11 @@ class _Following:
             found = self._text.find(mark, place)
             self._known[mark] = len(self._text) if found < 0 else found
         return self._known[mark]
+
+
+def _without_comments(text: str) -> str:
+    r"""Return LaTeX with spaces for its comments; what stands before them stays, also a line break ``\\``."""
+    return _COMMENT.sub(lambda found: found[1] + " " * (len(found.group()) - len(found[1])), text)
 
 
 def _blank(found: re.Match[str]) -> str:
@@ -292,7 +297,7 @@ def _formulas(
             continue
         inside = text[place:end]
         after = text[end + len(ending) : end + len(ending) + 300]
-        pieces, reason = _expanded(inside, place, macros)
+        pieces, reason = _expanded(_without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")
         line = document.line_of(match.start())
         yield Display(line, environment, inside, pieces, reason, words, _up_to_formula(after), part, numbered, group)

@@ -19,6 +19,8 @@ _WIDE = (r"\quad", r"\qquad")
 _OPENS = re.compile(r"\b(?:for|if|when|where|with|at|and|or|as|all|every|any)\s*$")
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
 _ARROWS = (r"\Rightarrow", r"\Longrightarrow", r"\implies", r"\Leftrightarrow", r"\Longleftrightarrow", r"\iff")
+_SPACES = (r"\;", r"\:", r"\,", r"\ ", "~", *_WIDE)
+_MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
 _IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
 
 
@@ -83,10 +85,22 @@ def statements(document: Document) -> list[Statement]:
                     text = "".join(piece.text for piece in part).strip()
                     implied = place > 0 or arrow or (bool(pieces) and pieces[0].text in _ARROWS)
                     arrow = False
+                    if found and not place and _goes_on_behind(part, found[-1]) and not display.before.strip():
+                        part = [*_last_side(found[-1].pieces), *part]
                     found.append(
                         Statement(display, number, label, tuple(part), text, condition, display.reason, implied)
                     )
     return found
+
+
+def _goes_on_behind(pieces: Sequence[Piece], before: Statement) -> bool:
+    """Whether a display begins with a relation, so that it goes on with the equation of the one before it."""
+    first = _without_idle(pieces)[:1]
+    return bool(first and before.pieces and not before.condition) and _is_relation(first[0].text)
+
+
+def _last_side(pieces: Sequence[Piece]) -> list[Piece]:
+    return split_pieces(pieces, tuple(RELATIONS))[-1]
 
 
 def inline_statements(document: Document) -> list[Statement]:
@@ -189,14 +203,15 @@ def _begins_with_sign(row: Sequence[Piece]) -> bool:
 
 
 def _columns(row: Sequence[Piece]) -> list[list[Piece]]:
-    """Return the equations that stand side by side, between marks of alignment."""
-    cells = split_pieces(row, ("&",), brackets=False)
+    """Return the equations that stand side by side, between marks of alignment; empty cells only make room."""
+    first, *others = split_pieces(row, ("&",), brackets=False)
+    cells = [first, *(cell for cell in others if _without_idle(cell))]
     found: list[list[Piece]] = [[]]
     for place, cell in enumerate(cells):
         rest = [piece for each in cells[place : place + 2] for piece in each]
         begins = place >= 2 and place % 2 == 0 and _has_relation(found[-1]) and _has_relation(rest)
         begins = begins and not _is_relation(_without_idle(found[-1])[-1].text)
-        if begins and not (_without_idle(cell) and _is_relation(_without_idle(cell)[0].text)):
+        if begins and not _is_relation(_without_idle(rest)[0].text):
             found.append([])
         found[-1] += cell
     return found
@@ -206,8 +221,9 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
     """Yield the statements of a row, each with the words beside it."""
     statements: list[tuple[list[Piece], list[str]]] = []
     for column in columns:
-        ranges = False
-        for part, words in _separated(column):
+        ranges, known = False, len(statements)
+        label, parts = _labelled([*_separated(column)])
+        for part, words in parts:
             part = _without_idle(part)
             bracketed = part and part[0].text == "(" and part[-1].text == ")" and _has_relation(part)
             if part and statements and (bracketed or _OPENS.search(statements[-1][1][-1] if statements[-1][1] else "")):
@@ -227,8 +243,34 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
                 statements[-1][1].append("".join(piece.text for piece in part).strip())
             if words and statements:
                 statements[-1][1].append(words)
+        for _, conditions in statements[known:] if label else ():
+            conditions.insert(0, label)
     for pieces, conditions in statements:
         yield pieces, " ".join(conditions).strip()
+
+
+def _labelled(parts: list[Part]) -> tuple[str, list[Part]]:
+    r"""Return a name or a case that stands before an equation, as in ``H_0: \; a = b``, and what is behind it.
+
+    An equation with a name may be a hypothesis: its name is a condition of it.
+    """
+    (first, words), *rest = parts
+    colon = next((i for i, piece in enumerate(first) if piece.text == ":"), len(first))
+    name, behind = first[:colon], first[colon + 1 :]
+    is_spaced = bool(behind) and behind[0].text.isspace() and behind[1:2] != [] and behind[1].text in _SPACES
+    is_spaced = is_spaced or (bool(behind) and behind[0].text in _SPACES)
+    is_last = not _without_idle(behind) and any(_has_relation(part) for part, _ in rest)
+    if not _without_idle(name) or name[-1].text in (*_SPACES, "=") or colon == len(first):
+        return "", parts
+    if is_last:
+        return _text_of(first), rest
+    if is_spaced and _has_relation(behind) and not any(piece.text in _MAPS for piece in behind):
+        return f"{_text_of(name)}:", [(behind, words), *rest]
+    return "", parts
+
+
+def _text_of(pieces: Sequence[Piece]) -> str:
+    return "".join(piece.text for piece in pieces).strip()
 
 
 def _goes_through(part: Sequence[Piece], statements: Sequence[tuple[list[Piece], list[str]]]) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from algebroproj_sym.reading.lexing.commands import MAX_PIECES, RELATIONS
+from algebroproj_sym.reading.lexing.commands import CLOSING, MAX_PIECES, OPENING, RELATIONS, SIGNS
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, outside_environments, pieces_of, split_pieces
 
 _BOXES = frozenset((r"\mbox", r"\hbox", r"\textnormal", r"\textup", r"\textsf", r"\text", r"\textrm"))
@@ -17,10 +17,20 @@ _OVER = frozenset((r"\overset", r"\stackrel", r"\underset"))
 _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbracket"))
 _FRAMES = frozenset((*_BRACES, r"\smash", r"\mathclap", r"\textcolor", r"\colorbox"))
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
+_OTHERWISE = {r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\xfrac": r"\frac"}
+_ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{ceil}(", r"\rfloor": ")", r"\rceil": ")"}
+_UNSEEN = frozenset((r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
+_BAR = {
+    name: (rf"\l{kind}", rf"\r{kind}")
+    for kind, names in (("vert", r"| \vert \lvert \rvert"), ("Vert", r"\| \Vert \lVert \rVert"))
+    for name in names.split()
+}
 _ROOM = frozenset((r"\hskip", r"\kern", r"\mskip", r"\mkern", r"\hspace", r"\hspace*"))
 _ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
 _LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
 _CONNECTIVES = re.compile(r"(?:if|for|and|or|where|when|with|otherwise|else|on|at|as|then|subject to|s\.t\.)\W*")
+_NAME = re.compile(r"[A-Z][a-zA-Z]{0,9}")
+"""Words that name a function, as in ``\\text{Pr}(A)``."""
 _LETTERS = (
     "α#alpha β#beta γ#gamma δ#delta ε#varepsilon ζ#zeta η#eta θ#theta ι#iota κ#kappa λ#lambda μ#mu ν#nu ξ#xi π#pi "
     "ρ#rho σ#sigma τ#tau υ#upsilon φ#varphi ϕ#phi χ#chi ψ#psi ω#omega Γ#Gamma Δ#Delta Θ#Theta Λ#Lambda Ξ#Xi Π#Pi "
@@ -46,6 +56,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     'f = \\begin{cases} {\\alpha} & \\text{if $a>0$} \\end{cases}'
     """
     out: list[Piece] = []
+    pairs = _Pairs()
     waiting = _Waiting(
         each for piece in pieces for each in (_at(piece, _SIGNS[piece.text]) if piece.text in _SIGNS else (piece,))
     )
@@ -55,12 +66,22 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
         if text in (r"\left", r"\right"):
             if (cases := waiting.cases(piece) if text == r"\left" else None) is not None:
                 waiting.put(cases)
-            elif waiting.next == ".":
-                waiting.group()
             else:
-                out.append(piece)
+                pairs.open(out, waiting, piece) if text == r"\left" else pairs.close(out, waiting, piece)
+        elif text in _UNSEEN:
+            waiting.group()
+        elif text in _OTHERWISE:
+            out.append(_as(piece, _OTHERWISE[text]))
+        elif text in _ROUNDED:
+            out += _at(piece, _ROUNDED[text])
+        elif text == "{" and waiting.is_sign and _ends_value(out):
+            waiting.put([piece])
+            out += waiting.group()
         elif text in _BOXES and waiting.next == "{":
             inside = waiting.group()
+            if _NAME.fullmatch("".join(each.text for each in inside)) and waiting.next in ("(", "["):
+                waiting.put([_as(piece, r"\mathrm"), *_braced(piece, inside)])
+                continue
             formulas = _formulas_in(inside)
             waiting.put(_braced(piece, formulas)) if formulas else out.extend(
                 (_as(piece, r"\text"), *_braced(piece, inside))
@@ -104,6 +125,46 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     return _system(out)
 
 
+class _Pairs:
+    r"""The delimiters behind ``\left`` that have no partner yet.
+
+    Bars are told apart.  A bracket that has no partner in its row may close one of a row before it; a lone one before a
+    subscript says where a value is taken, as a bar does.
+    """
+
+    def __init__(self) -> None:
+        self._opened: list[tuple[int, str]] = []
+        self._hanging = 0
+
+    def open(self, out: list[Piece], waiting: _Waiting, piece: Piece) -> None:
+        r"""Go over ``\left``."""
+        self._opened.append((len(out) + 1, waiting.next))
+        if waiting.next == ".":
+            waiting.pop()
+        else:
+            out.append(piece)
+
+    def close(self, out: list[Piece], waiting: _Waiting, piece: Piece) -> None:
+        r"""Go over ``\right``, and over its delimiter if it is known by its partner."""
+        start, opening = self._opened.pop() if self._opened else (len(out), "")
+        closing = waiting.next
+        if closing == ".":
+            waiting.pop()
+            self._hanging += opening in OPENING
+            return
+        bars = _BAR.get(opening, ())
+        if bars and bars == _BAR.get(closing) and start < len(out) and out[start].text == opening:
+            out[start] = _as(out[start], bars[0])
+            out.append(_as(waiting.pop(), bars[1]))
+        elif opening == "." and closing in CLOSING and self._hanging:
+            self._hanging -= 1
+        elif opening == "." and closing in CLOSING:
+            bracket = waiting.pop()
+            out.append(_as(bracket, "|" if waiting.next == "_" else closing))
+        else:
+            out.append(piece)
+
+
 def _at(piece: Piece, text: str) -> list[Piece]:
     return [Piece(each.text, piece.place) for each in pieces_of(text)]
 
@@ -140,6 +201,12 @@ class _Waiting(list[Piece]):
             return [self.pop()] if self else []
         return self.until("{", "}")[1:-1]
 
+    @property
+    def is_sign(self) -> bool:
+        """Whether a sign or a relation and a closing brace come next."""
+        following = [each.text for each in self[-1:-6:-1] if not each.text.isspace()]
+        return following[1:2] == ["}"] and (following[0] in SIGNS or following[0] in RELATIONS)
+
     def until(self, opening: str, closing: str) -> list[Piece]:
         """Take all up to the partner of the piece that is next."""
         taken, depth = list[Piece](), 0
@@ -172,6 +239,9 @@ class _Waiting(list[Piece]):
             self.pop()
             if _ARRAY.fullmatch(opening := self.next):
                 inside = self.until(opening, opening.replace("begin", "end"))[1:-1]
+                behind = list[Piece]()
+                while self and self[-1].text not in (r"\left", r"\right"):
+                    behind.append(self.pop())
                 if self.next == r"\right":
                     self.pop()
                     if self.next == ".":
@@ -180,9 +250,15 @@ class _Waiting(list[Piece]):
                         if "array" in opening:
                             body.group()
                         begin, end = _as(left, r"\begin{cases}"), _as(left, r"\end{cases}")
-                        return [begin, *reversed(body), end]
+                        return [begin, *reversed(body), end, *behind]
         self[:] = kept
         return None
+
+
+def _ends_value(pieces: Sequence[Piece]) -> bool:
+    """Whether a letter, a number or a bracket comes last."""
+    last = next((piece.text for piece in reversed(pieces) if not piece.text.isspace()), "")
+    return last.isalnum() or last in (")", "]")
 
 
 def _group_start(pieces: Sequence[Piece]) -> int | None:
@@ -210,22 +286,33 @@ def _system(pieces: list[Piece]) -> list[Piece]:
         return pieces
     opening = rest.next
     inside = rest.until(opening, opening.replace("begin", "end"))[1:-1]
-    if not _says_nothing(rest[::-1]):
+    behind = rest[::-1]
+    goes_on = rest.next in (",", r"\quad", r"\qquad") and not any(each.text.startswith(r"\begin{") for each in behind)
+    if not (goes_on or _says_nothing(behind)):
         return pieces
     if match[1] == "array":
         (body := _Waiting(inside)).group()
         inside = body[::-1]
-    rows = split_pieces(inside, (r"\\",), brackets=False)
-    columns = rows if match[1] == "array" else [split_pieces(row, ("&",))[0] for row in rows]
-    equations = [any(piece.text in RELATIONS for piece in outside_environments(each)) for each in columns if each]
+    rows = [row for row in split_pieces(inside, (r"\\",), brackets=False) if not _says_nothing(row)]
+    columns = rows if match[1] == "array" else map(_first_column, rows)
+    equations = [any(piece.text in RELATIONS for piece in outside_environments(each)) for each in columns]
     alone = equations and (any if match[1] == "array" else all)(equations)
-    return [*pieces[:place], *inside, *rest[::-1]] if alone else pieces
+    end = [_as(behind[0], r"\\")] if goes_on else []
+    return [*pieces[:place], *inside, *end, *behind] if alone else pieces
+
+
+def _first_column(row: Sequence[Piece]) -> list[Piece]:
+    """Return what stands before the first mark of alignment; the whole row if a lone relation follows it."""
+    first, *others = split_pieces(row, ("&",))
+    lone = others and "".join(piece.text for piece in others[0]).strip() in RELATIONS
+    return list(row) if lone else first
 
 
 def _says_nothing(pieces: Sequence[Piece]) -> bool:
     """Whether there are but labels and stops."""
-    text = re.sub(r"\\(?:label|tag\*?)\s*\{[^{}]*\}", "", "".join(piece.text for piece in pieces))
+    text = _SILENT.sub("", "".join(piece.text for piece in pieces))
     return not text.strip(" \n\t.,;~")
 
 
+_SILENT = re.compile(r"\\(?:label|tag\*?|(?:begin|end)(?=\{(?:equation|split|aligned|align)\*?\}))\s*\{[^{}]*\}")
 _SYSTEM = re.compile(r"\\begin\{(cases|array)\}")

@@ -111,10 +111,10 @@ def _likely_repairs(way: Way, *, chained: bool) -> list[tuple[Repair, Way]]:
     ]
     if is_lettered(way):
         return changed[:MOST_REPAIRS_OF_LETTERS]
-    return [*islice((pair for pair in changed if _agree(vocabulary, pair[1].sides)), MOST_REPAIRS)]
+    return [*islice((pair for pair in changed if agree(vocabulary, pair[1].sides)), MOST_REPAIRS)]
 
 
-def _agree(vocabulary: Vocabulary, sides: Sides) -> bool:
+def agree(vocabulary: Vocabulary, sides: Sides) -> bool:
     """Whether two sides agree at some points at which they are defined."""
     try:
         values = [vocabulary.value(side) for side in sides]

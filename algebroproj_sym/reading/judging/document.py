@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from algebroproj_sym.reading.defining.premises import (
+    MOST_PREMISES,
     Premise,
     applicable,
     cited_in,
@@ -21,7 +22,9 @@ from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     computes,
     defined_by,
+    given_by,
     is_circular,
+    is_named,
     is_one_value,
     is_table,
 )
@@ -30,7 +33,7 @@ from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.deciding import Asked, decide
+from algebroproj_sym.reading.judging.deciding import Asked, agree, decide
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import Sides, Way, asked_of, both_sides, rests_of, used_by
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
@@ -121,7 +124,7 @@ class _Pass:
         self.vocabulary = survey.vocabulary()
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
-        self.alone = set[str]()
+        self.alone: dict[str, int] = {}
         self.introduced = False
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
@@ -225,8 +228,40 @@ class _Pass:
             self.asserted.setdefault(definition.symbol, display.place)
         else:
             self._note(statement, found)
+            self._renew(statement, found)
         self._assert(statement, found, defines=definition is not None)
         return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), asked
+
+    def _renew(self, statement: Statement, formula: Parsed) -> None:
+        """Forget what a letter was in another section, and what rests on it, where an equation gives it anew.
+
+        It stands for the new value from there on, unless words speak of a case.
+        """
+        if not formula.relations or formula.relations[0] not in EQUALITIES:
+            return
+        left, value, part = formula.sides[0], formula.sides[1], statement.display.part
+        symbol, parameters = defined_by(left)
+        known = self.vocabulary.definitions.get(symbol)
+        before = known.part if known else self.alone.get(given_by(left), part)
+        if not given_by(left) or before == part or self._named(statement, self.given.statements):
+            return
+        named = is_named(left)
+        older, recent = self.premises[:-MOST_PREMISES], self.premises[-MOST_PREMISES:]
+        given = [each.gives for each in recent if each.gives is not None and each.gives.symbol == symbol]
+        if not named and (is_one_value(parameters, value) or agree(extended(self.vocabulary, given), (left, value))):
+            return
+        self.premises = older + [
+            each
+            for each in recent
+            if each.part == part or not (left in (each.left, each.right) if named else symbol in each.symbols)
+        ]
+        if known is None:
+            return
+        self.vocabulary.drop(symbol)
+        if not (statement.condition or self.beside.case() or is_circular(symbol, value, self.vocabulary)):
+            where, words = _where(statement), self.beside.words
+            made = Definition(symbol, parameters, value, where, part, False, place=self.beside.place, words=words)
+            self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
 
     def _assert(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
         """Keep an equation as a premise of what stands behind it."""
@@ -242,7 +277,7 @@ class _Pass:
         for left, right in pairs:
             given = where, display.part, display.place, names, special, words
             self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
-            self.alone |= {defined_by(left)[0], defined_by(right)[0]}
+            self.alone |= dict.fromkeys((given_by(left), given_by(right)), display.part)
 
     # -- definitions
 
@@ -276,23 +311,21 @@ class _Pass:
         return replace(made, usable=made.usable and computes(made, self.vocabulary))
 
     def _gives(self, statement: Statement, left: Formula, right: Formula) -> bool:
-        """Whether an equation is the first one that gives its letter, though the letter was used before.
+        """Whether an equation is the first one of its section that gives its letter, though the letter was used before.
 
-        No word of its own sentence may speak of a case.  Where an equation near it may give the letter as well, its
+        It may not be a condition, or hold but roughly.  Where an equation near it may give the letter as well, its
         sentence must say that it is introduced.
         """
         square = left.data == "power" and not symbols_in(left.children[1])  # type: ignore[arg-type]  # two trees
         base: Formula = left.children[0] if square else left  # type: ignore[assignment]  # likewise
-        symbol, parameters = defined_by(base)
+        symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
+        part = statement.display.part
         if not symbol or not symbols_in(right) or is_one_value(parameters, right):
             return False
         if self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
             return False
-        if (
-            self.beside.case_of_sentence
-            or symbol in self.vocabulary.definitions
-            or (square and symbol in self.asserted)
-        ):
+        known = self.vocabulary.definitions.get(symbol)
+        if self.beside.case_of_sentence or (known and known.part == part) or (square and symbol in self.asserted):
             return False
         if derivatives_in((left,), self.vocabulary, self.survey.occurring):
             return False
@@ -300,7 +333,7 @@ class _Pass:
         tied = not self.beside.names and any(
             each.gives is None and symbol in (*symbols_in(each.left), *symbols_in(each.right)) for each in near
         )
-        return not (tied or symbol in self.alone or is_circular(symbol, right, self.vocabulary))
+        return not (tied or self.alone.get(given_by(base)) == part or is_circular(symbol, right, self.vocabulary))
 
     # -- relations
 

@@ -28,13 +28,23 @@ _DENIED = re.compile(
     r"not (?:true|equal|hold|follow|valid|correct|the case))\b",
     re.IGNORECASE,
 )
-_ONLY_SOMETIMES = re.compile(
-    CONDITIONAL.pattern
-    + r"|\b(?:cases?|assum\w+|suppose|approximat\w*|neglect\w*|limit\w*|otherwise|instead|special\w*|"
-    r"setting|equilibrium|at rest|steady|stationary|extrem\w+|absence|ignor\w+|drop\w*|false|without|except)\b",
+_NOT_QUITE = re.compile(
+    r"\b(?:approximat\w*|neglect\w*|limit\w*|setting|equilibrium|at rest|steady|stationary|extrem\w+|absence|ignor\w+|"
+    r"drop\w*|false|without|except)\b",
     re.IGNORECASE,
 )
-"""Words by which an equation says what a letter is in a case, and not what it is."""
+"""Words by which an equation is not quite what a letter is, wherever they stand in its sentence."""
+_ONLY_SOMETIMES = re.compile(
+    CONDITIONAL.pattern + r"|\b(?:cases?|assum\w+|suppos\w+|otherwise|instead|special\w*)\b", re.IGNORECASE
+)
+"""Words by which an equation says what a letter is in a case; in its own clause, that it is the condition itself."""
+_FORM = re.compile(r"\b(?:assum\w+|suppos\w+)\b.*\b(?:form|given by|defined as)\W*$", re.IGNORECASE | re.DOTALL)
+"""What is assumed to have a form is given by it."""
+_ASSERTS = re.compile(
+    r"\b(?:then|we|one|it|this|is|are|be|becomes?|gives?|yields?|holds?|reads?|has|have|equals?|follows)\b",
+    re.IGNORECASE,
+)
+_GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
 HENCE = re.compile(
     r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|we (?:get|obtain|find|have|arrive)|gives?|"
     r"giving|yields?|yielding|becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
@@ -116,8 +126,15 @@ class Beside:
 
     @property
     def case_of_sentence(self) -> str:
-        """Return a word of its own sentence by which the equation holds in a case only; empty for none."""
-        found = _ONLY_SOMETIMES.search(f"{self.sentence} {self.condition} {self.behind}")
+        """Return a word of its own sentence by which the equation gives no letter; empty for none.
+
+        It may be a condition, or hold but roughly.  What a letter is in a case gives the letter, if the case stands in
+        a clause of its own: "If the orbit is closed, its period is".
+        """
+        behind = "" if _begins_anew(self.behind) else self.behind
+        clause = _main_clause(self.sentence)
+        found = _NOT_QUITE.search(f"{self.sentence} {self.condition} {behind}")
+        found = found or _ONLY_SOMETIMES.search(f"{'' if _FORM.search(clause) else clause} {self.condition} {behind}")
         return found.group() if found else ""
 
     @property
@@ -176,6 +193,25 @@ def has_ended(display: Display) -> bool:
     return _LABELS.sub("", display.latex).rstrip().endswith(".") or display.after.lstrip().startswith(".")
 
 
+def _begins_anew(behind: str) -> bool:
+    """Whether the words behind an equation are a new sentence, though no full stop ends the one before it."""
+    return _NEW_SENTENCE.match(behind) is not None and re.search(r",\s*[a-z]|\bthen\b", behind) is not None
+
+
+def _main_clause(sentence: str) -> str:
+    """Return the last clause of a sentence, if it asserts something; else the whole sentence.
+
+    Examples
+    --------
+    >>> _main_clause("If the orbit is closed, its period is:"), _main_clause("If $a$ is real, and $b$ is")
+    (' its period is', 'If $a$ is real, and $b$ is')
+    """
+    bare = _FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)
+    clauses = [each for each in re.split(r"[,;:]|\b(?=then\b)", bare) if each.strip()]
+    last = clauses[-1] if clauses else ""
+    return last if _ASSERTS.search(_FORMULA.sub(" ", last)) and not _GOES_ON.match(last) else sentence
+
+
 def _case_in(words: str) -> str:
     found = CASES.search(words)
     return " ".join(found.group().split())[:20] if found else ""
@@ -203,7 +239,13 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     return next((each for each in words if each.lower() not in known), "")
 
 
-_NAMES = re.compile(r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for)\b", re.IGNORECASE)
+_NAMES = re.compile(
+    r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
+    r"(?:is|are) (?:then |here )?(?:computed|calculated|evaluated|determined|expressed|set|chosen|modell?ed))\b"
+    r"|\b[Tt]he\b[^,]* (?:is|are)\W*$|\bwith\b[^,]*\bterms?\W*$",
+    re.IGNORECASE,
+)
+_FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from lark import Token
+
 from algebroproj_sym.reading.lexing.commands import BARS, CLOSING, ELLIPSES, MATRIX, MAX_NESTING, OPENING, UPRIGHT
 from algebroproj_sym.reading.lexing.cursor import Cursor
 from algebroproj_sym.reading.lexing.names import bracket_ahead, read_after, take_scripts
@@ -23,13 +25,12 @@ def read_bracket(cursor: Cursor) -> None:
         cursor.index += len(inside)
         read_after(cursor)
         return
-    if text in BARS and cursor.functions is not None and cursor.ends_value() and BARS[text] not in cursor.opened:
+    closes = text in BARS and not text.startswith(r"\l")
+    if closes and cursor.functions is not None and cursor.ends_value() and BARS[text] not in cursor.opened:
         if cursor.peek(1) == "_":
-            cursor.index += 1
-            _, below, above = take_scripts(cursor)
-            cursor.emit("MARK", f"_at_{below}^{above}" if above else f"_at_{below}")
+            _read_place(cursor)
             return
-        if text == "|" and not any(piece.text in BARS for piece in cursor.pieces[cursor.index + 1 :]):
+        if text == "|" and not any(piece.text in BARS for piece in outside_braces(cursor.pieces[cursor.index + 1 :])):
             cursor.emit("CIRCLED", text)
             cursor.index += 1
             return
@@ -55,6 +56,20 @@ def read_bracket(cursor: Cursor) -> None:
     cursor.index += 1
     if not left:
         read_after(cursor)
+
+
+def _read_place(cursor: Cursor) -> None:
+    """Read where a value is taken, as in ``f|_{x=0}``: that of a letter is a letter of its own."""
+    cursor.index += 1
+    _, below, above = take_scripts(cursor)
+    place = f"{below}^{above}" if above else below
+    if cursor.out[-1].type == "SYMBOL":
+        cursor.chose = "a value at a place is a letter of its own"
+        name = cursor.out.pop()
+        cursor.out.append(Token("SYMBOL", f"{name} at_{place}", start_pos=name.start_pos))
+        read_after(cursor)
+    else:
+        cursor.emit("MARK", f"_at_{place}")
 
 
 def _is_shown(inside: Sequence[Piece]) -> bool:
@@ -86,10 +101,15 @@ def read_environment(cursor: Cursor) -> None:
     inner = cursor.within(_take_environment(cursor, name, start))
     inner.until_end()
     cursor.chose = cursor.chose or inner.chose
-    while inner.out and inner.out[-1].type == "ROW":
+    while inner.out and inner.out[-1].type in ("ROW", "SEPARATOR"):
         inner.out.pop()
     cursor.emit("BEGIN", name)
-    cursor.out += inner.out
+    following = [*(each.type for each in inner.out[1:]), ""]
+    cursor.out += [
+        each
+        for each, kind in zip(inner.out, following, strict=True)
+        if not (each.type == "SEPARATOR" and kind in ("AMP", "ROW"))
+    ]
     cursor.emit("END", name)
     read_after(cursor)
 

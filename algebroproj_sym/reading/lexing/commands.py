@@ -65,6 +65,8 @@ FUNCTIONS = _words(
     "sin cos tan cot sec csc arcsin arccos arctan arccot asin acos atan atan2 arctan2 sinh cosh tanh coth arcsinh "
     "arccosh arctanh arsinh arcosh artanh sech csch exp log ln lg det tr trace Tr diag rank sign sgn adj sinc"
 )
+NAMED = _words("Re Im floor ceil")
+"""Functions that are read by their upright names, and not computed."""
 SIGNS = {"+": "+", "-": "-", "−": "-", r"\pm": "±", r"\mp": "∓"}
 RELATIONS = dict(
     pair.split("#")
@@ -87,6 +89,8 @@ PART_OF_NAME = re.compile(
 MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?matrix\*?|smallmatrix|array)\}")
 OPENING = {"(": "LP", "[": "LS", r"\{": "LB", r"\lbrace": "LB", r"\lbrack": "LS", r"\langle": "ANGLE_OPEN"}
 CLOSING = {")": "RP", "]": "RS", r"\}": "RB", r"\rbrace": "RB", r"\rbrack": "RS", r"\rangle": "ANGLE_CLOSE"}
+CLOSING_BARS = {r"\lvert": r"\rvert", r"\lVert": r"\rVert", "|": "|", r"\|": r"\|"}
+"""How a bar that begins the argument of a function is closed."""
 BARS = {"|": "BAR", r"\vert": "BAR", r"\lvert": "BAR", r"\rvert": "BAR"} | dict.fromkeys(
     (r"\|", r"\Vert", r"\lVert", r"\rVert"), "NORM"
 )

@@ -13,6 +13,7 @@ from algebroproj_sym.reading.lexing.commands import (
     BARS,
     BIG,
     CLOSING,
+    CLOSING_BARS,
     DROPPED,
     FRACTIONS,
     MATRIX,
@@ -164,7 +165,7 @@ def read_function(cursor: Cursor) -> None:
     opening = cursor.peek()
     begin = cursor.index
     _read_argument(cursor)
-    if opening in ("(", "[", "|") and cursor.peek() == "^" and not raised:
+    if (opening in ("(", "[") or opening in CLOSING_BARS) and cursor.peek() == "^" and not raised:
         _choose_raised(cursor, begin, mark)
     inside = cursor.out[mark + 2 : -1]
     if len(inside) == 1 and cursor.known(f"\\{name}{inside[0]}"):
@@ -204,7 +205,7 @@ def _read_argument(cursor: Cursor) -> None:
     if cursor.text in BIG:
         _read_body(cursor)
         return
-    if cursor.text in ("(", "[", r"\{", "{", "|", r"\|") or MATRIX.match(cursor.text):
+    if cursor.text in ("(", "[", r"\{", "{") or cursor.text in CLOSING_BARS or MATRIX.match(cursor.text):
         cursor.inner(_take_bracket(cursor))
         return
     values = 0
@@ -246,7 +247,7 @@ def _read_argument(cursor: Cursor) -> None:
 def _take_bracket(cursor: Cursor) -> list[Piece]:
     """Return the pieces of the bracket that begins here, without the bracket unless it is one of a value."""
     opening, start = cursor.text, cursor.index
-    closing = {"(": ")", "[": "]", r"\{": r"\}", "{": "}"}.get(opening, opening)
+    closing = {"(": ")", "[": "]", r"\{": r"\}", "{": "}", **CLOSING_BARS}.get(opening, opening)
     if MATRIX.match(opening):
         closing = opening.replace("begin", "end")
     depth = 0
@@ -259,6 +260,6 @@ def _take_bracket(cursor: Cursor) -> list[Piece]:
             depth += 1
         if depth == 0:
             kept = cursor.pieces[start : cursor.index]
-            inside = kept if opening in ("|", r"\|") or MATRIX.match(opening) else kept[1:-1]
+            inside = kept if opening in CLOSING_BARS or MATRIX.match(opening) else kept[1:-1]
             return inside[:-1] if inside and inside[-1].text == r"\right" else inside
     raise UnreadableError("a bracket is not closed", cursor.pieces[start].place)

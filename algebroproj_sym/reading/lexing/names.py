@@ -19,6 +19,7 @@ from algebroproj_sym.reading.lexing.commands import (
     LETTER,
     LETTERS,
     MARKS,
+    NAMED,
     NO_LETTERS,
     OPENING,
     PART_OF_NAME,
@@ -77,7 +78,10 @@ def function_at(cursor: Cursor) -> str:
     if text in UPRIGHT:
         rest = cursor.pieces[cursor.index + 1 : cursor.index + 14]
         inside = re.match(r"\s*\{([a-zA-Z0-9]+)\}", "".join(piece.text for piece in rest))
-        return inside[1] if inside and inside[1] in FUNCTIONS else ""
+        named = inside and (inside[1] in FUNCTIONS or (text == r"\operatorname" and inside[1] in NAMED))
+        return inside[1] if inside and named else ""
+    if text in (r"\Re", r"\Im"):
+        return text[1:] if cursor.functions is not None else ""
     return text[1:] if text.startswith("\\") and text[1:] in FUNCTIONS else ""
 
 
@@ -165,8 +169,20 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
         emit_name(cursor, whole, start)
     else:
         emit_name(cursor, bare, start, raised=True)
-        emit_power(cursor, above, [piece for piece in cursor.raised if piece.text not in ("'", r"\prime")])
+        emit_power(cursor, above, _without_primes(cursor.raised))
     read_after(cursor)
+
+
+def _without_primes(raised: Sequence[Piece]) -> list[Piece]:
+    r"""Return an exponent without its primes, and without the ``^`` before them."""
+    kept = list[Piece]()
+    for piece in raised:
+        if piece.text in ("'", r"\prime"):
+            while kept and (kept[-1].text == "^" or kept[-1].text.isspace()):
+                kept.pop()
+        else:
+            kept.append(piece)
+    return kept
 
 
 def is_axis(cursor: Cursor, letter: str, above: str) -> bool:

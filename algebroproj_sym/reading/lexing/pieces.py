@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-from algebroproj_sym.reading.lexing.commands import BOLD, PIECE, RELATIONS
+from algebroproj_sym.reading.lexing.commands import BOLD, CLOSING, OPENING, PIECE, RELATIONS
 
 
 class Piece(NamedTuple):
@@ -64,8 +64,8 @@ def split_pieces(pieces: Sequence[Piece], marks: Collection[str], brackets: bool
     depth = 0
     for piece in pieces:
         text = piece.text
-        depth += (text == "{" or (brackets and text in ("(", "[", r"\{")) or text.startswith(r"\begin{")) - (
-            text == "}" or (brackets and text in (")", "]", r"\}")) or text.startswith(r"\end{")
+        depth += (text == "{" or (brackets and text in OPENING) or text.startswith(r"\begin{")) - (
+            text == "}" or (brackets and text in CLOSING) or text.startswith(r"\end{")
         )
         if depth <= 0 and text in marks:
             parts.append([])
@@ -99,9 +99,21 @@ def outside_braces(pieces: Sequence[Piece]) -> list[Piece]:
 def says_more(inside: Sequence[Piece]) -> bool:
     r"""Whether a bracket has more than expressions: a relation or a condition, as in ``(X < a)`` and ``[P || Q]``."""
     texts = [piece.text for piece in outside_braces(inside)]
+    alone = _outside_brackets(texts)
     bars = sum(text in ("|", r"\vert", r"\mid") for text in texts), sum(text in (r"\|", r"\Vert") for text in texts)
-    double = bars[0] == 2 and re.search(r"\|\s*\|", "".join(texts)) is not None
+    double = alone.count("|") == 2 and re.search(r"\|\s*\|", "".join(alone)) is not None
     return double or any(each % 2 for each in bars) or any(text in RELATIONS or text == ":" for text in texts)
+
+
+def _outside_brackets(texts: Sequence[str]) -> list[str]:
+    """Return what stands in an outer bracket alone, and in none within it."""
+    kept, depth = list[str](), 0
+    for text in texts:
+        depth -= text in CLOSING
+        if depth == 1:
+            kept.append(text)
+        depth += text in OPENING
+    return kept
 
 
 def bare(pieces: Sequence[Piece]) -> str:

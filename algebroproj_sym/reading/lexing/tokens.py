@@ -160,7 +160,8 @@ def _read_operator(cursor: Cursor) -> None:
         cursor.emit("RELATION", ":=" if "def" in over or "triangle" in over else RELATIONS[relation])
         return
     elif text in RELATIONS:
-        cursor.emit("RELATION", RELATIONS[text])
+        if not (cursor.out and cursor.out[-1].type == "RELATION" and cursor.out[-1] == RELATIONS[text]):
+            cursor.emit("RELATION", RELATIONS[text])
     elif text == r"\\":
         cursor.emit("ROW", text)
         cursor.index += 1

@@ -134,10 +134,15 @@ def _terminal(token: Token) -> Token:
 
 
 def _without_end(pieces: list[Piece]) -> list[Piece]:
+    """Return pieces without what ends a formula: spaces and stops, and a lone command behind a stop."""
     end = len(pieces)
     while end and (pieces[end - 1].text.isspace() or pieces[end - 1].text in _ENDINGS):
         end -= 1
-    return pieces[:end]
+    kept = pieces[:end]
+    before = [piece.text for piece in kept[:-1] if not piece.text.isspace()]
+    if before[-1:] == ["."] and re.fullmatch(r"\\[a-zA-Z]+", kept[-1].text):
+        return _without_end(kept[:-1])
+    return kept
 
 
 def _explained(error: UnexpectedInput, end: int | None) -> tuple[str, int | None]:

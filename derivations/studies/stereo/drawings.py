@@ -19,7 +19,7 @@ MESH, SECTIONS = 151, 17
 MARGIN = 0.25
 
 
-def quadric_in_space(scene: Scene, form: ArrayLike) -> Figure:
+def quadric_in_space(scene: Scene, form: ArrayLike, unit: str) -> Figure:
     """Draw a quadric by its sections with planes of equal coordinates, the points and the centers.
 
     Parameters
@@ -28,6 +28,8 @@ def quadric_in_space(scene: Scene, form: ArrayLike) -> Figure:
         A single one.
     form : array_like, shape (4, 4)
         The form of (1, x1, x2, x3).
+    unit : str
+        Of all coordinates.
 
     Returns
     -------
@@ -53,9 +55,10 @@ def quadric_in_space(scene: Scene, form: ArrayLike) -> Figure:
         )
         for places, colour, marker, label in marks:
             axes.scatter(*places.T, color=colour, marker=marker, s=26, depthshade=False, zorder=5, label=label)
-        axes.set(xlabel="$x_1$", ylabel="$x_2$", zlabel="$x_3$")
+        axes.set(xlabel=f"$x_1$ [{unit}]", ylabel=f"$x_2$ [{unit}]", zlabel=f"$x_3$ [{unit}]")
+        axes.locator_params(nbins=5)
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-        axes.set_box_aspect((high - low) / (high - low).max())
+        axes.set_box_aspect((high - low) / (high - low).max(), zoom=0.88)
         axes.view_init(elev=18, azim=-62)
         axes.set_title(f"critical quadric: {kind(form).name}")
         drawing.legend(loc="outside lower center", ncols=3, handletextpad=0.2, columnspacing=1.0)
@@ -82,11 +85,18 @@ def map_of_lost_digits(mapped: xarray.Dataset, title: str, xlabel: str, ylabel: 
         drawing = figure(0.55 * PAGE, 3.5)
         axes = drawing.add_subplot()
         shown = np.ma.masked_invalid(mapped.lost.values)
-        top = np.ceil(np.quantile(np.append(shown.compressed(), 3.0), 0.998))
-        mesh = axes.pcolormesh(x, y, shown, vmin=0, vmax=max(float(top), 3.0), shading="nearest", rasterized=True)
+        low, high = np.quantile(shown.compressed(), [0.0, 0.998]) if shown.count() else (0.0, 1.0)
+        ends = {"vmin": np.floor(2 * low) / 2, "vmax": np.ceil(2 * high) / 2}
+        mesh = axes.pcolormesh(x, y, shown, **ends, shading="nearest", rasterized=True)
         axes.contour(x, y, mapped.form.values, [0.0], colors=[COLOURS[1]], linewidths=1.0)
         axes.plot([], [], color=COLOURS[1], lw=1.0, label="where the point may not lie")
-        drawing.colorbar(mesh, ax=axes, label="decimal digits of Z lost", extend="max", pad=0.02)
+        drawing.colorbar(
+            mesh,
+            ax=axes,
+            label="decimal digits of Z lost on average:\nlog10 of the mean condition number",
+            extend="max",
+            pad=0.02,
+        )
         axes.set(title=title, xlabel=xlabel, ylabel=ylabel, aspect="equal")
         axes.grid(visible=False)
         drawing.legend(loc="outside lower center")

@@ -1,4 +1,7 @@
-"""Where the eighth point may not lie: maps of lost digits over a plane of the object or over an image."""
+"""Where the eighth point may not lie: maps of lost digits over a plane of the object or over an image.
+
+The digits that one rounding loses scatter.  A map shows what many lose on average: the logarithm of a condition number.
+"""
 
 from __future__ import annotations
 
@@ -11,12 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 import algebroproj
 from algebroproj_derivations.studies.stereo.accuracy import lost_digits, matrix_error
 from algebroproj_derivations.studies.stereo.quadric import critical_quadric, scaled, value
-from algebroproj_derivations.studies.stereo.scenes import Scene, images, require_eight, sides, with_points
+from algebroproj_derivations.studies.stereo.scenes import BASIC, Scene, images, require_eight, sides, with_points
+from algebroproj_sym.study.conditioning import condition_numbers, jacobian
 from algebroproj_sym.study.datasets import variable
 
 Numbers = NDArray[np.float64]
 
-BLOCK = 4096
+BLOCK = 1024
 
 
 def lost_homogeneous(scene: Scene) -> Numbers:
@@ -37,6 +41,31 @@ def lost_homogeneous(scene: Scene) -> Numbers:
         wide = images(scene, wide=True)
         reference = algebroproj.dd(general)(*sides(wide))
         return lost_digits(matrix_error(general(wide.hi[:, 0], wide.hi[:, 1]), reference))
+
+
+def lost_on_average(scene: Scene) -> Numbers:
+    """Return the digits of Z that a batch of scenes of eight points loses if all image coordinates have random errors.
+
+    Parameters
+    ----------
+    scene : Scene
+        Points of shape (n, 8, 3).
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        Decimal logarithm of the mean condition number of Z, a matrix up to a factor: of how many relative errors of
+        the coordinates the error of Z is, as a standard deviation.  NaN where there is no number.
+    """
+    u = images(scene, wide=True).hi
+    with np.errstate(all="ignore"):
+        z, derivatives = jacobian(algebroproj.correlation.general_correlation_matrix, u[:, 0], u[:, 1])
+        size = np.linalg.norm(z, axis=-1)[:, None, None]
+        along = z[..., None] / size
+        across = derivatives / size - along * (along * derivatives / size).sum(axis=-2, keepdims=True)
+        u[:, :, : BASIC - 1] = 0.0  # the affine coordinates of three images are 0 and 1
+        found = condition_numbers(np.ones((len(u), 1)), across, u.reshape(len(u), -1)).mean
+        return np.asarray(np.log10(np.where(np.isfinite(found), found, np.nan)))
 
 
 def over_plane(scene: Scene, origin: ArrayLike, first: ArrayLike, second: ArrayLike, size: int = 121) -> xarray.Dataset:
@@ -108,10 +137,12 @@ def _mapped(scene: Scene, places: Numbers, coordinates: dict[str, Numbers]) -> x
     require_eight(scene)
     form = value(scaled(critical_quadric(scene.points[:-1], scene.centers)), places)
     flat = places.reshape(-1, 3)
-    blocks = [lost_homogeneous(_moved(scene, flat[k : k + BLOCK])) for k in range(0, len(flat), BLOCK)]
+    blocks = [lost_on_average(_moved(scene, flat[k : k + BLOCK])) for k in range(0, len(flat), BLOCK)]
     dimensions = list(coordinates)
     data: dict[str, Any] = {
-        "lost": variable(dimensions, np.concatenate(blocks).reshape(form.shape), about="decimal digits of Z lost"),
+        "lost": variable(
+            dimensions, np.concatenate(blocks).reshape(form.shape), about="decimal digits of Z lost on average"
+        ),
         "form": variable(dimensions, form, about="value of the critical quadric"),
         "place": variable([*dimensions, "axis"], places, "unit of the scene", "place of the eighth point"),
     }

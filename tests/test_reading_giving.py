@@ -1,0 +1,109 @@
+r"""Equations that give a letter beside words of a case, in another section, or as the value of a named function."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+BEFORE = r"The area satisfies \[ A h = c b. \] "
+USED = r"It turns for \[ b h > 0. \] "
+SUM = r"\section{Sums} The sum is \[ s = a + b. \] "
+NEXT = r"\section{Differences} "
+
+
+def verdicts(latex):
+    return [each.verdict for each in read_document(document_of(latex), seconds=5)]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"If $A$ is the area of the whole, then $t$ is the period: \[ T = \frac{2A}{h}. \]",
+        BEFORE + r"In this case, we can write it as \[ f = 2 c b. \]",
+        USED + r"Assuming that the thrust has the direction of the velocity, then \[ b = t v. \]",
+        BEFORE + r"If the ellipse is closed, the radius is \[ b = a (1 - e). \]",
+        USED + r"We assume that the gain has the following form \[ h = \frac{k^2}{m}. \]",
+        BEFORE + r"The width is computed using \[ b = a (1 - e) \] If it is large, then the height is \[ h = a e \]",
+        r"Then the variance of $X$ is \[ \mathrm{Var}(X) = p (1 - p). \]",
+        r"The expected value is defined as \[ \mathrm{E}[g(X)] = \sum_x g(x) f(x). \]",
+        r"The mean is \[ \mathrm{E}(X) = \lambda. \]",
+        r"\[ m x = k. \] With the terms of the error, the residual is \[ x = y - z. \]",
+        SUM + NEXT + r"Here it is \[ s = 5 c \]",
+    ],
+)
+def test_an_equation_that_gives_its_letter_is_a_definition(latex):
+    assert verdicts(latex)[-1] == "definition"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        BEFORE + r"The beam is parallel if \[ b = f. \]",
+        BEFORE + r"The beam is parallel when, as above, \[ b = f. \]",
+        BEFORE + r"The next figure shows this when \[ b = 2 f. \]",
+        BEFORE + r"If $c$ is one, and $d$ is two, and \[ b = f, \] then it moves.",
+        BEFORE + r"If $c = 1$, $d = 2$, \[ b = f, \] it moves.",
+        BEFORE + r"Suppose \[ b = f. \]",
+        BEFORE + r"Suppose that \[ b = f. \]",
+        BEFORE + r"Let us assume that \[ b = f. \]",
+        BEFORE + r"It is approximately \[ b = f. \]",
+        BEFORE + r"Neglecting the mass, the width is \[ b = f. \]",
+        BEFORE + r"In the limit, we have \[ b = f. \]",
+        BEFORE + r"Without drag, the width is \[ b = f. \]",
+        BEFORE + r"Setting the derivative to zero, we have \[ b = f. \]",
+        BEFORE + r"At rest, it is \[ b = f. \]",
+        BEFORE + r"It cannot be that \[ b = f. \] This is false.",
+        BEFORE + r"The width is \[ b = f \] if the beam is parallel.",
+        BEFORE + r"The width is \[ b = f \] If $t > 0$.",
+        BEFORE + r"It stops unless, say, \[ b = f. \]",
+        r"\[ y'' = c y. \] The string is held, so \[ y(0) = a. \]",
+        r"\[ \mathrm{Var}(X) = 0. \]",
+        r"\[ \mathrm{E}(a X) = a \mathrm{E}(X). \]",
+    ],
+)
+def test_a_condition_and_what_holds_but_roughly_gives_no_letter(latex):
+    found = verdicts(latex)
+    assert "definition" not in found[1:]
+    assert found[-1] != "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        SUM + NEXT + r"Let the difference be \[ s = a - b. \] Hence \[ s^2 = a^2 + 2ab + b^2. \]",
+        SUM + r"\[ d = 2 s. \] " + NEXT + r"The difference is \[ s = a - b. \] Hence \[ d - 2a = 2 b. \]",
+        SUM + r"\[ d = 2 s. \] " + NEXT + r"The difference is \[ s = a - b. \] Hence \[ d - 2a = -2 b. \]",
+        SUM + r"\[ s + c = d. \] " + NEXT + r"The difference is \[ s = a - b. \] Hence \[ a - b + c - d = 0. \]",
+        SUM + NEXT + r"Suppose now \[ s = a - b. \] Hence \[ 2 s = 2 a + 2 b. \]",
+        SUM + NEXT + r"If $b = 0$, then \[ s = a. \] " + r"\section{Other} \[ s - a = 0. \]",
+        SUM + NEXT + r"For $b = 0$ we have \[ s = a. \] " + r"\section{Other} \[ 2 s - 2 a = 0. \]",
+        r"\section{A} \[ A = \begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix} \] \section{B} Another matrix is "
+        r"\[ A = \begin{pmatrix} 2 & 0 \\ 0 & 2 \end{pmatrix}. \] Its determinant is \[ \det A = 1. \]",
+        r"\section{A} \[ f(x) = x^2. \] \section{B} Now \[ f(x) = x^3. \] Hence \[ f(2) = 4. \]",
+        r"\section{A} \[ f(x) = x^2. \] \section{B} Now \[ f(x) = x^3. \] Hence \[ f'(x) = 2 x. \]",
+        r"\section{A} \[ E(X) = a. \] \section{B} \[ E(X) = b. \] \[ 2 E(X) = 2 a. \]",
+        r"If the sign is positive, then \[ x = a + b. \] \section{Other} If it is negative, then \[ x - a - b = 0. \]",
+        r"If the coin is fair, then \[ \mathrm{E}(X) = p. \] \section{Other} \[ 2 \mathrm{E}(X) - 2 p = 0. \]",
+        r"\[ \mathrm{Var}(X) = p (1 - p). \] \[ \mathrm{Var}(Y) = p (1 - p). \]",
+        r"\[ \mathrm{E}(X) = p. \] \[ \mathrm{E}(X^2) = p^2. \]",
+        r"\[ \mathrm{E}[g(X)] = p. \] \[ \mathrm{E}[h(X)] = p. \]",
+        r"\[ \mathrm{Var}(X) = p. \] \[ \mathrm{Var}(2 X) = 2 p. \]",
+        SUM + NEXT + r"We assume the form \[ s = a - b. \] " + r"\section{Back} \[ (a + b) - s = 0. \]",
+    ],
+)
+def test_what_a_letter_was_in_another_section_or_case_proves_nothing(latex):
+    assert verdicts(latex)[-1] not in ("follows", "contradicts")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        SUM + r"\[ d = 2 s. \] " + NEXT + r"Again \[ s = b + a. \] Hence \[ d - 2a = 2b. \]",
+        SUM + NEXT + r"The difference is \[ s = a - b. \] Hence \[ s^2 = a^2 - 2ab + b^2. \]",
+        SUM + NEXT + r"Hence \[ s^2 = a^2 + 2ab + b^2. \]",
+        r"\[ \mathrm{Var}(X) = p (1 - p). \] Hence \[ 2 \mathrm{Var}(X) = 2 p - 2 p^2. \]",
+    ],
+)
+def test_what_a_letter_still_is_proves(latex):
+    assert verdicts(latex)[-1] == "follows"

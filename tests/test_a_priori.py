@@ -47,16 +47,6 @@ FUNCTIONS = (
 UNDERFLOW = 1e-250
 
 
-def has_flocq():
-    if shutil.which("coqc") is None:
-        return False
-    where = subprocess.run(["coqc", "-where"], capture_output=True, text=True, check=True).stdout.strip()
-    return (Path(where) / "user-contrib" / "Flocq").is_dir()
-
-
-needs_coq = pytest.mark.skipif(not has_flocq(), reason="Coq with Flocq is not installed: no theorem was compiled")
-
-
 @pytest.fixture(scope="module", params=FUNCTIONS)
 def lowered(request):
     (kernel,) = kernels([request.param])
@@ -162,6 +152,15 @@ def test_no_error_is_larger_than_its_bound(lowered):
                 point, best = candidate, ratio
         largest = max(largest, best)
     assert Fraction(1, 8) < largest <= 1
+
+
+def test_the_rule_of_an_error_names_the_operation_that_computes_it(lowered):
+    found = analysis(straight_line(lowered))
+    names = {"ErrorOfSum": "+", "ErrorOfDifference": "-", "ErrorOfProduct": "product_error"}
+    errors = [fact for fact in found.certificate if fact.rule in names]
+    assert len(errors) >= 5
+    for fact in errors:
+        assert found.line.operations[fact.arguments[0]][0] == names[fact.rule]
 
 
 def extreme_point(generator, count, k):
@@ -421,8 +420,7 @@ def test_arguments_that_cannot_be_are_not_looked_for_without_end():
         instance(analysis(line), 9, bool)
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq("Flocq")
 def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     """The theorems are accepted, rest on the listed axioms; mutants, wider ranges and singular points fail."""
     names = ("projection.mu_from_center", "normal_case.from_orientation", "projection.projection_determinant")
@@ -476,8 +474,7 @@ SQUARED = [f"Mul {place} {place}" for place in range(2, 8)]
 """The second number of a program, raised to the power 64."""
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq("Flocq")
 def test_without_a_range_the_theorem_is_about_results_that_are_finite(tmp_path):
     """There are arguments for which it says something; where a line overflows or underflows, it says nothing."""
     (kernel,) = kernels(["metric.normal_covariance"])

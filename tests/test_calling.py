@@ -249,6 +249,12 @@ def test_an_out_that_does_not_fit_is_named(out, error, message):
         optics.image_point(0.15, np.ones((4, 3)), out=out)
 
 
+@pytest.mark.parametrize("out", [(np.empty(3), None), ([0.0] * 3, np.empty(3)), (np.empty(3),)])
+def test_several_results_need_as_many_arrays(out):
+    with pytest.raises(TypeError, match="epipoles: expected a tuple of 2 arrays as out, got tuple"):
+        correlation.epipoles(np.eye(3), out=out)
+
+
 def test_no_array_of_the_size_of_the_batch_is_made_beside_the_result():
     count = 2**20
     points, mu, image = drawn((count, 3), 1), np.array([0.5, 0.25, 2.0]), np.array([0.25, 0.5])

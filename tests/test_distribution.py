@@ -106,8 +106,8 @@ def test_the_command_line_works_from_another_directory(python, tmp_path):
         run(python, "-m", "algebroproj_sym", "check", "fundamentals1996:1.2", "--format", "json", cwd=tmp_path)
     )
     assert checked["summary"]["proved"] > 0
-    run(python, "-m", "algebroproj_sym", "generate", cwd=tmp_path)
-    assert (tmp_path / "generated" / "algebroproj" / "projection.py").is_file()
+    run(python, "-m", "algebroproj_sym", "generate", "--derivations", "normalcase1992", cwd=tmp_path)
+    assert (tmp_path / "generated" / "algebroproj" / "metric.py").is_file()
     figures = json.loads(
         run(python, "-m", "algebroproj_sym", "verify", "optics", "--samples", "2", "--format", "json", cwd=tmp_path)
     )

@@ -12,7 +12,8 @@ from algebroproj_sym.declaring import kernels
 from algebroproj_sym.expressions import evaluate
 from algebroproj_sym.generating.program import run
 from algebroproj_sym.generating.runtime.error_bounds import Bounded
-from algebroproj_sym.generating.runtime.pairs import NEAR, SUMS, Pair
+from algebroproj_sym.generating.runtime.pairs import NEAR, SUMS, DoubleDouble, Pair
+from algebroproj_sym.generating.runtime.sqrt import _with_bound
 from algebroproj_sym.generating.samples import stratified
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels() if not kernel.stages}
@@ -100,3 +101,12 @@ def test_a_value_that_overflows_has_no_bound():
     with np.errstate(all="ignore"):
         assert (x * x).error[0] == np.inf
         assert (x.wide() * x).rounded().error[0] == np.inf
+
+
+def test_the_bound_of_a_root_is_a_number_at_zero():
+    """Nothing is lost there: the root of zero is zero."""
+    of = Bounded(DoubleDouble(np.array([0.0, 4.0]), np.zeros(2)), np.zeros(2))
+    with np.errstate(divide="raise", invalid="raise"):
+        found = _with_bound(of)
+    assert np.isfinite(found.error).all()
+    assert found.error[0] < 1e-300

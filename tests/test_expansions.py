@@ -172,7 +172,7 @@ def test_sympys_form_is_the_same_statement():
     assert prove(taylor(sympy.exp(x * y), (x, y), 2), 1 + x * y).verdict == "proved"
 
 
-@pytest.mark.parametrize("variables", [1, x**2, sympy.Tuple()])
+@pytest.mark.parametrize("variables", [1, x**2, sympy.Tuple(), (x, 1), (x, x * y)])
 def test_what_is_small_is_a_symbol(variables):
     with pytest.raises(TypeError, match="taylor, variables: expected a symbol"):
         taylor(sympy.sin(x), variables, 2)

@@ -4,7 +4,6 @@ import copy
 import json
 import random
 import re
-import shutil
 from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
@@ -24,6 +23,7 @@ from algebroproj_sym.exporting.compiling import ALLOWED, assumed, axioms
 from algebroproj_sym.exporting.files import translated, word
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed, rational, reserved
 from algebroproj_sym.exporting.making import made_by_derivations
+from algebroproj_sym.exporting.objects import _determinant
 from algebroproj_sym.exporting.points import values
 from algebroproj_sym.exporting.terms import (
     difference,
@@ -46,8 +46,6 @@ from algebroproj_sym.reporting.ledger import claim_record, ledger
 
 a, b, t, x, y, z = sympy.symbols("a b t x y z")
 WITHOUT_THEOREM = {"1.25", "1.26", "1.27"}
-
-needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: no theorem was compiled")
 
 
 def every_kind():
@@ -304,6 +302,16 @@ def test_nothing_is_admitted(repository):
         assert not re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture|Abort|Hypothesis Hfalse)\b", text)
 
 
+@pytest.mark.parametrize("size", range(5))
+def test_a_determinant_is_written_out_with_the_right_signs(size):
+    generator = random.Random(size)
+    places = [[f"a{i}{j}" for j in range(size)] for i in range(size)]
+    point = {each: Fraction(generator.randint(-9, 9), generator.randint(1, 9)) for row in places for each in row}
+    written = _determinant(tuple(tuple(map(name, row)) for row in places))
+    exact = sympy.Matrix(size, size, [sympy.Rational(str(value)) for value in point.values()]).det()
+    assert values(point, {}, [written]) == [Fraction(str(exact))]
+
+
 # ---------------------------------------------------------------------------------------------------------------------
 # what Coq says
 
@@ -316,8 +324,7 @@ def test_only_the_axioms_of_the_real_numbers_are_allowed():
     assert assumed(axioms("Warning: something\n"))
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_the_kernel_accepts_every_kind(records, library):
     found = library([*export(records)])
     assert found.error == ""
@@ -356,8 +363,7 @@ TAMPERED = [
 ]
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 @pytest.mark.parametrize("change", TAMPERED, ids=lambda change: f"{change[0]}-{change[-1]}")
 def test_the_kernel_rejects_what_is_false(records, library, change):
     """The exporter has to refuse, or the kernel, where the replay is left out."""
@@ -366,8 +372,7 @@ def test_the_kernel_rejects_what_is_false(records, library, change):
     assert not claim.theorems or library([claim]).error
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_elimination_tells_regular_matrices_from_others(records, library):
     """Coq computes what SymPy says of the determinants; the numbers are small, so that many are zero."""
     source = random.Random(0)
@@ -385,8 +390,7 @@ def test_elimination_tells_regular_matrices_from_others(records, library):
     assert library([exported(record_of(records, "1.1"))], lambda text: text + stated).error == ""
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_an_assumption_is_found_out(records, library):
     theorem = re.compile(r"Theorem claim_1_1 .*?Qed\.", flags=re.DOTALL)
     found = library(
@@ -396,15 +400,13 @@ def test_an_assumption_is_found_out(records, library):
     assert "claim_1_1; coqchk finds the axioms Algebroproj.s_demo_1.claim_1_1" in found.error
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_an_axiom_that_no_theorem_uses_is_found_out(records, library):
     found = library([exported(record_of(records, "1.1"))], lambda text: f"{text}\nAxiom evil : False.\n")
     assert found.error == "coqchk finds the axioms Algebroproj.s_demo_1.evil"
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_what_a_file_of_theorems_prints_is_not_believed(records, library):
     faked = "Axiom evil : False.\nTheorem claim_1_1 : 1 = 2.\nProof. destruct evil. Qed.\n"
     faked += "Print Assumptions Rplus_0_l.\n"
@@ -554,8 +556,7 @@ def test_hostile_texts_in_many_fields_at_once(records, data):
     assert_harmless(render([translated(record)]))
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_hostile_titles_and_names_compile(records, library):
     claims = []
     for place, payload in enumerate(PAYLOADS):
@@ -598,8 +599,7 @@ COMMANDS = {
 }
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_names_that_mean_something_in_coq_can_be_symbols(library):
     section = Section("demo", "1", "Names")
     named = ["follows", "R", "eval", "pow", "nat", "regular_matrix", "Rabs", "conj", "list", "x_x27_"]
@@ -709,8 +709,7 @@ def test_objects_are_made_as_the_derivation_makes_them(objects):
     assert "1.11" in render(exported_claims.values())["conventions.txt"]
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_the_kernel_accepts_objects(objects, library):
     records, made = objects
     found = library([*export(records, objects=made)])
@@ -728,8 +727,7 @@ def test_steps_that_make_another_form_are_noticed(objects):
     assert claim.reason == "the steps of the derivation make another form than the ledger has"
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_the_kernel_rejects_an_object_that_is_made_otherwise(objects, library):
     records, made = objects
     claims = [*export(records, objects=made)]
@@ -799,8 +797,7 @@ def test_other_claims_in_letters_have_a_reason():
     assert exported({**projector, "derived": "2*eye(2)"}).refused
 
 
-@pytest.mark.whole
-@needs_coq
+@pytest.mark.coq
 def test_the_kernel_accepts_claims_in_letters_and_rejects_changed_ones(library):
     turn, matrix = letters("R", "A", size=3)
     base, other = (sympy.MatrixSymbol(name, 3, 1) for name in "bc")

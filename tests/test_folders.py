@@ -67,6 +67,13 @@ def test_a_folder_selects_the_claims_of_its_modules_in_their_order(body):
     assert [derivation.module for derivation in derivation_at(folder)] == ["mine.s1", "mine.s2"]
 
 
+def test_a_folder_whose_name_begins_with_a_point_is_passed_over(body):
+    folder = body(s1=text(1))
+    for name, number in (("inner", 2), (".hidden", 3)):
+        body(f"mine/{name}", s1=text(number))
+    assert numbers(folder) == ["1.1", "2.1"]
+
+
 def test_a_section_or_number_of_a_folder_is_selected_after_a_colon(body):
     folder = body(s1=text(1), s2=text(2))
     assert numbers(f"{folder}:2") == numbers(f"{folder}:2.1") == numbers(f"{folder}/s2.py:2.1") == ["2.1"]

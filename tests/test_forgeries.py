@@ -249,6 +249,13 @@ def other_ranks():
             forged = entry("rank", "0", derived, certificate | more)
             yield honest, forged
         yield honest, entry("rank", str(c), derived, certificate)
+        minor = {key: certificate[key] for key in ("rows", "columns", "minor")}
+        higher = entry(
+            "rank", "0", derived, {"method": "counterexample", "rank": 1, **minor}, "false", hypotheses=[],
+            counterexample={"x": "1", "y": "1", "z": str(c)}, instead="1.2",
+        )  # fmt: skip
+        yield higher, changed(higher, "1", "printed")
+        yield higher, changed(higher, str(c), "printed")
 
 
 def limit_of(printed, derived, divisors, orders, hypotheses, verdict="proved", **more):
@@ -376,6 +383,8 @@ def other_numerals():
             "rank", str(c), "Matrix([[x, y]])", rank, "false", hypotheses=[], counterexample={}, instead="1.2"
         )
         yield lower, changed(lower, True, "certificate", "rank at most")
+        yield lower, changed(lower, "1", "printed")
+        yield lower, changed(lower, "0", "printed")
         yield lower, changed(lower, {"lie": "banana"}, "counterexample")
 
 
@@ -572,6 +581,8 @@ def shown_numbers():
         yield honest, changed(honest, ["1", "0", str(c)], "certificate", "extension", "coefficients")
         yield honest, changed(honest, {"x": ["1", "0"]}, "certificate", "extension", "values")
         yield honest, changed(honest, ["x"], "hypotheses")
+        for method in ("normal form", "ideal membership", "Counterexample"):
+            yield honest, changed(changed(honest, method, "certificate", "method"), method, "method")
 
 
 def matrices_as_conditions():

@@ -43,8 +43,8 @@ from algebroproj_sym.proving.letters.rules import RULES
 from algebroproj_sym.proving.letters.statements import Statement
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.worker import _decided
-from algebroproj_sym.replaying import replay_identity
-from algebroproj_sym.replaying.letters import checking
+from algebroproj_sym.replaying import Rejected, replay_identity
+from algebroproj_sym.replaying.letters import checking, reading, words
 from algebroproj_sym.reporting.answers import answers_record
 
 CORPUS = Path(__file__).resolve().parent / "corpus" / "letters.json"
@@ -233,6 +233,20 @@ def test_laws_of_three_dimensions_are_proved_by_entries(name):
 
 def test_the_replay_has_the_same_rules():
     assert {name: text for name, (text, _) in checking.RULES.items()} == {**RULES}
+
+
+@pytest.mark.parametrize(("shape", "holds"), [("3x3", True), ("3x2", False), ("2x3", False), ("mxn", False)])
+def test_the_trace_of_what_is_zero_is_zero_if_it_is_square(shape, holds):
+    letters = {name: reading.declared(shape) for name in "AB"}
+    algebra, shapes = words.Words(letters), {name: letter.shape for name, letter in letters.items()}
+    zeros = [algebra.poly(reading.read("A - B", shapes))]
+    multiple = {"of": 0, "trace": True}
+    if holds:
+        traced = algebra.poly(reading.read("trace(A) - trace(B)", shapes))
+        assert checking._multiple(algebra, shapes, multiple, zeros) == traced
+    else:
+        with pytest.raises(Rejected):
+            checking._multiple(algebra, shapes, multiple, zeros)
 
 
 @pytest.mark.parametrize("size", [1, 2, 3, 4])

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from algebroproj_sym.generating.runtime.arctan2 import arctan2
 from algebroproj_sym.generating.runtime.cos_sin import cos_sin
-from algebroproj_sym.generating.runtime.systems import null_vector, solve
+from algebroproj_sym.generating.runtime.systems import least_pivot, null_vector, solve
 
 FLOATS = [np.float32, np.float64, np.longdouble, np.complex64, np.complex128]
 every_dtype = pytest.mark.parametrize("dtype", FLOATS)
@@ -440,3 +440,12 @@ def test_directions_broadcast():
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 def test_directions_keep_their_dtype(dtype):
     assert arctan2(np.ones(3, dtype), np.ones(3, dtype)).dtype == dtype
+
+
+@pytest.mark.parametrize("right", [(0, 0), (5, -7e9)])
+@pytest.mark.parametrize(
+    ("matrix", "least"), [([[3, 0], [0, 2]], 1), ([[2, 1], [1, 1]], 0.5), ([[1, 2], [2, 4]], 0), ([[0, 5], [7, 0]], 1)]
+)
+def test_the_least_pivot_of_a_system_is_that_of_its_left_side_beside_the_largest_of_the_column(matrix, least, right):
+    rows = [[*map(float, row), float(last)] for row, last in zip(matrix, right, strict=True)]
+    assert least_pivot("solve", rows) == least

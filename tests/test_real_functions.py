@@ -17,7 +17,7 @@ from algebroproj_sym.proving.statements import UnsupportedError
 from algebroproj_sym.replaying import NotReplayable, Rejected, replay_identity
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.statement import statement_of
-from algebroproj_sym.replaying.reals.terms import written
+from algebroproj_sym.replaying.reals.terms import UnreadableError, read, written
 
 CORPUS = Path(__file__).resolve().parent / "corpus" / "functions.json"
 ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))
@@ -317,6 +317,13 @@ def test_a_counterexample_satisfies_what_sympy_assumes_or_the_symbol_is_refused(
 def test_a_number_too_long_for_text_is_named():
     with pytest.raises(ParseError, match="lhs, position 0: expected at most 400 digits"):
         prove(10**400 * sympy.sin(sympy.Symbol("x")), 0)
+
+
+@pytest.mark.parametrize("operator", ["*", "/"])
+def test_a_product_may_have_a_hundred_factors(operator):
+    assert read(operator.join(["sin(x)"] * 100)).symbols() == {"x"}
+    with pytest.raises(UnreadableError, match="at most 100 factors"):
+        read(operator.join(["sin(x)"] * 101))
 
 
 WITNESSES = {

@@ -368,6 +368,14 @@ def test_the_enclosure_of_a_number_is_the_narrowest_and_its_sign_is_known():
     assert numbers.unit_interval() == (numbers.enclosed(Fraction(0))[0], numbers.enclosed(Fraction(1))[1])
 
 
+@pytest.mark.parametrize("bits", [10, 30, 64, 150, 256])
+def test_pi_is_enclosed_between_neighbouring_numbers_or_nearly(bits):
+    low, high = theory(terms=["pi"]).value(theory(terms=["pi"]).pi, bits)
+    with mpmath.workprec(500):
+        assert low < mpmath.pi * 2**bits < high
+    assert high - low <= 3
+
+
 WIDE = [
     "sin(x)", "cos(3*x)", "exp(x)", "log(x + 3)", "atan(x)", "asin(x/4)", "sqrt(x + 3)", "(x + 1)^4", "x^3 - x",
     "abs(x)",

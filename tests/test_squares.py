@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import flint
 import pytest
+import sympy
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -50,6 +51,18 @@ def test_squares_add_up_to_a_multiple(polynomial):
 def test_what_changes_its_sign_is_no_sum_of_squares(polynomial):
     assert vanishing_squares([polynomial], 1) is None
     assert sum_of_squares(polynomial) is None
+
+
+@given(st.tuples(*[coefficients] * 6))
+def test_completed_squares_have_positive_weights_and_add_up(chosen):
+    """A quadratic polynomial is a sum of squares if it is not negative anywhere, and no other is."""
+    a, b, c, d, e, f = chosen
+    polynomial = a * x**2 + b * x * y + c * y**2 + d * x + e * y + f + 0 * z
+    gram = sympy.Matrix([[2 * a, b, d], [b, 2 * c, e], [d, e, 2 * f]])
+    squares = sum_of_squares(polynomial)
+    assert (squares is not None) == gram.is_positive_semidefinite
+    assert all(weight > 0 for weight, _ in squares or ())
+    assert squares is None or total(squares) == polynomial
 
 
 @given(forms)

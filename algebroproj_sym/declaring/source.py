@@ -38,7 +38,7 @@ class Source:
     names: Mapping[str, Any]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _left_behind, ()
+        return type(None), ()
 
     @property
     def folder(self) -> Path:
@@ -73,10 +73,6 @@ def calling(depth: int) -> Source:
     """Return the call that is made by the function so many frames above."""
     frame = sys._getframe(depth + 1)
     return Source(frame.f_code, frame.f_lasti, {**frame.f_globals, **frame.f_locals})
-
-
-def _left_behind() -> None:
-    return None
 
 
 @lru_cache(maxsize=128)

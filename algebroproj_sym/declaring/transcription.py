@@ -105,11 +105,9 @@ def beside(forms: Sequence[Any]) -> Any:
     """Return forms in letters as one: several ones side by side, of which a zero stands for any number."""
     if all(form == 0 for form in forms):
         return sympy.Integer(0)
-    return forms[0] if len(forms) == 1 else sympy.BlockMatrix([[*map(_as_matrix, forms)]])
-
-
-def _as_matrix(form: Any) -> Any:
-    return form if isinstance(form, sympy.MatrixExpr) else sympy.Matrix([[form]])
+    if len(forms) == 1:
+        return forms[0]
+    return sympy.BlockMatrix([[f if isinstance(f, sympy.MatrixExpr) else sympy.Matrix([[f]]) for f in forms]])
 
 
 def _read(folder: Path, section: str, number: str, build: Builder | None, letters: bool) -> tuple[Quote, list[Any]]:

@@ -60,12 +60,9 @@ def _hypotheses(statement: Statement, *forms: Written) -> Hypotheses:
     definitions = {called: value for form in forms for called, value in form.definitions.items()}
     variables = tuple(sorted(statement.symbols))
     entries = inlined([entry for form in forms for entry in form.entries], definitions)
-    divisors = hypotheses(variables, statement.hypotheses, [*entries, *_side_conditions(statement)])
+    conditions = [*statement.listed("nonzero"), *statement.listed("constraints")]
+    divisors = hypotheses(variables, statement.hypotheses, [*entries, *conditions])
     return Hypotheses(variables, divisors, definitions)
-
-
-def _side_conditions(statement: Statement) -> tuple[Term, ...]:
-    return (*statement.listed("nonzero"), *statement.listed("constraints"))
 
 
 def _constrained(statement: Statement, given: Hypotheses, more: Sequence[Term] = ()) -> Hypotheses:

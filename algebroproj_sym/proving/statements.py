@@ -239,12 +239,7 @@ def has_functions(form: Any) -> bool:
         return terms.has_functions(form)
     if not isinstance(form, sympy.Expr | sympy.MatrixBase):
         return False
-    functions = any(not isinstance(part, over) for part in form.atoms(sympy.Function))
-    return bool(functions or form.has(sympy.Derivative, sympy.Integral, sympy.pi, sympy.E) or _has_roots(form))
-
-
-def _has_roots(form: Any) -> bool:
-    return any(not isinstance(part.exp, sympy.Integer) for part in form.atoms(sympy.Pow))
+    return form.has(sympy.pi, sympy.E) or any(map(_is_function, _distinct([form])))
 
 
 def _real(

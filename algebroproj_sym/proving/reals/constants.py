@@ -23,7 +23,7 @@ def constant_zero(knowledge: Knowledge, element: Element) -> bool:
     goal = knowledge.into(fact.polynomial)
     if goal == 0 or not knowledge.is_number(goal):
         return False
-    if _is_apart(knowledge, knowledge.back(goal)):
+    if knowledge.is_apart(knowledge.back(goal)):
         return False
     given = knowledge.rules_from([fact for fact in knowledge.facts("=") if knowledge.is_number(fact[1])])
     powers: list[tuple[Any, dict[int, Any]]] = [(goal**0, {})]
@@ -41,11 +41,6 @@ def constant_zero(knowledge: Knowledge, element: Element) -> bool:
         if found is not None:
             return _shown(knowledge, goal, found, values, given)
     return False
-
-
-def _is_apart(knowledge: Knowledge, element: Element) -> bool:
-    value = knowledge.theory.value(element, 128)
-    return bool(value) if not isinstance(value, tuple) else value[0] > 0 or value[1] < 0
 
 
 def _shown(knowledge: Knowledge, goal: Any, numbers: list[Any], powers: list[Any], given: list[Rule]) -> bool:

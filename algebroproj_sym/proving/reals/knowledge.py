@@ -1,63 +1,38 @@
-"""What is known in a case of a proof, and how single facts are shown: that something is zero, or has a sign.
-
-Each method looks for a step, takes it in the theory of the replay, which checks it, and keeps it for the certificate.
-"""
+"""What is known in a case of a proof, and how single facts are shown: that something is zero, or has a sign."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import combinations, combinations_with_replacement, pairwise
+from itertools import pairwise
 from math import gcd, lcm
 from typing import Any
-
-import flint
 
 from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.consequences import Case, End, flattened
 from algebroproj_sym.proving.elimination import Elimination
 from algebroproj_sym.proving.polynomials import EffortExceededError, content_of
+from algebroproj_sym.proving.reals.combining import combined, squares
+from algebroproj_sym.proving.reals.facts import Facts
 from algebroproj_sym.proving.reals.rewriting import Rule, reduced_by, rules
 from algebroproj_sym.proving.reals.samples import Sample
-from algebroproj_sym.proving.reals.simplex import weights
 from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import BITS, Polynomial
-from algebroproj_sym.replaying.reals.proofs import apply, assume
+from algebroproj_sym.replaying.polynomial import Polynomial
+from algebroproj_sym.replaying.reals.proofs import assume
 from algebroproj_sym.replaying.reals.theory import Theory
-from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
-STRIDE = 8
-MOST_COLUMNS = 160
-MOST_ROWS = 60
 MOST_TERMS = 400
 LONGER = 12
-EFFORT = 1200
-"""What a search may spend on rewriting, linear programs and eliminations."""
-
 STEPS = 600
 """How many reductions a Groebner basis may take."""
-MASK = (1 << BITS) - 1
 
 
-class Knowledge:
-    """Facts, and the steps by which they came.
-
-    Parameters
-    ----------
-    theory : Theory
-        What is known at the beginning.
-    """
+class Knowledge(Facts):
+    """Facts, and how zeros and signs are shown from them: each method looks for a step, and takes it."""
 
     def __init__(self, theory: Theory, samples: Sequence[Sample] = (), effort: list[int] | None = None) -> None:
-        self.theory = theory
-        self.effort = [EFFORT] if effort is None else effort
-        self.samples = list(samples)
-        self.steps: list[Mapping[str, Any]] = []
-        self.wanted: list[Polynomial] = []
+        super().__init__(theory, samples, effort)
         self.cuts: list[Polynomial] = []
-        self._made: dict[int, tuple[Polynomial, int, Any]] = {}
-        self._names: dict[int, tuple[Any, set[int]]] = {}
         self._rules: dict[Any, list[Rule]] = {}
         self._failed: dict[Any, int] = {}
         self._systems: dict[Any, tuple[Any, Any]] = {}
@@ -70,91 +45,6 @@ class Knowledge:
         found = Knowledge(self.theory.branch(), kept, self.effort)
         assume(found.theory, relation, text)
         return found
-
-    def seen(self, element: Element) -> set[int]:
-        """Return the signs of something at the samples, as far as they are known."""
-        polynomial = self.theory.signed(element)
-        signs = {sample.sign(self.theory, polynomial) for sample in self.samples or [Sample({})]}
-        return {sign for sign in signs if sign is not None}
-
-    def step(self, law: str, **entries: Any) -> bool:
-        """Take a step; whether the law allows it."""
-        before, size = self.theory.branch(), self._known()
-        step = {"law": law, **entries}
-        try:
-            apply(self.theory, step)
-        except (Rejected, NotReplayable):
-            self.theory.__dict__.update(before.__dict__)
-            return False
-        if self._known() != size or self.theory.contradictory:
-            self.steps.append(step)
-        return True
-
-    def _known(self) -> tuple[int, int, int]:
-        """Return how many facts, applications and divisors there are: what a step may add to."""
-        return len(self.theory.facts), len(self.theory.applications), len(self.theory.field.factors)
-
-    # -- polynomials of FLINT, whose last variables are spare
-
-    @property
-    def _size(self) -> int:
-        """How many variables polynomials have: it changes seldom, as what was found is kept for the same variables."""
-        return (len(self.theory.field.places) // STRIDE + 1) * STRIDE
-
-    @property
-    def context(self) -> Any:
-        """The ring in all symbols of the theory."""
-        return flint.fmpq_mpoly_ctx.get(tuple(f"v{place}" for place in range(self._size)), flint.Ordering.degrevlex)
-
-    def into(self, polynomial: Polynomial) -> Any:
-        """Return a polynomial of the theory as one of FLINT."""
-        size = self._size
-        kept = self._made.get(id(polynomial))
-        if kept is not None and kept[0] is polynomial and kept[1] == size:
-            return kept[2]
-        found = self._into(polynomial, size)
-        self._made[id(polynomial)] = polynomial, size, found
-        return found
-
-    def _into(self, polynomial: Polynomial, size: int) -> Any:
-        return self.context.from_dict(
-            {
-                tuple(monomial >> BITS * place & MASK for place in range(size)): flint.fmpq(value)
-                for monomial, value in polynomial.terms.items()
-            }
-        )
-
-    def back(self, polynomial: Any) -> Element:
-        """Return a polynomial of FLINT as an element of the theory."""
-        number, terms = 1, polynomial.to_dict()
-        for value in terms.values():
-            number = lcm(number, int(value.q))
-        found = {
-            sum(int(power) << BITS * place for place, power in enumerate(powers)): int(value.p) * number // int(value.q)
-            for powers, value in terms.items()
-        }
-        return Element(self.theory.field, Polynomial(found), {}, number)
-
-    def text(self, polynomial: Any) -> str:
-        """Return a polynomial of FLINT with integer coefficients as text."""
-        return self.theory.written(self.back(polynomial).numerator)
-
-    def signed(self, element: Element) -> Any:
-        """Return the polynomial that has the sign of an element."""
-        return self.into(self.theory.signed(element))
-
-    def rational(self, terms: Mapping[int, int]) -> Element:
-        """Return a polynomial, given by its terms, as an element."""
-        return self.theory.field.element(Polynomial(dict(terms)))
-
-    def value_of(self, element: Element) -> float:
-        """Return about the value of a number; 0 if that is not known."""
-        return (self.samples or [Sample({})])[0].value(self.theory, element)
-
-    def called(self, function: str, argument: Element) -> str:
-        """Return the name of a function of an argument; none if there is none."""
-        found = self.theory.applications.items()
-        return next((n for n, k in found if k.function == function and (k.args[0] - argument).is_zero), "")
 
     def bounded(self, element: Element) -> bool:
         """Whether something is known of the signs of what an element is made of."""
@@ -171,10 +61,6 @@ class Knowledge:
             return argument
         found = self.back(reduced[0]) * self.theory.number(Fraction(1, argument.denominator))
         return found if self.zero(argument - found) else argument
-
-    def want(self, *polynomials: Any) -> None:
-        """Note polynomials whose sign would help."""
-        self.wanted += [self.back(polynomial).numerator for polynomial in polynomials]
 
     def said(self, element: Element) -> str:
         """Return an element as text, after showing that its divisors are not zero."""
@@ -194,22 +80,6 @@ class Knowledge:
                 slope, rest = (fact.coefficient(n) for n in (0, 1)) if len(fact) > 1 else (fact.coefficient(0), 0)
                 (low if slope > 0 else high).append(-rest / slope)
         return max(low, default=None), min(high, default=None)
-
-    def names(self, polynomial: Any) -> set[int]:
-        """Return the places of the variables that occur."""
-        kept = self._names.get(id(polynomial))
-        if kept is None or kept[0] is not polynomial:
-            degrees = polynomial.degrees() if polynomial != 0 else ()
-            kept = self._names[id(polynomial)] = polynomial, {place for place, degree in enumerate(degrees) if degree}
-        return kept[1]
-
-    def facts(self, *relations: str) -> list[tuple[int, Any]]:
-        """Return facts of some relations, with their places."""
-        return [
-            (place, self.into(fact.polynomial))
-            for place, fact in enumerate(self.theory.facts)
-            if fact.relation in relations
-        ]
 
     def connected(self, polynomial: Any) -> list[tuple[int, Any]]:
         """Return the zeros that share variables with a polynomial, also by way of others."""
@@ -342,7 +212,7 @@ class Knowledge:
             if not self.unit(own):
                 return None
             try:
-                place, is_negative = self._place(own, (">", "!="))
+                place, is_negative = self.place(own, (">", "!="))
             except LookupError:
                 return None
             if is_negative and power % 2:
@@ -395,7 +265,7 @@ class Knowledge:
 
     def refuted(self, polynomial: Polynomial) -> bool:
         """Show that what is said of a sign cannot be: that 0 > 0 would follow."""
-        return self._combined(self.context.constant(0), self.names(self.into(polynomial)))
+        return combined(self, self.context.constant(0), self.names(self.into(polynomial)))
 
     # -- signs
 
@@ -457,7 +327,7 @@ class Knowledge:
                 return True
         elif self._square_of_turns(polynomial) and self._is_positive(element, strict):
             return True
-        elif self._combined(polynomial):
+        elif combined(self, polynomial):
             if self._is_positive(element, strict):
                 return True
             if self.step("both", polynomial=self.text(polynomial)):
@@ -478,7 +348,7 @@ class Knowledge:
         else:
             found = self.positive(element) and not self.theory.holds("=", element)
             if found:
-                place, _ = self._place(rest / content_of(rest), (">" if self.theory.holds(">", element) else ">=",))
+                place, _ = self.place(rest / content_of(rest), (">" if self.theory.holds(">", element) else ">=",))
                 powers, weight = {place: 1}, content_of(rest)
         return found and self.has_sign(self.text(polynomial), [(weight, rest**0, powers)], cofactors)
 
@@ -497,14 +367,9 @@ class Knowledge:
                 filled += term * square**missing
                 cofactor -= term * sum((square**k for k in range(missing)), form * 0)
             form, cofactors[place] = filled, cofactor
-        if form == polynomial or len(form) > MOST_TERMS or not (squares := self._squares(form)):
+        if form == polynomial or len(form) > MOST_TERMS or not (terms := squares(self, form)):
             return False
-        return self.has_sign(self.text(polynomial), [(weight, root, {}) for weight, root in squares], cofactors)
-
-    def moved(self, polynomial: Any) -> Any:
-        """Return a polynomial in all symbols that there are by now."""
-        more = (0,) * (self._size - polynomial.context().nvars())
-        return self.context.from_dict({(*powers, *more): value for powers, value in polynomial.to_dict().items()})
+        return self.has_sign(self.text(polynomial), [(weight, root, {}) for weight, root in terms], cofactors)
 
     def place_of(self, element: Element) -> int | None:
         """Return the place of the fact that says the sign of something, which is not negative."""
@@ -520,48 +385,6 @@ class Knowledge:
                 found.append((self.theory.facts.index(fact), places[name], places[other]))
         return found
 
-    def _squares(self, polynomial: Any) -> list[tuple[Any, Any]]:
-        """Return positive numbers and polynomials: the sum of the squares of these, so weighted, is a polynomial."""
-        content, factors = polynomial.factor()
-        if content > 0 and all(power % 2 == 0 for _, power in factors):
-            root = polynomial**0
-            for factor, power in factors:
-                root *= factor ** (power // 2)
-            return [(content, root)]
-        columns: list[tuple[str, Any, Any]] = [("+", root * root, (root, {})) for root in self._roots(polynomial)]
-        found = self._weights(columns, polynomial, strict=False)
-        return [(weight, columns[place][2][0]) for place, weight in (found or {}).items()]
-
-    def has_sign(
-        self,
-        text: str,
-        total: Sequence[tuple[Any, Any, Mapping[int, int]]],
-        cofactors: Mapping[int, Any],
-        multiplier: Sequence[int] = (),
-    ) -> bool:
-        """Take the step by which a polynomial, times a number and positive facts, is a sum, and zeros times cofactors.
-
-        The sum is one of positive weights times squares of roots times powers of facts.
-        """
-        weights = [int(weight.q if isinstance(weight, flint.fmpq) else weight.denominator) for weight, _, _ in total]
-        number = lcm(1, *weights, *(int(value.q) for part in cofactors.values() for value in part.coeffs()))
-        strict = any(
-            root.is_constant() and all(self.theory.facts[place].relation != ">=" for place in powers)
-            for _, root, powers in total
-        )
-        return self.step(
-            "sign",
-            polynomial=text,
-            relation=">" if strict else ">=",
-            scale=number,
-            multiplier={str(place): 1 for place in multiplier},
-            sum=[
-                [str(weight * number), self.text(root), {str(place): power for place, power in powers.items()}]
-                for weight, root, powers in total
-            ],
-            cofactors={str(place): self.text(part * number) for place, part in cofactors.items() if part != 0},
-        )
-
     def is_number(self, polynomial: Any) -> bool:
         """Whether no symbol of the statement occurs, also within applications."""
         names = {place: name for name, place in self.theory.field.places.items()}
@@ -576,6 +399,11 @@ class Knowledge:
             for polynomial in (arg.numerator, *(self.theory.field.factors[p] for p in arg.exponents))
         )
 
+    def is_apart(self, element: Element) -> bool:
+        """Whether an enclosure tells a number from zero."""
+        value = self.theory.value(element, 128)
+        return bool(value) if isinstance(value, Fraction) else value[0] > 0 or value[1] < 0
+
     def value(self, element: Element) -> bool:
         """Show that a number is positive."""
         text = self.theory.written(self.theory.signed(element))
@@ -588,7 +416,7 @@ class Knowledge:
             own = factor / content_of(factor)
             if power % 2 == 0:
                 if self.theory.holds("!=", self.back(own)) or self.unit(own):
-                    place, _ = self._place(own, (">", "!="))
+                    place, _ = self.place(own, (">", "!="))
                     powers[place] = power
                 else:
                     root = root * own ** (power // 2)
@@ -599,7 +427,7 @@ class Knowledge:
                 return False
             if sign == "=":
                 return False
-            place, flip = self._place(own, (">", ">="))
+            place, flip = self.place(own, (">", ">="))
             powers[place] = power
             flips += flip
         if flips % 2:
@@ -608,164 +436,6 @@ class Knowledge:
         for place, power in powers.items():
             product = product * self.into(self.theory.facts[place].polynomial) ** power
         return self.has_sign(self.text(whole), [(abs(content_of(whole) / content_of(product)), root, powers)], {})
-
-    def _place(self, polynomial: Any, relations: Iterable[str]) -> tuple[int, bool]:
-        """Return the place of a fact about a polynomial, the strongest first, and whether it is about its negative."""
-        for relation in relations:
-            for place, fact in enumerate(self.theory.facts):
-                if fact.relation == relation:
-                    own = self.into(fact.polynomial)
-                    if own in (polynomial, -polynomial):
-                        return place, bool(own == -polynomial)
-        raise LookupError("no such fact")
-
-    def _combined(self, polynomial: Any, about: set[int] | None = None) -> bool:
-        """Show the sign of a polynomial, or of its product with a positive one, as a combination of facts."""
-        names = self.names(polynomial) if about is None else about
-        zeros = [fact for fact in self.facts("=") if self.names(fact[1]) & names and len(fact[1]) < 12]
-        around = names.union(*(self.names(zero) for _, zero in zeros))
-        zeros += [
-            fact for fact in self.facts("=") if fact not in zeros and len(fact[1]) < 6 and self.names(fact[1]) <= around
-        ]
-        facts = [fact for fact in self.facts(">", ">=") if len(fact[1]) < 12]
-        if about is None and int(polynomial.total_degree()) > 1:
-            signs = [fact for fact in facts if self.names(fact[1]) <= around]
-        else:
-            signs = [fact for fact in facts if self.names(fact[1]) & around]
-            near = names.union(*(self.names(fact) for _, fact in signs))
-            signs += [fact for fact in facts if self.names(fact[1]) <= near and fact not in signs]
-        signs = sorted(signs, key=lambda fact: (not self.names(fact[1]) <= names, len(fact[1])))[:40]
-        multipliers: list[tuple[int | None, Any]] = [(None, self.context.constant(1))]
-        if about is None and zeros:
-            slopes = [zero.derivative(place) for _, zero in zeros for place in names if place in self.names(zero)]
-            shorter = [
-                (place, fact)
-                for place, fact in self.facts(">")
-                if len(fact) <= 2 and self.names(fact) and self.names(fact) <= around
-            ]
-            multipliers += sorted(shorter, key=lambda pair: not {str(pair[1]), str(-pair[1])} & {*map(str, slopes)})[:4]
-        return any(self._combination(polynomial, names, zeros, signs, *m, about is not None) for m in multipliers)
-
-    def _combination(
-        self,
-        polynomial: Any,
-        names: set[int],
-        zeros: Sequence[tuple[int, Any]],
-        signs: Sequence[tuple[int, Any]],
-        multiplier: int | None,
-        factor: Any,
-        contradiction: bool,
-    ) -> bool:
-        """Show the sign of a polynomial as a combination of facts, their products and squares, modulo zeros."""
-        one = self.context.constant(1)
-        goal = polynomial * factor
-        degree = 2 if contradiction else int(goal.total_degree())
-        columns: list[tuple[str, Any, Any]] = [("+", one, (one, {}))]
-        columns += [("+", fact, (one, {place: 1})) for place, fact in signs]
-        columns += [("=", sign * zero, (place, sign * one, sign)) for place, zero in zeros for sign in (1, -1)]
-        if degree > 1:
-            near = [fact for fact in signs if len(fact[1]) < 6][:12]
-            for (i, left), (j, right) in combinations_with_replacement(near, 2):
-                if int((left * right).total_degree()) <= degree + 1:
-                    columns.append(("+", left * right, (one, {i: 2} if i == j else {i: 1, j: 1})))
-            gens = [self.context.gens()[place] for place in sorted(names)]
-            for place, zero in zeros:
-                if int(zero.total_degree()) < degree + 1:
-                    columns += [("=", s * zero * x, (place, s * x, s)) for x in gens for s in (1, -1)]
-            columns += [("+", root * root, (root, {})) for root in self._roots(goal)]
-            if degree > 2:
-                apart = [a - b for a, b in combinations(gens[:4], 2)]
-                columns += [
-                    ("+", fact * root**2, (root, {place: 1}))
-                    for place, fact in near
-                    for root in (*apart, *gens[:4])
-                    if int(fact.total_degree()) + 2 <= degree
-                ]
-                columns += [
-                    ("=", s * zero * x * y, (place, s * x * y, s))
-                    for place, zero in zeros
-                    if int(zero.total_degree()) + 2 <= degree
-                    for x, y in combinations_with_replacement(gens[:4], 2)
-                    for s in (1, -1)
-                ]
-        columns = columns[:MOST_COLUMNS]
-        found_weights = None if contradiction else self._weights(columns, goal, strict=False)
-        if contradiction or found_weights is not None:
-            found_weights = self._weights(columns, goal, strict=True) or found_weights
-        if found_weights is None:
-            return False
-        total, cofactors = list[tuple[Any, Any, Mapping[int, int]]](), dict[int, Any]()
-        for place, weight in found_weights.items():
-            kind, _, how = columns[place]
-            if kind == "=":
-                cofactors[how[0]] = cofactors.get(how[0], one * 0) + how[1] * weight
-            else:
-                total.append((weight, *how))
-        return self.has_sign(
-            self.text(polynomial), total, cofactors, multiplier=[] if multiplier is None else [multiplier]
-        )
-
-    def spend(self, effort: int) -> None:
-        """Count what was spent; raise `EffortExceededError` if it is too much."""
-        self.effort[0] -= effort
-        if self.effort[0] < 0:
-            raise EffortExceededError
-
-    def _weights(self, columns: list[tuple[str, Any, Any]], goal: Any, *, strict: bool) -> dict[int, Any] | None:
-        """Return weights by which columns add up to a goal, one of them strict if so asked.
-
-        The strict ones then weigh 1 together, and the goal is multiplied; by zero, if there is a contradiction.
-        """
-        maps = [dict(column[1].to_dict()) for column in columns]
-        target = dict(goal.to_dict())
-        if strict:
-            maps = [found | ({"": 1} if self._is_strict(c) else {}) for c, found in zip(columns, maps, strict=True)]
-            maps, target = [*maps, {powers: -value for powers, value in target.items()}], {"": flint.fmpq(1)}
-        doubles = {place for place, (kind, _, how) in enumerate(columns) if kind == "=" and how[2] < 0}
-        kept, rows = _useful(maps, target, doubles)
-        if len(rows) > MOST_ROWS or not rows >= target.keys():
-            return None
-        self.spend(2)
-        found = weights([maps[place] for place in kept], target)
-        if found is None:
-            return None
-        whole = {kept[place]: weight for place, weight in found.items()}
-        if not strict:
-            return whole
-        times = whole.pop(len(columns), None)
-        return None if times is None and goal != 0 else {k: v / (times or 1) for k, v in whole.items()}
-
-    def _is_strict(self, column: tuple[str, Any, Any]) -> bool:
-        kind, _, how = column
-        return kind == "+" and how[0].is_constant() and all(self.theory.facts[i].relation == ">" for i in how[1])
-
-    def _roots(self, polynomial: Any) -> list[Any]:
-        """Return polynomials whose squares may add up to a polynomial: roots of monomials, and their differences."""
-        even = [
-            self.context.from_dict({tuple(int(n) // 2 for n in powers): 1})
-            for powers in polynomial.to_dict()
-            if all(int(n) % 2 == 0 for n in powers) and any(powers)
-        ][:6]
-        gens = [self.context.gens()[place] for place in sorted(self.names(polynomial))][:4]
-        even += [gen for gen in gens if gen not in even]
-        one = self.context.constant(1)
-        mixed = [a + sign * b for k, a in enumerate(even) for b in [*even[:k], one] for sign in (1, -1)]
-        mixed += [2 * a + sign * b for a in even[:3] for b in [*even[:3], one] if a != b for sign in (1, -1)]
-        return even + mixed[:40]
-
-
-def _useful(maps: list[Any], target: Any, doubles: set[int]) -> tuple[list[int], set[Any]]:
-    """Return columns without a monomial that no other column and not the target has, and all their monomials.
-
-    Doubles are the negatives of other columns.
-    """
-    kept = [*range(len(maps))]
-    while True:
-        uses = Counter(row for place in kept if place not in doubles for row in maps[place])
-        more = [place for place in kept if all(uses[row] > 1 or row in target for row in maps[place])]
-        if len(more) == len(kept):
-            return kept, {*uses}
-        kept = more
 
 
 def rational_gcd(values: Iterable[Fraction]) -> Fraction:

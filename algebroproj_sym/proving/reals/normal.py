@@ -131,7 +131,7 @@ def _minimal(knowledge: Knowledge, number: Element, order: int) -> None:
     others = x**0
     for factor, multiplicity in knowledge.into(knowledge.theory.facts[place].polynomial).factor()[1]:
         element = knowledge.back(factor)
-        if _is_near_zero(knowledge, element):
+        if not knowledge.is_apart(element):
             least, power = factor, multiplicity
         elif knowledge.value(element) or knowledge.value(-element):
             others = others * factor**multiplicity
@@ -139,11 +139,6 @@ def _minimal(knowledge: Knowledge, number: Element, order: int) -> None:
         (others * least**power).leading_coefficient()
     )
     knowledge.follows(least, End(power, others * scale, {place: x**0}))
-
-
-def _is_near_zero(knowledge: Knowledge, element: Element) -> bool:
-    value = knowledge.theory.value(element, 128)
-    return value == 0 if isinstance(value, Fraction) else value[0] <= 0 <= value[1]
 
 
 def exponentials(knowledge: Knowledge) -> None:

@@ -1,12 +1,11 @@
 """What a run of the tests includes.
 
 By default it is what is quick.  ``--part rest`` is what that leaves out: builds and other long tests, most of many
-similar cases, tests that need an extra, and properties again with all their examples.  ``--part coq`` is where Coq
-compiles theorems.  ``--part all`` is all.  CI runs all, with every extra.
+similar cases, tests that need an extra, and properties again with all their examples.  ``--part all`` is both.  CI runs
+both, with every extra.
 """
 
 import os
-import shutil
 import subprocess
 import sys
 from collections import Counter
@@ -39,7 +38,7 @@ settings.register_profile("whole", REPEATABLE)
 
 
 def pytest_addoption(parser):
-    parser.addoption("--part", choices=("quick", "rest", "coq", "all"), default="quick", help="Which tests to run.")
+    parser.addoption("--part", choices=("quick", "rest", "all"), default="quick", help="Which tests to run.")
     parser.addoption(
         "--built", type=Path, help="The folder that `algebroproj build` has written; built anew otherwise."
     )
@@ -48,7 +47,6 @@ def pytest_addoption(parser):
 
 def pytest_configure(config):
     config.addinivalue_line("markers", "whole: what takes long, such as a build.")
-    config.addinivalue_line("markers", "coq(library): Coq compiles theorems, with a library if one is named.")
     config.addinivalue_line("markers", "extra(name): the test needs this extra.")
     config.addinivalue_line("markers", "sampled(n): a quick run takes every n-th case.")
     settings.load_profile("quick" if config.getoption("part") == "quick" else "whole")
@@ -58,7 +56,7 @@ def pytest_collection_modifyitems(config, items):
     leave_out_what_is_not_sampled(items)
     part = config.getoption("part")
     if part != "all":
-        chosen = {"quick": is_quick, "rest": is_rest, "coq": is_for_coq}[part]
+        chosen = is_quick if part == "quick" else is_rest
         config.hook.pytest_deselected(items=[item for item in items if not chosen(item)])
         items[:] = filter(chosen, items)
 
@@ -74,19 +72,14 @@ def leave_out_what_is_not_sampled(items):
                 item.add_marker("whole")
 
 
-def is_for_coq(item):
-    return item.get_closest_marker("coq") is not None
-
-
 def is_quick(item):
-    return item.get_closest_marker("whole") is None and not is_for_coq(item)
+    return item.get_closest_marker("whole") is None
 
 
 def is_rest(item):
     """Whether a quick run leaves a test out, skips it without an extra, or gives it fewer examples."""
     needs_extra = extra_of(item) is not None or item.get_closest_marker("extra") is not None
-    is_long = not is_quick(item) or needs_extra or hasattr(getattr(item, "obj", None), "hypothesis")
-    return is_long and not is_for_coq(item)
+    return not is_quick(item) or needs_extra or hasattr(getattr(item, "obj", None), "hypothesis")
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -102,17 +95,6 @@ def pytest_runtest_setup(item):
         reason = item.config.getoption("part") == "quick" and absent(*mark.args)
         if reason:
             pytest.skip(reason)
-    for mark in item.iter_markers("coq"):
-        if not has_coq(*mark.args):
-            pytest.skip(f"{' with '.join(['Coq', *mark.args])} is not installed: no theorem was compiled")
-
-
-@cache
-def has_coq(library=""):
-    if shutil.which("coqc") is None:
-        return False
-    where = subprocess.run(["coqc", "-where"], capture_output=True, text=True, check=True).stdout.strip()
-    return (Path(where) / "user-contrib" / library).is_dir()
 
 
 def extra_of(node):

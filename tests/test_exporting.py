@@ -4,6 +4,7 @@ import copy
 import json
 import random
 import re
+import shutil
 from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
@@ -46,6 +47,8 @@ from algebroproj_sym.reporting.ledger import claim_record, ledger
 
 a, b, t, x, y, z = sympy.symbols("a b t x y z")
 WITHOUT_THEOREM = {"1.25", "1.26", "1.27"}
+
+needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: no theorem was compiled")
 
 
 def every_kind():
@@ -324,7 +327,8 @@ def test_only_the_axioms_of_the_real_numbers_are_allowed():
     assert assumed(axioms("Warning: something\n"))
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_the_kernel_accepts_every_kind(records, library):
     found = library([*export(records)])
     assert found.error == ""
@@ -363,7 +367,8 @@ TAMPERED = [
 ]
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 @pytest.mark.parametrize("change", TAMPERED, ids=lambda change: f"{change[0]}-{change[-1]}")
 def test_the_kernel_rejects_what_is_false(records, library, change):
     """The exporter has to refuse, or the kernel, where the replay is left out."""
@@ -372,7 +377,8 @@ def test_the_kernel_rejects_what_is_false(records, library, change):
     assert not claim.theorems or library([claim]).error
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_elimination_tells_regular_matrices_from_others(records, library):
     """Coq computes what SymPy says of the determinants; the numbers are small, so that many are zero."""
     source = random.Random(0)
@@ -390,7 +396,8 @@ def test_elimination_tells_regular_matrices_from_others(records, library):
     assert library([exported(record_of(records, "1.1"))], lambda text: text + stated).error == ""
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_an_assumption_is_found_out(records, library):
     theorem = re.compile(r"Theorem claim_1_1 .*?Qed\.", flags=re.DOTALL)
     found = library(
@@ -400,13 +407,15 @@ def test_an_assumption_is_found_out(records, library):
     assert "claim_1_1; coqchk finds the axioms Algebroproj.s_demo_1.claim_1_1" in found.error
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_an_axiom_that_no_theorem_uses_is_found_out(records, library):
     found = library([exported(record_of(records, "1.1"))], lambda text: f"{text}\nAxiom evil : False.\n")
     assert found.error == "coqchk finds the axioms Algebroproj.s_demo_1.evil"
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_what_a_file_of_theorems_prints_is_not_believed(records, library):
     faked = "Axiom evil : False.\nTheorem claim_1_1 : 1 = 2.\nProof. destruct evil. Qed.\n"
     faked += "Print Assumptions Rplus_0_l.\n"
@@ -556,7 +565,8 @@ def test_hostile_texts_in_many_fields_at_once(records, data):
     assert_harmless(render([translated(record)]))
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_hostile_titles_and_names_compile(records, library):
     claims = []
     for place, payload in enumerate(PAYLOADS):
@@ -599,7 +609,8 @@ COMMANDS = {
 }
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_names_that_mean_something_in_coq_can_be_symbols(library):
     section = Section("demo", "1", "Names")
     named = ["follows", "R", "eval", "pow", "nat", "regular_matrix", "Rabs", "conj", "list", "x_x27_"]
@@ -709,7 +720,8 @@ def test_objects_are_made_as_the_derivation_makes_them(objects):
     assert "1.11" in render(exported_claims.values())["conventions.txt"]
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_the_kernel_accepts_objects(objects, library):
     records, made = objects
     found = library([*export(records, objects=made)])
@@ -727,7 +739,8 @@ def test_steps_that_make_another_form_are_noticed(objects):
     assert claim.reason == "the steps of the derivation make another form than the ledger has"
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_the_kernel_rejects_an_object_that_is_made_otherwise(objects, library):
     records, made = objects
     claims = [*export(records, objects=made)]
@@ -797,7 +810,8 @@ def test_other_claims_in_letters_have_a_reason():
     assert exported({**projector, "derived": "2*eye(2)"}).refused
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_the_kernel_accepts_claims_in_letters_and_rejects_changed_ones(library):
     turn, matrix = letters("R", "A", size=3)
     base, other = (sympy.MatrixSymbol(name, 3, 1) for name in "bc")

@@ -3,6 +3,7 @@
 import copy
 import json
 import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -28,6 +29,8 @@ TRUE = [
     for item in json.loads((CORPUS / f"{name}.json").read_text(encoding="utf-8"))
     if item["expected"] == "proved" and "found" not in item
 ]
+
+needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed: no theorem was compiled")
 
 
 def proved(lhs, rhs, **asked):
@@ -110,7 +113,8 @@ def accepted(lemmas, theorems):
     return not found.error
 
 
-@pytest.mark.coq
+@pytest.mark.whole
+@needs_coq
 def test_the_kernel_accepts_claims_and_they_rest_on_the_excluded_middle_at_most(lemmas):
     found = [exported(record) for record in claims()]
     assert [len(claim.theorems) for claim in found] == [1, 1, 4, 1, 1, 1]
@@ -132,7 +136,8 @@ def theorems_of(items):
     return found
 
 
-@pytest.mark.coq
+@needs_coq
+@pytest.mark.whole
 @pytest.mark.parametrize("start", range(9))
 def test_the_kernel_accepts_the_corpus(lemmas, start):
     items = TRUE[start::9]
@@ -180,7 +185,8 @@ def refused(lemmas, record):
     return not accepted(lemmas, theorems.values())
 
 
-@pytest.mark.coq
+@needs_coq
+@pytest.mark.whole
 @pytest.mark.parametrize("true", FORGED, ids=str)
 def test_a_proof_is_none_of_a_statement_that_is_false(lemmas, true):
     found = proved(**question_of(true))
@@ -189,7 +195,8 @@ def test_a_proof_is_none_of_a_statement_that_is_false(lemmas, true):
         assert refused(lemmas, {**found, **question_of(false)}), false
 
 
-@pytest.mark.coq
+@needs_coq
+@pytest.mark.whole
 @pytest.mark.parametrize("true", FORGED, ids=str)
 def test_a_statement_is_not_changed_behind_its_proof(lemmas, true):
     """Coq itself tells a conclusion, or a premise, from another one."""
@@ -202,7 +209,8 @@ def test_a_statement_is_not_changed_behind_its_proof(lemmas, true):
             assert not accepted(lemmas, [("\n".join(weaker), proof)]), premise
 
 
-@pytest.mark.coq
+@needs_coq
+@pytest.mark.whole
 def test_steps_that_are_forged_prove_nothing(lemmas):
     found = proved("sin(x)", "sqrt(1 - cos(x)^2)", assumptions=["0 <= x <= pi"])
     proof = found["certificate"]["proof"]
@@ -213,7 +221,8 @@ def test_steps_that_are_forged_prove_nothing(lemmas):
         assert refused(lemmas, forged)
 
 
-@pytest.mark.coq
+@needs_coq
+@pytest.mark.whole
 @pytest.mark.parametrize("true", ["sqrt(2) + sqrt(3) > pi", "sin(1) < 85/100", "asin(1/2) = pi/6"])
 def test_no_bound_of_a_number_is_moved_past_it(lemmas, true):
     ((stated, proof),) = real_theorems(proved(**question_of(true))).values()

@@ -176,7 +176,5 @@ STUDY = Study(
         "distance, error": "Sampson's: by how much both points of a pair must move to fit the matrix [px: pixels]",
         "sigma": "standard deviation of a coordinate, as given [px]; as a unit: how far all coordinates move together",
         "leverage": "share of its own error that the fit hides [0 to 1]",
-        "probability": "of distances as large as these, if sigma is right [0 to 1]",
-        "(x, y)": "places in the left and in the right picture [px]",
     },
 )

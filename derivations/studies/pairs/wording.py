@@ -50,7 +50,7 @@ def in_words(judgement: PairJudgement, repeated: str = "", added: Sequence[float
         *(f"  {reason}" for reason in judgement.reasons),
         "",
         f"{count} pairs; distances of {spread:.2g} px where {sigma:g} px were expected "
-        f"(probability {judgement.probability:.2g}).",
+        f"(such distances have probability {judgement.probability:.2g}).",
         f"Largest distance: pair {int(np.abs(judgement.residuals).argmax()) + 1}, "
         f"{np.abs(judgement.residuals).max():.2g} px. "
         f"Largest leverage: pair {int(judgement.leverages.argmax()) + 1}, {judgement.leverages.max():.2f}"
@@ -67,7 +67,7 @@ def in_words(judgement: PairJudgement, repeated: str = "", added: Sequence[float
         f"Nearest critical configuration: {_down(nearest.lower / sigma)} (proved) to {nearest.upper / sigma:.3g} "
         f"(found) sigma away; the fit is {np.linalg.norm(judgement.residuals) / sigma:.2g} sigma away.",
         *(f"  {sentence}" for sentence in judgement.why if judgement.verdict != TRUST and near),
-        "These pairs would help most, one after the other:",
+        "These pairs of places would help most, one after the other, in pixels:",
         *(
             f"  ({addition.x1[0]:.0f}, {addition.x1[1]:.0f}) and ({addition.x2[0]:.0f}, {addition.x2[1]:.0f}): "
             f"error at check points below {addition.bound:.2g} px{simulated}"

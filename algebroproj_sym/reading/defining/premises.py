@@ -18,6 +18,7 @@ import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
+from algebroproj_sym.reading.defining.contexts import Context
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
@@ -64,6 +65,8 @@ class Premise:
         The words beside it.
     chained : bool
         Whether it is part of a chain.
+    context : Context
+        Where it holds.
     """
 
     left: Formula
@@ -75,6 +78,7 @@ class Premise:
     special: bool
     words: frozenset[str]
     chained: bool
+    context: Context
 
     @cached_property
     def symbols(self) -> frozenset[str]:

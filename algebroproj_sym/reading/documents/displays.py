@@ -33,7 +33,8 @@ _CODE = re.compile(
     r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
 )
 _INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
-_CODE_IN_LINE = re.compile(r"`[^`\n]*`")
+_CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
+"""Code within a line; what a role of MyST cites is none."""
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
@@ -186,7 +187,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     """
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbers = lines or tuple(range(1, len(starts) + 1))
-    plain = _without_code(_without_comments(text)) if latex else _CODE_IN_LINE.sub(_blank, _without_blocks(text))
+    plain = _without_code(_without_comments(text)) if latex else _CODE_IN_LINE.sub(_uncited, _without_blocks(text))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -230,6 +231,11 @@ def _without_comments(text: str) -> str:
 
 def _blank(found: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", found.group())
+
+
+def _uncited(found: re.Match[str]) -> str:
+    """Return blanks for code, and what a role cites as it stands."""
+    return found[0] if found[1] else _blank(found)
 
 
 def _without_blocks(text: str) -> str:

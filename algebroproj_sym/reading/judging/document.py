@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from algebroproj_sym.reading.defining.contexts import Context, context_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     Premise,
@@ -136,6 +137,8 @@ class _Pass:
         self.premises: list[Premise] = []
         self.alone: dict[str, int] = {}
         self.introduced = False
+        self.context = Context()
+        self.contexts: dict[str, Context] = {}
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
         self.carried = ""
@@ -164,6 +167,8 @@ class _Pass:
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         self.display = display
         self.beside = beside(statement, self.carried)
+        own = context_of(last_sentence(display.before))
+        self.context = own if own.kind or not same_part else self.context
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
@@ -235,6 +240,7 @@ class _Pass:
             links.append(Link("not decided", "it has no relation, so it states nothing"))
         if definition is not None:
             self.vocabulary.define(definition)
+            self.contexts[definition.symbol] = self.context
             self.asserted.setdefault(definition.symbol, display.place)
         else:
             self._note(statement, found)
@@ -243,7 +249,7 @@ class _Pass:
         return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), asked
 
     def _renew(self, statement: Statement, formula: Parsed) -> None:
-        """Forget what a letter was in another section, and what rests on it, where an equation gives it anew.
+        """Forget what a letter was in another section or context, and what rests on it, where one gives it anew.
 
         It does if words say so, or if its value is another one of the same letters; one of other letters may be equal.
         The letter stands for the new value from there on, unless words speak of a case.
@@ -256,7 +262,9 @@ class _Pass:
         before = known.part if known else self.alone.get(given_by(left), part)
         if not given_by(left) or self._named(statement, self.given.statements):
             return
-        if before == part and not (known and self.beside.defines):
+        elsewhere = self.context.excludes(self.contexts.get(symbol, Context()))
+        self.contexts[symbol] = self.context
+        if before == part and not (known and self.beside.defines) and not elsewhere:
             return
         older, recent = self.premises[:-MOST_PREMISES], self.premises[-MOST_PREMISES:]
         told = extended(self.vocabulary, [each.gives for each in recent if each.gives and each.gives.symbol == symbol])
@@ -265,7 +273,7 @@ class _Pass:
         ]
         letters = told.letters_of(left).union(*map(told.letters_of, others if is_named(left) else []))
         theirs = self.vocabulary.letters_of(value)
-        if not (self.beside.renews or letters <= theirs or theirs <= letters):
+        if not (self.beside.renews or elsewhere or letters <= theirs or theirs <= letters):
             return
         if not is_named(left) and (is_one_value(parameters, value) or agree(told, (left, value))):
             return
@@ -296,7 +304,7 @@ class _Pass:
         where, display = _where(statement), statement.display
         for left, right in pairs:
             given = where, display.part, display.place, names, special, words
-            self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2))
+            self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2, context=self.context))
             self.alone |= dict.fromkeys((given_by(argument_of(each)) for each in (left, right)), display.part)
 
     # -- definitions
@@ -375,6 +383,7 @@ class _Pass:
         identity = self._named(statement, self.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.vocabulary, left, right))
         vocabulary = self.vocabulary.copied()
+        self._forget_elsewhere(vocabulary, cited_in(statement.display.before))
         others = self._others(statement, formula, index)
         ways = [
             Way(left, right, vocabulary, doubt),
@@ -407,6 +416,18 @@ class _Pass:
             narrow = self.survey.parsed(statement, wide=False)
             yield narrow.sides[index], narrow.sides[index + 1]
 
+    def _forget_elsewhere(self, vocabulary: Vocabulary, cited: frozenset[str]) -> None:
+        """Drop the definitions that belong to another context, but for those that words cite."""
+        names = tuple(f"({name})" for name in cited)
+        for symbol, context in self.contexts.items():
+            known = vocabulary.definitions.get(symbol)
+            if known and self.context.excludes(context) and not known.where.startswith(names):
+                vocabulary.drop(symbol)
+
+    def _serving(self, cited: frozenset[str]) -> list[Premise]:
+        """Return the premises that do not belong to another context, and those that words cite."""
+        return [each for each in self.premises if each.names & cited or not self.context.excludes(each.context)]
+
     def _with_premises(
         self, statement: Statement, formula: Parsed, index: int, vocabulary: Vocabulary
     ) -> Iterator[Way]:
@@ -428,7 +449,8 @@ class _Pass:
         self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
     ) -> Iterator[Way]:
         """Yield a relation in which values that equations above give, such as E(X), stand for what they say."""
-        premises = applicable(self.premises, statement.display.part, cited_in(statement.display.before))
+        cited = cited_in(statement.display.before)
+        premises = applicable(self._serving(cited), statement.display.part, cited)
         values = given_values(premises, vocabulary, (left, right))
         if any(each.role != "definition" for each in values.values()):
             ours, theirs = (with_given(side, values) for side in (left, right))
@@ -442,7 +464,8 @@ class _Pass:
     ) -> Iterator[Way]:
         """Yield a relation under the equations just above it, and cited ones, that speak of its letters alone."""
         letters = vocabulary.letters_of(left) | vocabulary.letters_of(right)
-        near = neighbours(self.premises, statement.display.part, cited_in(statement.display.before))
+        cited = cited_in(statement.display.before)
+        near = neighbours(self._serving(cited), statement.display.part, cited)
         under = tuple(
             each
             for each in near
@@ -451,7 +474,7 @@ class _Pass:
             and (known := vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right))
             and known <= letters
         )
-        if under:
+        if under and not any(each.parameters for each in used_by(vocabulary, left, right)):
             yield Way(left, right, vocabulary, under=under)
 
     def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
@@ -473,15 +496,18 @@ class _Pass:
     ) -> Iterator[Vocabulary]:
         """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others."""
         cited, part = cited_in(statement.display.before), statement.display.part
-        found = [each.gives for each in applicable(self.premises, part, cited) if each.gives is not None]
+        serving = self._serving(cited)
+        found = [each.gives for each in applicable(serving, part, cited) if each.gives is not None]
         lone = frozenset(symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol)
         for given in ([], [each for each in found if each.symbol not in lone], found):
             known = extended(vocabulary, given)
             yield known
             yield extended(known, derivatives_in((left, right), known, self.survey.occurring))
         wanted = {*symbols_in(left), *symbols_in(right)}
-        for each in neighbours(self.premises, part, cited):
-            if (solution := each.solved(vocabulary, wanted)) is not None:
+        parameters = {symbol for each in used_by(vocabulary, left, right) for symbol in each.parameters}
+        for each in neighbours(serving, part, cited):
+            tied = parameters & each.symbols
+            if not tied and (solution := each.solved(vocabulary, wanted)) is not None:
                 yield extended(vocabulary, [solution])
 
 

@@ -1,0 +1,81 @@
+"""Where an equation holds, as far as its sentence begins with it: at the top, before the collision, in model A."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+_ARTICLE = r"(?:the\s+|an?\s+)"
+_STEP = (
+    r"(?:substitut|rearrang|simplif|insert|integrat|differentiat|multipl|divid|expan|cancel|collect|comput|algebra|some|"
+    r"other|first|last|least|most|once|all|same|basis|contrary|hand|this|that|these|those|point|order|average|both)"
+)
+_ORDINAL = r"(?:old|new|first|second|third|other|another|explicit|implicit|forward|backward|original|modified|exact)"
+_THING = (
+    r"(?:method|model|case|experiment|medium|scheme|image|camera|approach|problem|lens|body|stage|phase|euler|setup|"
+    r"system|example|variant|interval|region)"
+)
+_KINDS = {
+    "condition": r"(?:if|when|whenever|unless|otherwise|else)\b.*",
+    "range": r"for\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
+    "place": (
+        rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
+        r"|(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+(?:boundary|end|wall|edge|half|side(?! of))"
+        r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
+    ),
+    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally",
+    "name": (
+        r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
+        rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
+    ),
+    "sort": r"for\s+an?\s+[a-z]+",
+    "presence": r"with(?:out)?\s+(?:the\s+|any\s+|an?\s+)?[a-z]+",
+}
+_BEGINS = re.compile(
+    r"[^a-z$]*(?:(?:textbf|textit|emph|paragraph|and|but|now|then)\W+)*(?:"
+    + "|".join(f"(?P<{kind}>{words})" for kind, words in _KINDS.items())
+    + ")",
+    re.DOTALL,
+)
+
+
+@dataclass(frozen=True)
+class Context:
+    """Where an equation holds.
+
+    Attributes
+    ----------
+    kind : str
+        What its words speak of, such as a place; empty for none.
+    words : str
+        The words.
+    """
+
+    kind: str = ""
+    words: str = ""
+
+    def excludes(self, other: Context) -> bool:
+        """Whether an equation may hold in the one and not in the other.
+
+        Examples
+        --------
+        >>> context_of("At the top,").excludes(context_of("At the bottom")), Context().excludes(context_of("If so"))
+        (True, False)
+        """
+        if not self.kind or self.kind != other.kind or self.words == other.words:
+            return False
+        return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
+
+
+def context_of(sentence: str) -> Context:
+    """Return where an equation holds, by the words with which its sentence begins.
+
+    Examples
+    --------
+    >>> context_of("At the top, the speed is"), context_of("After some algebra, we get")
+    (Context(kind='place', words='at the top'), Context(kind='', words=''))
+    """
+    found = _BEGINS.match(sentence.lower())
+    if found is None or found.lastgroup is None:
+        return Context()
+    return Context(found.lastgroup, " ".join(found[found.lastgroup].split()))

@@ -26,6 +26,9 @@ def verdicts(text, *, latex=True):
         r"In the first medium \[ n = \sin a \] In the second medium \[ n = 2\sin b \] \[ 3 \sin a = 6 \sin b \]",
         r"\textbf{Example 1.} \[ x = 2 y \] \textbf{Example 2.} \[ x = 3 y \] \[ 2 y = 3 y \]",
         r"For $x>0$ \[ y = x \] For $x<0$ \[ y = -x \] \[ 2 x = 0 \]",
+        r"In air \[ n = 1 \] In water \[ n = k \] \[ k = 1 \]",
+        r"For the sphere \[ V = a^3 \] for the cube \[ V = b^3 \] \[ a^3 = b^3 \]",
+        r"Observer one measures \[ t = T \] Observer two measures \[ t = g T \] \[ (g - 1) T = 0 \]",
         r"\[ f(x) = a x \] \[ a - x = 1 \] \[ f(3) = 3x + 3 \]",
     ],
 )

@@ -262,7 +262,9 @@ class _Pass:
         before = known.part if known else self.alone.get(given_by(left), part)
         if not given_by(left) or self._named(statement, self.given.statements):
             return
-        elsewhere = self.context.excludes(self.contexts.get(symbol, Context()))
+        elsewhere = self.context.excludes(self.contexts.get(symbol, Context())) or (
+            known is not None and known.part == part and bool(self.beside.strange(known.words))
+        )
         self.contexts[symbol] = self.context
         if before == part and not (known and self.beside.defines) and not elsewhere:
             return

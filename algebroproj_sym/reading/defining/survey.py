@@ -50,7 +50,7 @@ class Survey:
 
     @cached_property
     def functions(self) -> frozenset[str]:
-        """The letters that stand before a bracket with one letter, or with several values."""
+        """The letters that stand before a bracket with one letter, a zero, or several values."""
         found = set[str]()
         for each in self.statements:
             try:

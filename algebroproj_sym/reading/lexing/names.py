@@ -265,7 +265,7 @@ def bracket_ahead(cursor: Cursor) -> list[Piece]:
 
 
 def _at_argument(cursor: Cursor) -> bool:
-    """Whether the bracket that follows has one letter alone, or several values."""
+    """Whether the bracket that follows has one letter alone, a zero, or several values: nobody writes x times zero."""
     inside = bracket_ahead(cursor)
     body = [piece for piece in inside if not piece.text.isspace() and piece.text not in DROPPED][1:-1]
     if any(piece.text in (",", ";") for piece in outside_braces(body)):
@@ -273,7 +273,7 @@ def _at_argument(cursor: Cursor) -> bool:
     if not body or any(piece.text in "+-*/()=|" for piece in body):
         return False
     inner = Cursor(body, cursor.known)
-    return (
+    return [piece.text for piece in body] == ["0"] or (
         at_symbol(inner) and bool(take_letter(inner)) and take_scripts(inner) is not None and inner.index == len(body)
     )
 

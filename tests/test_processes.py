@@ -52,16 +52,20 @@ def exists(process):
 
 
 def left():
-    return [child for child in multiprocessing.active_children() if exists(child)]
+    return [child for child in multiprocessing.active_children() if child not in others and exists(child)]
 
 
 def echoing(there):
     there.send(there.recv())
 
 
+others = []
+
+
 @pytest.fixture(autouse=True)
 def importable(monkeypatch):
-    """A process that is spawned imports the functions of this module by its name."""
+    """A process that is spawned imports the functions of this module by its name; what other tests began is let be."""
+    others[:] = multiprocessing.active_children()
     monkeypatch.syspath_prepend(Path(__file__).parent.parent)
 
 

@@ -230,7 +230,7 @@ def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[
     """Return each pair of sides as text with its outcome; one that cannot be asked is open."""
     asked = [_asked_under(each) for each in ways]
     questions = [question for group in asked if isinstance(group, list) for question in group]
-    decided = outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions))) if questions else iter(())
+    decided = iter([*outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions)))] if questions else ())
     return [
         (both_sides(each), _with_letters(each[0], _of_entries([*islice(decided, len(each))])))
         if isinstance(each, list)

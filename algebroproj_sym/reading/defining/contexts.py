@@ -67,6 +67,9 @@ class Context:
         return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
 
 
+ANYWHERE = Context()
+
+
 def context_of(sentence: str) -> Context:
     """Return where an equation holds, by the words with which its sentence begins.
 
@@ -77,5 +80,5 @@ def context_of(sentence: str) -> Context:
     """
     found = _BEGINS.match(sentence.lower())
     if found is None or found.lastgroup is None:
-        return Context()
+        return ANYWHERE
     return Context(found.lastgroup, " ".join(found[found.lastgroup].split()))

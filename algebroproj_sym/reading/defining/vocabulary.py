@@ -12,6 +12,7 @@ import sympy
 from lark import Token
 
 from algebroproj_sym.expressions import shape
+from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
 from algebroproj_sym.reading.defining.dependence import Dependence
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
@@ -61,6 +62,8 @@ class Definition:
         Where its display begins, in characters.
     words : frozenset of str
         The words beside it.
+    context : Context
+        Where it holds.
     """
 
     symbol: str
@@ -73,6 +76,7 @@ class Definition:
     role: Role = "definition"
     place: int = -1
     words: frozenset[str] = frozenset()
+    context: Context = ANYWHERE
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:

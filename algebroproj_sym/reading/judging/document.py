@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from algebroproj_sym.reading.defining.contexts import Context, context_of
+from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     Premise,
@@ -32,7 +32,7 @@ from algebroproj_sym.reading.defining.recognising import (
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import Asked, agree, decide
@@ -137,8 +137,7 @@ class _Pass:
         self.premises: list[Premise] = []
         self.alone: dict[str, int] = {}
         self.introduced = False
-        self.context = Context()
-        self.contexts: dict[str, Context] = {}
+        self.context = ANYWHERE
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
         self.carried = ""
@@ -240,7 +239,6 @@ class _Pass:
             links.append(Link("not decided", "it has no relation, so it states nothing"))
         if definition is not None:
             self.vocabulary.define(definition)
-            self.contexts[definition.symbol] = self.context
             self.asserted.setdefault(definition.symbol, display.place)
         else:
             self._note(statement, found)
@@ -262,10 +260,9 @@ class _Pass:
         before = known.part if known else self.alone.get(given_by(left), part)
         if not given_by(left) or self._named(statement, self.given.statements):
             return
-        elsewhere = self.context.excludes(self.contexts.get(symbol, Context())) or (
-            known is not None and known.part == part and bool(self.beside.strange(known.words))
+        elsewhere = known is not None and (
+            self.context.excludes(known.context) or (known.part == part and bool(self.beside.strange(known.words)))
         )
-        self.contexts[symbol] = self.context
         if before == part and not (known and self.beside.defines) and not elsewhere:
             return
         older, recent = self.premises[:-MOST_PREMISES], self.premises[-MOST_PREMISES:]
@@ -290,7 +287,8 @@ class _Pass:
         self.vocabulary.drop(symbol)
         if not (statement.condition or self.beside.case() or is_circular(symbol, value, self.vocabulary)):
             where, words = _where(statement), self.beside.words
-            made = Definition(symbol, parameters, value, where, part, False, place=self.beside.place, words=words)
+            given = symbol, parameters, value, where, part, False
+            made = Definition(*given, place=self.beside.place, words=words, context=self.context)
             self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
 
     def _assert(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
@@ -337,7 +335,7 @@ class _Pass:
             return None
         given = symbol, parameters, right, _where(statement), statement.display.part
         words, place = beside(statement, "").words, statement.display.place
-        made = Definition(*given, explicit, not statement.condition, place=place, words=words)
+        made = Definition(*given, explicit, not statement.condition, place=place, words=words, context=self.context)
         return replace(made, usable=made.usable and computes(made, self.vocabulary))
 
     def _gives(self, statement: Statement, left: Formula, right: Formula) -> bool:
@@ -363,10 +361,8 @@ class _Pass:
             return False
         if derivatives_in((left,), self.vocabulary, self.survey.occurring):
             return False
-        near = neighbours(self.premises, statement.display.part, cited_in(statement.display.before))
-        tied = not self.beside.names and any(
-            each.gives is None and symbol in (*symbols_in(each.left), *symbols_in(each.right)) for each in near
-        )
+        near = neighbours(self.premises, part, self._cited)
+        tied = not self.beside.names and any(each.gives is None and symbol in each.symbols for each in near)
         return not (tied or self.alone.get(given_by(base)) == part or is_circular(symbol, right, self.vocabulary))
 
     # -- relations
@@ -385,7 +381,7 @@ class _Pass:
         identity = self._named(statement, self.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.vocabulary, left, right))
         vocabulary = self.vocabulary.copied()
-        self._forget_elsewhere(vocabulary, cited_in(statement.display.before))
+        self._forget_elsewhere(vocabulary)
         others = self._others(statement, formula, index)
         ways = [
             Way(left, right, vocabulary, doubt),
@@ -418,16 +414,23 @@ class _Pass:
             narrow = self.survey.parsed(statement, wide=False)
             yield narrow.sides[index], narrow.sides[index + 1]
 
-    def _forget_elsewhere(self, vocabulary: Vocabulary, cited: frozenset[str]) -> None:
-        """Drop the definitions that belong to another context, but for those that words cite."""
-        names = tuple(f"({name})" for name in cited)
-        for symbol, context in self.contexts.items():
-            known = vocabulary.definitions.get(symbol)
-            if known and self.context.excludes(context) and not known.where.startswith(names):
-                vocabulary.drop(symbol)
+    @property
+    def _cited(self) -> frozenset[str]:
+        """The labels and numbers of the equations that words before the display name."""
+        return cited_in(self.display.before) if self.display is not None else frozenset()
 
-    def _serving(self, cited: frozenset[str]) -> list[Premise]:
-        """Return the premises that do not belong to another context, and those that words cite."""
+    def _forget_elsewhere(self, vocabulary: Vocabulary) -> None:
+        """Drop the definitions that belong to another context, but for those that words cite."""
+        names = tuple(f"({name})" for name in self._cited)
+        for known in [*vocabulary.definitions.values()]:
+            elsewhere = self.context.excludes(known.context) and not known.where.startswith(names)
+            if elsewhere and known.symbol in vocabulary.definitions:
+                vocabulary.drop(known.symbol)
+
+    @property
+    def _serving(self) -> list[Premise]:
+        """The premises that do not belong to another context, and those that words cite."""
+        cited = self._cited
         return [each for each in self.premises if each.names & cited or not self.context.excludes(each.context)]
 
     def _with_premises(
@@ -451,8 +454,7 @@ class _Pass:
         self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
     ) -> Iterator[Way]:
         """Yield a relation in which values that equations above give, such as E(X), stand for what they say."""
-        cited = cited_in(statement.display.before)
-        premises = applicable(self._serving(cited), statement.display.part, cited)
+        premises = applicable(self._serving, statement.display.part, self._cited)
         values = given_values(premises, vocabulary, (left, right))
         if any(each.role != "definition" for each in values.values()):
             ours, theirs = (with_given(side, values) for side in (left, right))
@@ -466,8 +468,7 @@ class _Pass:
     ) -> Iterator[Way]:
         """Yield a relation under the equations just above it, and cited ones, that speak of its letters alone."""
         letters = vocabulary.letters_of(left) | vocabulary.letters_of(right)
-        cited = cited_in(statement.display.before)
-        near = neighbours(self._serving(cited), statement.display.part, cited)
+        near = neighbours(self._serving, statement.display.part, self._cited)
         under = tuple(
             each
             for each in near
@@ -497,8 +498,7 @@ class _Pass:
         self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
     ) -> Iterator[Vocabulary]:
         """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others."""
-        cited, part = cited_in(statement.display.before), statement.display.part
-        serving = self._serving(cited)
+        cited, part, serving = self._cited, statement.display.part, self._serving
         found = [each.gives for each in applicable(serving, part, cited) if each.gives is not None]
         lone = frozenset(symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol)
         for given in ([], [each for each in found if each.symbol not in lone], found):
@@ -525,6 +525,10 @@ def _with_complex_numbers(way: Way) -> Iterator[Way]:
         return
     shown, unit = " = ".join(map(way.vocabulary.text, way.sides)), way.vocabulary.imaginary
     unit = f", where {unit} is the imaginary unit" if unit else ", of complex numbers"
-    for numbers, letters in (("complex", ""), ("some complex", ", and letters that nothing complex gives are real")):
-        known = way.vocabulary.with_complex_numbers("complex" if numbers == "complex" else "some complex")
+    kinds: tuple[tuple[Numbers, str], ...] = (
+        ("complex", ""),
+        ("some complex", ", and letters that nothing complex gives are real"),
+    )
+    for numbers, letters in kinds:
+        known = way.vocabulary.with_complex_numbers(numbers)
         yield replace(way, vocabulary=known, reads=f"{shown}{unit}{letters}")

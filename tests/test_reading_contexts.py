@@ -13,6 +13,7 @@ def verdicts(text, *, latex=True):
     "text",
     [
         r"\[ E = \frac{1}{2} m v^2 + m g h \] At the top, \[ v = 0 \] At the bottom, \[ h = 0 \] \[ E = 0 \]",
+        r"\[ E = \frac12 m v^2 + m g h \] At the top, let $v = 0$. At the bottom, let $h = 0$. \[ E = 0 \]",
         r"At the wall \[ u = 0 \] Far away \[ u = U \] \[ U = 0 \]",
         r"Left boundary: \[ y = 0 \] Right boundary: \[ y + x = 1 \] \[ x = 1 \]",
         r"Model 1: \[ y = a x + b \] Model 2: \[ y = c x \] \[ a x + b = c x \]",
@@ -40,6 +41,7 @@ def test_what_holds_somewhere_proves_nothing_elsewhere(text):
     "text",
     [
         r"\[ E = \frac{1}{2} m v^2 + m g h \] At the top, \[ v = 0 \] Hence \[ E = m g h \]",
+        r"\[ E = \frac12 m v^2 + m g h \] At the top, let $v = 0$. \[ E = m g h \]",
         r"At the wall \[ u = a b \] After some algebra, we get \[ u c = a b c \]",
         r"Model 1: \[ y = a x + b \] In model 1 we have \[ y - b = a x \]",
         r"For a lens, \[ a = 2f \] On the other hand \[ a^2 = 4 f^2 \]",

@@ -138,6 +138,7 @@ class _Pass:
         self.alone: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
+        self.part = 0
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
         self.carried = ""
@@ -166,11 +167,16 @@ class _Pass:
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         self.display = display
         self.beside = beside(statement, self.carried)
-        own = context_of(last_sentence(display.before))
-        self.context = own if own.kind or not same_part else self.context
+        self._stand_at(display)
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
+
+    def _stand_at(self, display: Display) -> None:
+        """Take in where an equation holds: what one before it says goes on, up to the next heading."""
+        own = context_of(last_sentence(display.before))
+        self.context = own if own.kind or self.part != display.part else self.context
+        self.part = display.part
 
     def _named(self, statement: Statement, names: frozenset[str]) -> bool:
         return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
@@ -178,6 +184,7 @@ class _Pass:
     def _inline(self, statement: Statement, formula: Parsed) -> None:
         before, sentence = statement.display.before, last_sentence(statement.display.before)
         says = DEFINES.search(before) and not CONDITIONAL.search(sentence)
+        self._stand_at(statement.display)
         if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
             definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
             if (

@@ -16,7 +16,7 @@ from click.testing import CliRunner
 from algebroproj_sym import prove
 from algebroproj_sym.cli import main
 from algebroproj_sym.expressions import entries, evaluate, parse, parse_zero, symbols_of
-from algebroproj_sym.proving import Question, RationalFunction, RationalFunctionField, outcomes
+from algebroproj_sym.proving import Question, RationalFunction, RationalFunctionField, outcomes, worker
 
 CORPUS = Path(__file__).resolve().parent / "corpus"
 FILES = ["ring", "field", "hypotheses", "geometry", "elliptic", "classical", "systems", "traps", "real", "plane"]
@@ -308,6 +308,12 @@ def test_a_worker_that_cannot_start_is_an_error(monkeypatch):
         raise OSError("no more processes")
 
     monkeypatch.setattr(multiprocessing.get_context("spawn").Process, "start", refused)
+    (found,) = outcomes([Question("x", "x")], seconds=60)
+    assert (found.verdict, found.reason) == ("error", "the worker process did not start")
+
+
+def test_a_worker_that_does_not_say_in_time_that_it_is_ready_is_given_up(monkeypatch):
+    monkeypatch.setattr(worker, "STARTING_SECONDS", 0)
     (found,) = outcomes([Question("x", "x")], seconds=60)
     assert (found.verdict, found.reason) == ("error", "the worker process did not start")
 

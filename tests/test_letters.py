@@ -289,6 +289,24 @@ def test_the_adjugate_of_a_matrix_of_one_row_is_one(left, right, letters, verdic
     assert (record["verdict"], replay_identity(record).status) == (verdict, "replayed")
 
 
+@pytest.mark.parametrize(("right", "verdict"), [("2", "proved"), ("-2", "refuted")])
+def test_a_length_is_the_root_that_is_not_negative(right, verdict):
+    record = record_of("norm(a)", right, {"a": "3x1"}, ["dot(a, a) = 4"])
+    assert (record["verdict"], replay_identity(record).status) == (verdict, "replayed")
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "letters"),
+    [
+        ("2*jl(2*k)", "(eye(3) + exp(skew(k)))*jl(k)", {"k": "3x1"}),
+        ("exp(2*hat(x))", "exp(hat(x))**2", {"x": "6x1"}),
+    ],
+)
+def test_twice_an_angle_is_followed_in_long_series(left, right, letters):
+    record = record_of(left, right, letters)
+    assert (record["verdict"], replay_identity(record).status) == ("proved", "replayed")
+
+
 N, T = sympy.symbols("n t")
 X, D, M = sympy.MatrixSymbol("x", N, 1), sympy.MatrixSymbol("d", N, 1), sympy.MatrixSymbol("M", N, N)
 

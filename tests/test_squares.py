@@ -126,6 +126,13 @@ def test_two_roots_that_one_does_not_give_are_taken_together():
     assert point[0].field.polynomial.degree() == 4
 
 
+@pytest.mark.parametrize("members", [(y**2 - 2, x**2 - 8), (x**2 - 2, y**2 - 8), (y**2 - 2, x**2 - 2 * x * y - 6)])
+def test_a_second_root_is_found_in_the_field_of_the_first(members):
+    """Whichever variable has the root that makes the field."""
+    point = next(real_points(members, CONTEXT, 1, 9, extension=True))
+    assert all(value_at(member, point) == 0 for member in members)
+
+
 def test_small_values_are_tried_on_small_spheres():
     sphere = x**2 + y**2 + z**2 - flint.fmpq(1, 50)
     point = next(real_points([sphere], CONTEXT, 1, 40, extension=True, further=True))

@@ -6,6 +6,7 @@ both, with every extra.
 """
 
 import os
+import shutil
 import subprocess
 import sys
 from collections import Counter
@@ -148,26 +149,47 @@ def repository() -> Path:
 
 
 @pytest.fixture(scope="session")
-def built(request, tmp_path_factory):
-    """Return the folder of a build of everything."""
-    folder = request.config.getoption("built")
-    if folder is None:
-        folder = tmp_path_factory.mktemp("built")
-        command = [sys.executable, "-m", "algebroproj_sym", "build", "--out", str(folder), "--jobs", "2"]
-        subprocess.run(command, env=os.environ | {"PYTHONHASHSEED": "1"}, capture_output=True, check=True)
+def made_once(tmp_path_factory):
+    """Return a function from a name to a folder, which the first worker of a run that asks for it fills."""
+    import fcntl
+
+    base = tmp_path_factory.getbasetemp()
+    base = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+
+    def folder(name, fill):
+        with (base / f"{name}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not (base / name).exists():
+                unfinished = tmp_path_factory.mktemp(name)
+                fill(unfinished)
+                unfinished.rename(base / name)
+        return base / name
+
     return folder
 
 
 @pytest.fixture(scope="session")
-def lemmas(tmp_path_factory):
-    """Return a folder with the lemmas of all theorems, compiled by Coq."""
+def built(request, made_once):
+    """Return the folder of a build of everything."""
+
+    def build(folder):
+        command = [sys.executable, "-m", "algebroproj_sym", "build", "--out", str(folder), "--jobs", "2"]
+        subprocess.run(command, env=os.environ | {"PYTHONHASHSEED": "1"}, capture_output=True, check=True)
+
+    return request.config.getoption("built") or made_once("built", build)
+
+
+@pytest.fixture(scope="session")
+def lemmas(made_once, tmp_path_factory):
+    """Return a folder, for one worker, with the lemmas of all theorems, compiled by Coq."""
     from algebroproj_sym.exporting import compiled_lemmas, render
     from algebroproj_sym.files import write_texts
 
-    folder = tmp_path_factory.mktemp("coq")
-    write_texts(render([]), folder)
-    assert not any(lemma.error for lemma in compiled_lemmas(folder))
-    return folder
+    def compiled(folder):
+        write_texts(render([]), folder)
+        assert not any(lemma.error for lemma in compiled_lemmas(folder))
+
+    return shutil.copytree(made_once("lemmas", compiled), tmp_path_factory.mktemp("own") / "lemmas")
 
 
 @pytest.fixture(scope="session")

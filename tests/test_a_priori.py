@@ -413,6 +413,12 @@ def test_a_file_says_what_its_numbers_stand_for(lowered):
         assert f"entry {place} is {number}" in text
 
 
+def test_a_function_without_a_bound_has_no_file(lowered):
+    found = accuracy_of(lowered, algebroproj)
+    unknown = replace(found, analysis=replace(found.analysis, bounds=(None,) * len(found.analysis.bounds)))
+    assert render([found]).keys() - render([unknown]) == {f"{found.name}.v"}
+
+
 def test_a_file_names_the_claims_that_its_formula_rests_on(lowered):
     """Each selector is that of a claim, and the claim is decided as it says."""
     found = accuracy_of(lowered, algebroproj)
@@ -430,18 +436,27 @@ def test_arguments_that_cannot_be_are_not_looked_for_without_end():
         instance(analysis(line), 9, bool)
 
 
+@pytest.fixture
+def checker(made_once, tmp_path):
+    """A folder with the compiled files that all theorems about rounding need."""
+
+    def compile_all(folder):
+        write_texts(render([]), folder)
+        assert not any(found.error for name in CHECKER for found in compiled(folder, [name]))
+
+    return shutil.copytree(made_once("checker", compile_all), tmp_path / "checker")
+
+
 @pytest.mark.whole
 @needs_coq
-def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
+def test_coq_accepts_the_bounds_and_rejects_mutants(checker):
     """The theorems are accepted, rest on the listed axioms; mutants, wider ranges and singular points fail."""
     names = ("projection.mu_from_center", "normal_case.from_orientation", "projection.projection_determinant")
     lowered = [lower(*kernels([name])) for name in names]
     found = [accuracy_of(low, algebroproj) for low in lowered]
-    write_texts(render(found), tmp_path)
-    for name in (*CHECKER, *(each.name for each in found)):
-        (result,) = compiled(tmp_path, [name])
-        assert not result.error
-    assumed = assumptions(tmp_path, CLASSICAL)
+    write_texts(render(found), checker)
+    assert not any(result.error for result in compiled(checker, [each.name for each in found]))
+    assumed = assumptions(checker, CLASSICAL)
     assert not assumed.error
     assert set(assumed.axioms) <= CLASSICAL
     parts = ["From Coq Require Import ZArith NArith PArith List.\n"]
@@ -470,9 +485,9 @@ def test_coq_accepts_the_bounds_and_rejects_mutants(tmp_path):
     checks += [formula_check(formulas=f"(rev {FORMULAS})"), formula_check(factors="(tl Trees.factors)")]
     parts.append(f"Definition all := [{'; '.join(checks)}].\n")
     parts.append("Eval vm_compute in map fst (filter snd (combine (seq 0 (length all)) all)).\n")
-    (tmp_path / "mutants.v").write_text("\n".join(parts), encoding="utf-8")
+    (checker / "mutants.v").write_text("\n".join(parts), encoding="utf-8")
     command = ["coqc", "-q", "-R", ".", LIBRARY, "mutants.v"]
-    said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    said = subprocess.run(command, cwd=checker, capture_output=True, text=True, check=True).stdout
     assert len(checks) > 100
     assert "= [0%nat; 1%nat; 2%nat; 3%nat; 4%nat]" in " ".join(said.split())
 
@@ -487,17 +502,16 @@ SQUARED = [f"Mul {place} {place}" for place in range(2, 8)]
 
 @pytest.mark.whole
 @needs_coq
-def test_without_a_range_the_theorem_is_about_results_that_are_finite(tmp_path):
+def test_without_a_range_the_theorem_is_about_results_that_are_finite(checker):
     """There are arguments for which it says something; where a line overflows or underflows, it says nothing."""
     (kernel,) = kernels(["metric.normal_covariance"])
     found = accuracy_of(lower(kernel), algebroproj)
     assert found.reach is None
-    write_texts(render([found]), tmp_path)
-    for name in (*CHECKER, found.name):
-        (result,) = compiled(tmp_path, [name])
-        assert not result.error
-    assert set(assumptions(tmp_path, CLASSICAL).axioms) <= CLASSICAL
-    text = (tmp_path / f"{found.name}.v").read_text(encoding="utf-8")
+    write_texts(render([found]), checker)
+    (result,) = compiled(checker, [found.name])
+    assert not result.error
+    assert set(assumptions(checker, CLASSICAL).axioms) <= CLASSICAL
+    text = (checker / f"{found.name}.v").read_text(encoding="utf-8")
     for theorem in ("finite", "formula", "possible"):
         assert f"Theorem {found.name}_{theorem} :" in text
     overflowing = program("Input 1", "Neg 1", *SQUARED)
@@ -514,9 +528,9 @@ def test_without_a_range_the_theorem_is_about_results_that_are_finite(tmp_path):
     ]
     parts = [f"From {LIBRARY} Require Import Checker Machine Instances.\n", "From Coq Require Import ZArith List."]
     parts += ["Import ListNotations.\nOpen Scope positive_scope.", f"Eval vm_compute in [{'; '.join(checks)}]."]
-    (tmp_path / "points.v").write_text("\n".join(parts), encoding="utf-8")
+    (checker / "points.v").write_text("\n".join(parts), encoding="utf-8")
     command = ["coqc", "-q", "-R", ".", LIBRARY, "points.v"]
-    said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    said = subprocess.run(command, cwd=checker, capture_output=True, text=True, check=True).stdout
     assert "= [true; true; false; true; false; false; false; false]" in " ".join(said.split())
 
 

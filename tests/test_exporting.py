@@ -748,12 +748,19 @@ def test_the_kernel_rejects_an_object_that_is_made_otherwise(objects, library):
     assert library(claims, lambda text: text.replace("inverse (the_M", "adjugate (the_M")).error
 
 
-# -- claims in letters
-
-
-def lettered(number="1.1", kind="identity", **claim):
-    made = getattr(Section("demo", "1", "Letters"), kind)(number, "a statement", **claim)
+def declared(number="1.1", kind="identity", **claim):
+    made = getattr(Section("demo", "1", "Statements"), kind)(number, "a statement", **claim)
     return json.loads(json.dumps(claim_record(judge(made), timed=False)))
+
+
+def test_a_number_that_is_not_zero_is_a_condition_and_no_factor():
+    x, y = sympy.symbols("x y")
+    curve, nonzero = [x * (y - x)], [x, sympy.Rational(1, 3)]
+    holds, _ = exported(declared(printed=y, derived=x, constraints=curve, nonzero=nonzero)).theorems
+    assert holds.statement.startswith("forall x y : R,\nx <> 0 ->\n1 / 3 <> 0 ->\n")
+
+
+# -- claims in letters
 
 
 def letters(*names, size=2):
@@ -762,11 +769,11 @@ def letters(*names, size=2):
 
 def test_a_claim_in_letters_is_a_theorem_about_the_entries():
     first, second = letters("A", "B")
-    (theorem,) = exported(lettered(printed=(first * second).T, derived=second.T * first.T)).theorems
+    (theorem,) = exported(declared(printed=(first * second).T, derived=second.T * first.T)).theorems
     assert theorem.statement.startswith("forall A_11 A_12 A_21 A_22 B_11 B_12 B_21 B_22 : R,")
     assert theorem.statement.count("=") == 4
     (theorem,) = exported(
-        lettered(printed=(first.I + second) * first, derived=sympy.Identity(2) + second * first)
+        declared(printed=(first.I + second) * first, derived=sympy.Identity(2) + second * first)
     ).theorems
     assert "- (A_21 * A_12) + A_22 * A_11 <> 0 ->" in theorem.statement
 
@@ -774,27 +781,34 @@ def test_a_claim_in_letters_is_a_theorem_about_the_entries():
 def test_what_a_constraint_defines_is_put_in():
     first, second = letters("A", "B")
     defined = sympy.Eq(second, first + first.T)
-    (theorem,) = exported(lettered(printed=second.T, derived=second, constraints=[defined])).theorems
+    (theorem,) = exported(declared(printed=second.T, derived=second, constraints=[defined])).theorems
     assert theorem.statement.startswith("forall A_11 A_12 A_21 A_22 : R,")
 
 
 def test_derivatives_are_computed_before_entries_are_compared():
     first, second = letters("A", "B")
-    record = lettered(printed=Directional(first * first, first, second), derived=first * second + second * first)
+    record = declared(printed=Directional(first * first, first, second), derived=first * second + second * first)
     assert record["verdict"] == "proved"
     assert exported(record).theorems
+
+
+def test_two_matrices_are_compared_by_an_entry_that_can_be_other_than_zero():
+    """A theorem about a pivot that is always zero would say nothing."""
+    axis = sympy.MatrixSymbol("a", 3, 1)
+    (theorem,) = exported(declared(kind="up_to_scale", printed=2 * Skew(axis), derived=3 * Skew(axis))).theorems
+    assert "pivot = 2 * a_2 ->" in theorem.statement
 
 
 def test_a_number_with_the_name_of_an_entry_has_no_theorem():
     (first,) = letters("A")
     number = sympy.Symbol("A_11")
-    record = lettered(printed=number * first + first, derived=first + number * first)
+    record = declared(printed=number * first + first, derived=first + number * first)
     assert exported(record).reason == "no theorem is written for a number with the name of an entry of a letter"
 
 
 def test_a_rotation_is_written_with_its_quaternion():
     (turn,) = letters("R", size=3)
-    record = lettered(printed=turn.T * turn, derived=sympy.Identity(3), properties={turn: "rotation"})
+    record = declared(printed=turn.T * turn, derived=sympy.Identity(3), properties={turn: "rotation"})
     (theorem,) = exported(record).theorems
     assert theorem.statement.startswith("forall R_q0 R_q1 R_q2 R_q3 : R,\nR_q0 ^ 2 + R_q1 ^ 2")
     assert "<> 0 ->" in theorem.statement
@@ -802,10 +816,10 @@ def test_a_rotation_is_written_with_its_quaternion():
 
 def test_other_claims_in_letters_have_a_reason():
     first, second = letters("A", "B")
-    projector = lettered(printed=first * first * second, derived=first * second, properties={first: "idempotent"})
+    projector = declared(printed=first * first * second, derived=first * second, properties={first: "idempotent"})
     assert exported(projector).reason == "no theorem is written yet for letters under constraints"
     assert not exported(projector).refused
-    turned = lettered(printed=first.T, derived=first, expect="false", instead="1.2", properties={first: "rotation"})
+    turned = declared(printed=first.T, derived=first, expect="false", instead="1.2", properties={first: "rotation"})
     assert exported(turned).reason == "no theorem is written yet for a point that is about a rotation or a unit vector"
     assert exported({**projector, "derived": "2*eye(2)"}).refused
 
@@ -816,9 +830,9 @@ def test_the_kernel_accepts_claims_in_letters_and_rejects_changed_ones(library):
     turn, matrix = letters("R", "A", size=3)
     base, other = (sympy.MatrixSymbol(name, 3, 1) for name in "bc")
     records = [
-        lettered("1.1", printed=Skew(turn * base) * turn, derived=turn * Skew(base), properties={turn: "rotation"}),
-        lettered("1.2", printed=base - other, derived=other - base, corrected=-base + other, expect="misprint"),
-        lettered("1.3", "up_to_scale", printed=Adjugate(matrix) * base, derived=matrix.I * base),
+        declared("1.1", printed=Skew(turn * base) * turn, derived=turn * Skew(base), properties={turn: "rotation"}),
+        declared("1.2", printed=base - other, derived=other - base, corrected=-base + other, expect="misprint"),
+        declared("1.3", "up_to_scale", printed=Adjugate(matrix) * base, derived=matrix.I * base),
     ]
     claims = [*export(records)]
     assert [sorted(theorem.name for theorem in claim.theorems) for claim in claims] == [

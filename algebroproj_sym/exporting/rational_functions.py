@@ -186,8 +186,6 @@ def upright(polynomial: Polynomial) -> Polynomial:
 
 def exact_quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
     """Return the polynomial that times `divisor` is the given one, or None if there is none."""
-    if divisor.is_constant() and not divisor:
-        return None
     try:
         return polynomial / divisor
     except flint.utils.flint_exceptions.DomainError:

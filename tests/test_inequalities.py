@@ -211,6 +211,22 @@ def test_a_root_in_a_divisor_says_what_is_positive():
     assert prove("2*(sqrt(x + 1) - sqrt(x))", "9/10/sqrt(x)", relation="<").verdict == "refuted"
 
 
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "verdict"),
+    [
+        ("x^3 + 4*y^3", "3*x*y^2", "proved"),
+        ("x^3 + 4*y^3", "6*x*y^2", "refuted"),
+        ("x*z^2 + y", "2*x*z - x", "proved"),
+        ("x*z^2 + y", "2*x*z", "refuted"),
+    ],
+)
+def test_what_is_not_negative_is_multiplied_by_squares(lhs, rhs, verdict):
+    asked = {"lhs": lhs, "relation": ">=", "rhs": rhs, "assumptions": ["x >= 0", "y >= 0"]}
+    found = decided(question(asked))
+    assert found["verdict"] == verdict
+    require_real(json.loads(json.dumps(found)))
+
+
 # -- forged proofs ----------------------------------------------------------------------------------------------------
 
 

@@ -289,6 +289,11 @@ def test_the_adjugate_of_a_matrix_of_one_row_is_one(left, right, letters, verdic
     assert (record["verdict"], replay_identity(record).status) == (verdict, "replayed")
 
 
+def test_a_decimal_is_its_fraction():
+    record = record_of("1.25*A + 0.5*B", "5*A/4 + B/2", {"A": "nxn", "B": "nxn"})
+    assert (record["verdict"], replay_identity(record).status) == ("proved", "replayed")
+
+
 @pytest.mark.parametrize(("right", "verdict"), [("2", "proved"), ("-2", "refuted")])
 def test_a_length_is_the_root_that_is_not_negative(right, verdict):
     record = record_of("norm(a)", right, {"a": "3x1"}, ["dot(a, a) = 4"])

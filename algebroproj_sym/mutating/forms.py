@@ -85,8 +85,8 @@ def changed_digits(text: str) -> Iterator[tuple[str, str]]:
 
     Examples
     --------
-    >>> [changed for _, changed in changed_digits("-0.1")][8:11]
-    ['-9.1', '-0.0', '-0.2']
+    >>> [*changed_digits("-0.1")][8:10]
+    [('digit 1: 9', '-9.1'), ('digit 2: 0', '-0.0')]
     """
     places = [place for place, character in enumerate(text) if character.isdigit()]
     for count, place in enumerate(places, start=1):

@@ -78,6 +78,13 @@ def test_a_long_form_is_folded_with_its_size_and_shown_in_full_on_demand(section
     assert sympy.expand(sympy.sympify(line.removeprefix("printed")) - terms) == 0
 
 
+def test_what_was_declared_is_told_where_another_verdict_was_found(section):
+    right = section.identity("1.1", "right", printed=x, derived=x)
+    wrong = section.identity("1.2", "wrong", printed=x + 1, derived=x)
+    assert "proved, a claim of kind identity\n" in explained(right)
+    assert "false, declared proved, a claim of kind identity\n" in explained(wrong)
+
+
 def test_a_long_form_is_shown_by_its_names():
     output = CliRunner().invoke(main, ["explain", "fundamentals1996:1.4/type"]).output
     assert "printed     frame(seen_points[:3, :]) * core[:3, :] * inverse(A_X)\n" in output

@@ -6,7 +6,7 @@ from sympy.abc import x, y
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, grade_of, judge
-from algebroproj_sym.reporting.findings import findings, gathered
+from algebroproj_sym.reporting.findings import findings, gathered, values_at_counterexample
 
 
 @pytest.fixture
@@ -54,6 +54,15 @@ def test_without_words_the_values_at_the_counterexample_follow(section):
     (found,) = [f for f in gathered([judge(claim) for claim in section.claims]) if f.claim.number == "1.1"]
     value = found.first.counterexample[x]
     assert found.follows == f"At x = {value} it is {value - 1}. The printed form gives {value + 1}."
+
+
+def test_values_at_a_counterexample_of_many_coordinates_are_not_told():
+    section = Section("demo", "1", "Sums")
+    few, many = sum(sympy.symbols("a:2")), sum(sympy.symbols("a:9"))
+    claims = [section.identity(f"1.{n}", "", printed=s + 1, derived=s) for n, s in enumerate((few, many), start=1)]
+    told = [values_at_counterexample(judge(claim)) for claim in claims]
+    assert told[0].startswith("At a0 = ")
+    assert told[1] == ""
 
 
 def test_a_declared_grade_counts_more_than_the_rule():

@@ -17,6 +17,7 @@ from algebroproj_sym.declaring import (
     numbered_with,
     select,
 )
+from algebroproj_sym.papers import installed_papers, module_files, paper_folders
 from algebroproj_sym.pipeline import claims_of
 
 MODULE = """
@@ -168,6 +169,14 @@ def test_a_folder_of_folders_has_them_all(body, tmp_path):
 def test_only_modules_that_make_a_section_are_imported(body):
     folder = body(s1=text(1), setup="raise SystemExit('imported')\n", data='TEXT = """\nsection = Section()\n"""\n')
     assert numbers(folder) == ["1.1"]
+
+
+@pytest.mark.parametrize("paper", installed_papers())
+def test_the_modules_of_an_installed_paper_are_those_that_make_a_section(paper):
+    (folder,) = paper_folders(paper)
+    assert {*module_files(paper)} == {
+        path for path in folder.glob("*.py") if "\nsection = Section(" in path.read_text()
+    }
 
 
 def test_a_folder_without_derivations_is_refused(tmp_path):

@@ -105,6 +105,30 @@ def test_who_wants_no_more_results_leaves_no_process(way):
 
 
 @linux
+def leaving_slowly(path):
+    """Work without end; what it has begun to write when it is told to end takes a moment."""
+    path.write_text("begun", encoding="utf-8")
+    try:
+        time.sleep(600)
+    finally:
+        time.sleep(0.1)
+        path.write_text("finished", encoding="utf-8")
+
+
+def test_a_worker_has_time_to_finish_what_it_writes(way, tmp_path):
+    paths = [tmp_path / "soon", tmp_path / "slowly"]
+    results = in_processes(soon_or_slowly, paths, 1)
+    assert next(results) == "soon"
+    while not paths[1].exists() or not paths[1].read_text(encoding="utf-8"):
+        time.sleep(0.01)
+    results.close()
+    assert paths[1].read_text(encoding="utf-8") == "finished"
+
+
+def soon_or_slowly(path):
+    return path.name if path.name == "soon" else leaving_slowly(path)
+
+
 def test_processes_of_others_are_left_alone():
     here, there = multiprocessing.Pipe()
     other = multiprocessing.get_context("fork").Process(target=echoing, args=[there])

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from algebroproj_derivations.studies.stereo.distributions import joint
+from algebroproj_sym.study import datasets
 from algebroproj_sym.study.datasets import provenance, read, thinned, variable, write
 
 
@@ -40,6 +41,11 @@ def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path):
 def test_the_provenance_is_the_same_twice():
     assert provenance(Path(__file__)) == provenance(Path(__file__))
     assert len(provenance(Path(__file__))["source"]) == 64
+
+
+def test_a_package_that_only_lies_in_the_folder_of_a_repository_has_no_commit(repository, monkeypatch):
+    monkeypatch.setattr(datasets, "__file__", str(repository / "docs" / "package" / "study" / "datasets.py"))
+    assert datasets._commit() is None
 
 
 def test_quantiles_and_lines_of_counts_are_those_of_the_values():

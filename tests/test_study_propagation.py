@@ -95,6 +95,17 @@ def test_values_at_infinity_count_as_far_out():
     assert np.isfinite([low, high]).all()
 
 
+def test_leading_dimensions_broadcast():
+    rng = np.random.default_rng(5)
+    jacobian, hessian = rng.normal(size=(3, 4, 2, 2)), rng.normal(size=(3, 4, 2, 2, 2))
+    covariance = np.stack([np.diag(variances) for variances in rng.uniform(1, 2, (4, 2))])
+    whole = second_order(jacobian, hessian, covariance)
+    for i, j in np.ndindex(3, 4):
+        one = second_order(jacobian[i, j], hessian[i, j], covariance[j])
+        assert np.allclose(whole.shift[i, j], one.shift, rtol=1e-12)
+        assert np.allclose(whole.covariance[i, j], one.covariance, rtol=1e-12)
+
+
 def test_bad_input_is_named():
     with pytest.raises(ValueError, match="Jacobian with 2 columns, got shape"):
         first_order(np.ones((2, 3)), np.eye(2))

@@ -128,11 +128,10 @@ def _partition(pattern: Any) -> list[tuple[int, int]]:
     first: dict[Any, tuple[int, int]] = {}
     found = []
     for place, mark in enumerate(pattern):
-        sign = -1 if mark.could_extract_minus_sign() and not mark.is_Integer else 1
-        name = mark if sign > 0 else -mark
-        if name.is_Integer:
-            found.append((-1, int(name)))
+        if mark.is_Integer:
+            found.append((-1, int(mark)))
             continue
-        start, start_sign = first.setdefault(name, (place, sign))
+        sign = -1 if mark.could_extract_minus_sign() else 1
+        start, start_sign = first.setdefault(sign * mark, (place, sign))
         found.append((start, sign * start_sign))
     return found

@@ -270,7 +270,7 @@ def _put(sweep: Sweep, written: Path, path: Path, members: Sequence[int] | Indic
 
 def _is_sealed(manifest: Mapping[str, Any], path: Path, members: Sequence[int] | Indices) -> bool:
     seal = path.with_name(path.name + SEAL)
-    return path.exists() and seal.exists() and seal.read_bytes() == _seal(manifest, path, members).encode()
+    return seal.exists() and seal.read_bytes() == _seal(manifest, path, members).encode()
 
 
 def _seal(manifest: Mapping[str, Any], path: Path, members: Sequence[int] | Indices) -> str:

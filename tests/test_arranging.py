@@ -58,6 +58,14 @@ def test_entries_of_matrices_keep_their_order(section):
     assert shown(as_declared(claim, "derived")) == shown(arranged(printed))
 
 
+NAMED = Matrix([[y - x, 1]])
+
+
+def test_entries_of_a_matrix_with_a_name_are_those_of_its_assignment(section):
+    claim = section.identity("1.1", "a name", printed=NAMED, derived=NAMED)
+    assert shown(as_declared(claim, "printed")) == "[y - x, 1]"
+
+
 def test_columns_and_vectors_keep_their_order(section):
     claim = section.identity(
         "1.1", "columns", printed=columns(vector(y - x, 1), vector(2, z - y)), derived=Matrix([[y - x, 2], [1, z - y]])

@@ -41,6 +41,7 @@ from algebroproj_sym.exporting.terms import (
 )
 from algebroproj_sym.expressions import Matrix, over, vector
 from algebroproj_sym.expressions.letters import Adjugate, Directional, Skew
+from algebroproj_sym.expressions.provenance import made_of, noted, recording
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.replaying import declaration_digest
 from algebroproj_sym.reporting.ledger import claim_record, ledger
@@ -737,6 +738,13 @@ def test_steps_that_make_another_form_are_noticed(objects):
     assert claim.refused
     assert not claim.theorems
     assert claim.reason == "the steps of the derivation make another form than the ledger has"
+
+
+@pytest.mark.parametrize("value", [sympy.Integer(5), sympy.Rational(3, 4), sympy.Rational(-1, 3)])
+def test_a_number_that_knows_how_it_was_made_has_its_value(value):
+    with recording():
+        found = noted("made", (), value)
+    assert (found, found + 1, made_of(found).value) == (value, value + 1, value)
 
 
 @pytest.mark.whole

@@ -34,7 +34,7 @@ from algebroproj_sym.reporting.site.addresses import claim_page, slug
 from algebroproj_sym.reporting.site.catalogue import catalogue
 from algebroproj_sym.reporting.site.differences import difference
 from algebroproj_sym.reporting.site.folder import OccupiedError, replace
-from algebroproj_sym.reporting.site.formulas import listed
+from algebroproj_sym.reporting.site.formulas import block, listed
 from algebroproj_sym.reporting.site.function_pages import formulas_of
 from algebroproj_sym.reporting.site.layers import Vertex, graph_svg
 from algebroproj_sym.reporting.site.mathml import math
@@ -751,6 +751,12 @@ def test_the_bytes_depend_neither_on_the_hash_seed_nor_on_the_workers(tmp_path, 
     assert again.keys() == site.keys()
     assert [name for name in site if again[name] != site[name]] == []
     assert not list(tmp_path.glob(".*"))
+
+
+def test_a_long_matrix_is_text_with_the_place_of_each_entry():
+    a, b = sympy.symbols("a b")
+    text = block(Matrix([[sympy.expand((a + b + 1) ** 20), 1], [0, a]]))
+    assert all(f"[{place}]  {entry}" in text for place, entry in (("1, 2", "1"), ("2, 1", "0"), ("2, 2", "a")))
 
 
 def test_only_an_earlier_site_is_replaced(tmp_path):

@@ -753,6 +753,11 @@ def test_the_bytes_depend_neither_on_the_hash_seed_nor_on_the_workers(tmp_path, 
     assert not list(tmp_path.glob(".*"))
 
 
+def test_only_entries_that_differ_have_marks():
+    a, b = sympy.symbols("a b")
+    assert [{*marks.inside} for marks in difference(Matrix([[a, b, 1]]), Matrix([[a, -b, 2]]))] == [{1, 2}] * 2
+
+
 def test_a_long_matrix_is_text_with_the_place_of_each_entry():
     a, b = sympy.symbols("a b")
     text = block(Matrix([[sympy.expand((a + b + 1) ** 20), 1], [0, a]]))

@@ -16,7 +16,7 @@ _THING = (
     r"system|example|variant|interval|region)"
 )
 _KINDS = {
-    "condition": r"(?:if|when|whenever|unless|otherwise|else)\b.*",
+    "condition": r"(?:if|when|whenever|unless|otherwise|else|in general|generally)\b.*",
     "range": r"for\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
     "place": (
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
@@ -37,6 +37,14 @@ _BEGINS = re.compile(
     + ")",
     re.DOTALL,
 )
+_STEPS = re.compile(
+    r"\b(?:if|when|once)\s+(?:we|you|one)\s+(?=(?:now\s+|then\s+)?(?:substitut|insert|plug|replac|put|multipl|divid|add|"
+    r"subtract|combin|rearrang|differentiat)\w*\b[^.,;=]*?(?:\(\d+[a-z]?\)|ref\s*\{|\b(?:equations?|eqs?)\b))"
+    r"|\blet(?:['’]s|\s+us)\s+(?=(?:now\s+|also\s+|first\s+)?(?:substitut|insert|plug|multipl|divid|subtract|combin|rearrang|"
+    r"differentiat|comput|calculat|expand|simplif|write|rewrite|see|look|start|begin|find|check|verify|show)\w*\b)",
+    re.IGNORECASE,
+)
+"""Words before a step of a derivation, which are no condition: "if we put (3) into (4)", "let us divide"."""
 
 
 @dataclass(frozen=True)
@@ -70,15 +78,28 @@ class Context:
 ANYWHERE = Context()
 
 
-def context_of(sentence: str) -> Context:
-    """Return where an equation holds, by the words with which its sentence begins.
+def without_steps(words: str) -> str:
+    """Return words in which a step of a derivation does not look like a condition.
+
+    Examples
+    --------
+    >>> without_steps("If we put (3) into (4), let's expand, if we put the lid on the box")
+    'put (3) into (4), expand, if we put the lid on the box'
+    """
+    return _STEPS.sub("", words)
+
+
+def context_of(sentence: str, behind: str = "") -> Context:
+    """Return where an equation holds, by the words with which its sentence begins, and perhaps goes on behind it.
 
     Examples
     --------
     >>> context_of("At the top, the speed is"), context_of("After some algebra, we get")
     (Context(kind='place', words='at the top'), Context(kind='', words=''))
     """
-    found = _BEGINS.match(sentence.lower())
+    step = _STEPS.search(f"{sentence} {behind}")
+    bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
+    found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
         return ANYWHERE
     return Context(found.lastgroup, " ".join(found[found.lastgroup].split()))

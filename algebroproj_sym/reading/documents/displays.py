@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -38,6 +38,7 @@ _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
+_SPACED = re.compile(r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*)\((\d[\d.]*[a-z]?)\)\s*$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
 
@@ -345,11 +346,25 @@ def _own_environments(macros: Mapping[str, Macro]) -> tuple[dict[str, str], dict
 
 
 def tag_of(latex: str, after: str) -> str:
-    """Return the number that an author gives a formula, by a tag or in brackets behind it; empty for none."""
-    if tag := _TAG.search(latex):
+    """Return the number that an author gives a formula: by a tag, or in brackets behind it; empty for none."""
+    if tag := _TAG.search(latex) or _SPACED.search(latex):
         return tag[1].strip()
     following = _FOLLOWING.match(after)
     return following[1] if following else ""
+
+
+def without_number(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    """Return the pieces of a row without a number in brackets that wide spaces set apart at its end."""
+    match = _SPACED.search("".join(piece.text for piece in pieces))
+    if match is None:
+        return pieces
+    rest, end = [], match.start()
+    for piece in pieces:
+        end -= len(piece.text)
+        if end < 0:
+            break
+        rest.append(piece)
+    return rest
 
 
 def label_of(latex: str) -> str:

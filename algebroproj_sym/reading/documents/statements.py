@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of
+from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of, without_number
 from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING, RELATIONS
 from algebroproj_sym.reading.lexing.pieces import Piece, outside_environments, split_pieces
 
@@ -21,7 +21,15 @@ _BEGINS = re.compile(r"\b(?:if|when|for|cases?|unless|provided|suppos\w+|assum\w
 """Words before an equation that are a condition of it."""
 _IF = re.compile(r"\b(?:if|when|for|unless)\s*$", re.IGNORECASE)
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
-_ARROWS = (r"\Rightarrow", r"\Longrightarrow", r"\implies", r"\Leftrightarrow", r"\Longleftrightarrow", r"\iff")
+_ARROWS = (
+    r"\Rightarrow",
+    r"\Longrightarrow",
+    r"\implies",
+    r"\therefore",
+    r"\Leftrightarrow",
+    r"\Longleftrightarrow",
+    r"\iff",
+)
 _SPACES = (r"\;", r"\:", r"\,", r"\ ", "~", *_WIDE)
 _MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
 _IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
@@ -123,7 +131,7 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
     if not display.pieces:
         yield [display.latex], [([], "")]
         return
-    rows = split_pieces(_flat(display.pieces), (r"\\",), brackets=False)
+    rows = [[*without_number(row)] for row in split_pieces(_flat(display.pieces), (r"\\",), brackets=False)]
     latex = [*_rows_of(display)]
     if display.environment in ("multline", "dmath"):
         rows = [[piece for row in rows for piece in row]]

@@ -9,6 +9,7 @@ from itertools import pairwise
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
+    MOST_TOGETHER,
     Premise,
     applicable,
     cited_in,
@@ -174,7 +175,8 @@ class _Pass:
 
     def _stand_at(self, display: Display) -> None:
         """Take in where an equation holds: what one before it says goes on, up to the next heading."""
-        own = context_of(last_sentence(display.before))
+        behind = display.after if display.environment == "inline" else ""
+        own = context_of(last_sentence(display.before), behind)
         self.context = own if own.kind or self.part != display.part else self.context
         self.part = display.part
 
@@ -473,19 +475,31 @@ class _Pass:
     def _under_equations(
         self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
     ) -> Iterator[Way]:
-        """Yield a relation under the equations just above it, and cited ones, that speak of its letters alone."""
+        """Yield a relation under near or cited equations above it: those of its letters alone, or all tied to it.
+
+        All are taken together only where words, an arrow or a citation say that it follows.
+        """
+        if any(each.parameters for each in used_by(vocabulary, left, right)):
+            return
         letters = vocabulary.letters_of(left) | vocabulary.letters_of(right)
-        near = neighbours(self._serving, statement.display.part, self._cited)
-        under = tuple(
-            each
-            for each in near
-            if each.gives is None
-            and not (each.special or each.chained)
-            and (known := vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right))
-            and known <= letters
-        )
-        if under and not any(each.parameters for each in used_by(vocabulary, left, right)):
-            yield Way(left, right, vocabulary, under=under)
+        near = neighbours(self._serving, statement.display.part, self._cited, MOST_TOGETHER)
+        speaks = {each: vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right) for each in near}
+        asserted = [each for each in near if not each.special]
+        alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
+        if alone:
+            yield Way(left, right, vocabulary, under=alone)
+        tied = set(letters)
+        together: list[Premise] = []
+        while self._follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
+            tied = tied.union(*(speaks[each] for each in more))
+            together += more
+        if together and tuple(together) != alone:
+            yield Way(left, right, vocabulary, under=tuple(together))
+
+    @property
+    def _follows(self) -> bool:
+        """Whether an equation is said to follow from those above it: by words, an arrow or a citation."""
+        return self.beside.follows or bool(self._cited)
 
     def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
         """Yield a relation as it stands, of letters of which nothing is known but their sizes.

@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection
 from dataclasses import dataclass
 
+from algebroproj_sym.reading.defining.contexts import without_steps
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 
@@ -198,8 +199,8 @@ def beside(statement: Statement, carried: str) -> Beside:
     last = last_sentence(display.before)
     sentence = f"{carried} {last}" if last == display.before.rstrip() else last
     behind, *rest = [""] if has_ended(display) else re.split(r"[.]\s", display.after)
-    words = sentence, display.before[-NEAR:], behind[:NEAR], statement.condition
-    return Beside(*words, statement.implied, display.part, display.place, bool(rest))
+    own, before, after = map(without_steps, (sentence, display.before[-NEAR:], behind[:NEAR]))
+    return Beside(own, before, after, statement.condition, statement.implied, display.part, display.place, bool(rest))
 
 
 def has_ended(display: Display) -> bool:

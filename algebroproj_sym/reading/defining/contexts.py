@@ -13,17 +13,20 @@ _STEP = (
 _ORDINAL = r"(?:old|new|first|second|third|other|another|explicit|implicit|forward|backward|original|modified|exact)"
 _THING = (
     r"(?:method|model|case|experiment|medium|scheme|image|camera|approach|problem|lens|body|stage|phase|euler|setup|"
-    r"system|example|variant|interval|region)"
+    r"system|example|variant|interval|region|version|edition|notation|convention|axis|one)"
 )
 _KINDS = {
-    "condition": r"(?:if|when|whenever|unless|otherwise|else|in general|generally)\b.*",
+    "condition": (
+        r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) (?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes)\b)"
+        r"|unless\b|otherwise\b|else\b|in general\b|generally\b).*"
+    ),
     "range": r"for\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
     "place": (
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
         r"|(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+(?:boundary|end|wall|edge|half|side(?! of))"
         r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
     ),
-    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally",
+    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)",
     "name": (
         r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
         rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
@@ -70,8 +73,10 @@ class Context:
         >>> context_of("At the top,").excludes(context_of("At the bottom")), Context().excludes(context_of("If so"))
         (True, False)
         """
-        if not self.kind or self.kind != other.kind or self.words == other.words:
+        if not self.kind or self.words == other.words:
             return False
+        if self.kind != other.kind:
+            return other.kind == "condition"
         return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
 
 

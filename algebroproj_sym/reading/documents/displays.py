@@ -35,6 +35,12 @@ _CODE = re.compile(
 _INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
 _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 """Code within a line; what a role of MyST cites is none."""
+_HIDDEN = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_STRUCK = re.compile(r"\\(?:sout|st)\{(?:[^{}]|\{[^{}]*\})*\}")
+_STRUCK_IN_MARKDOWN = re.compile(
+    r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike)>.*?</\1>|" + _STRUCK.pattern, re.DOTALL
+)
+"""What an author takes back."""
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
@@ -188,7 +194,10 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     """
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbers = lines or tuple(range(1, len(starts) + 1))
-    plain = _without_code(_without_comments(text)) if latex else _CODE_IN_LINE.sub(_uncited, _without_blocks(text))
+    if latex:
+        plain = _STRUCK.sub(_blank, _without_code(_without_comments(text)))
+    else:
+        plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, text))))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -375,7 +384,8 @@ def label_of(latex: str) -> str:
 
 def _notebook(path: Path, text: str) -> Document:
     try:
-        cells = json.loads(text)["cells"]
+        book = json.loads(text)
+        cells = book["cells"] if "cells" in book else [cell for sheet in book["worksheets"] for cell in sheet["cells"]]
         sources = [cell["source"] for cell in cells if cell["cell_type"] == "markdown"]
         parts = [part if isinstance(part, list) else part.splitlines(keepends=True) for part in sources]
         written = [line for part in parts for line in [*(str(each).rstrip("\n") for each in part), ""]]

@@ -199,7 +199,8 @@ def _behind_words(row: list[Piece], bare: Sequence[Piece]) -> list[Piece]:
     r"""Return a row without its first words if it goes on with a relation, as ``\text{or} &= a`` does."""
     end = _group_end(bare, 1)
     rest = _without_idle(bare[end:])
-    return row[row.index(rest[0]) :] if rest and _is_relation(rest[0].text) else row
+    begins = rest and _is_relation(rest[0].text) and not _names(_text_of(bare[1:end]))
+    return row[row.index(rest[0]) :] if begins else row
 
 
 def _goes_on(before: Sequence[Piece], row: Sequence[Piece]) -> bool:
@@ -240,6 +241,8 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
             if part and begun and not statements and _IF.search(begun[-1]):
                 begun.append(_text_of(part))
                 part = []
+            if part and _has_relation(part) and statements and statements[-1][1] == ["and"]:
+                statements[-1][1].clear()
             bracketed = part and part[0].text == "(" and part[-1].text == ")" and _has_relation(part)
             if part and statements and (bracketed or _OPENS.search(statements[-1][1][-1] if statements[-1][1] else "")):
                 statements[-1][1].append("".join(piece.text for piece in part))
@@ -338,12 +341,27 @@ def _is_script(before: Sequence[Piece]) -> bool:
     return last in ("^", "_")
 
 
+def _names(words: str) -> bool:
+    r"""Whether words before a relation name what is equal, as in ``\text{error} = a - b``, and do not lead to it."""
+    found = re.fullmatch(r"[a-zA-Z][\w.]*(?:[ ~-]+\w+){0,3}", words.strip(" {}~"))
+    return found is not None and _LEADS.search(words) is None
+
+
+_LEADS = re.compile(
+    r"\b(?:and|or|if|for|when|where|with|so|thus|hence|then|but|also|since|because|by|from|using|as|therefore|"
+    r"that|i\.?e|is|are|gives?|yields?|equals?|we|have|get|be|let|again|finally|now|to|of course|otherwise|else)\b",
+    re.IGNORECASE,
+)
+
+
 def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> bool:
     r"""Whether words stand in a formula, as in ``3 \text{ m} + 4 \text{ m}``."""
     last = next((piece.text for piece in reversed(before) if not piece.text.isspace()), "")
     if last in ("+", "-") or last in RELATIONS:
         return words not in _BETWEEN
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
+    if following in RELATIONS and not _without_idle(before) and _names(words):
+        return True
     goes_on = following in ("+", "-", "/", r"\cdot", r"\times") or following in RELATIONS
     return goes_on and any(not piece.text.isspace() for piece in before) and words not in _BETWEEN
 

@@ -30,6 +30,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_named,
     is_one_value,
     is_table,
+    is_update,
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -50,12 +51,11 @@ from algebroproj_sym.reading.judging.questions import (
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.words import (
     CASES,
-    CONDITIONAL,
-    DEFINES,
     SAYS,
     Beside,
     beside,
     has_ended,
+    is_given_within,
     last_sentence,
     words_of,
 )
@@ -169,9 +169,17 @@ class _Pass:
         self.display = display
         self.beside = beside(statement, self.carried)
         self._stand_at(display)
+        for symbol in self.beside.changed:
+            self._forget(symbol)
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
+
+    def _forget(self, symbol: str) -> None:
+        """Forget what was said of a letter."""
+        self.premises = [each for each in self.premises if symbol not in each.symbols]
+        if symbol in self.vocabulary.definitions:
+            self.vocabulary.drop(symbol)
 
     def _stand_at(self, display: Display) -> None:
         """Take in where an equation holds: what one before it says goes on, up to the next heading."""
@@ -184,8 +192,11 @@ class _Pass:
         return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
+        if self.survey.meanings.reason(statement, formula):
+            return
         before, sentence = statement.display.before, last_sentence(statement.display.before)
-        says = DEFINES.search(before) and not CONDITIONAL.search(sentence)
+        number = not any(map(symbols_in, formula.sides[1:]))
+        says = is_given_within(before, number=number) and not beside(statement, "").is_denied
         self._stand_at(statement.display)
         if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
             definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
@@ -233,6 +244,10 @@ class _Pass:
         links: list[Link] = []
         asked: list[Asked] = []
         self._listen(statement)
+        if reason := self.survey.meanings.reason(statement, found):
+            self._note(statement, found)
+            links = [Link("not decided", reason)] * max(1, len(found.relations))
+            return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), []
         definition = self._definition(statement, found, explicit=False)
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None:
@@ -304,7 +319,7 @@ class _Pass:
         """Keep an equation as a premise of what stands behind it."""
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
-        if self.beside.is_denied:
+        if self.beside.is_denied or is_update(*formula.sides[:2]):
             return
         sides = formula.sides[defines:]
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]

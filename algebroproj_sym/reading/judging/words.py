@@ -7,6 +7,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from algebroproj_sym.reading.defining.contexts import without_steps
+from algebroproj_sym.reading.defining.phrases import symbols_in_list
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 
@@ -29,10 +30,21 @@ CONDITIONAL = re.compile(
 )
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
 _DENIED = re.compile(
-    r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|"
-    r"not (?:true|equal|hold|follow|valid|correct|the case))\b",
+    r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|refuted|dispro\w+|absurd|"
+    r"(?:a|was) slip|typo|misprint\w*|erratum|errata|impossible|contradict\w*|invalid|untenable|neither|nor|no longer|naive\w*|tempt\w+|"
+    r"sign error|in error|ceases?|fails? (?:to hold|in general)|(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
+    r"if only|earlier (?:version|draft|edition)|(?<!one )(?:writes|claims|asserts|believes|claimed|believed|wrote)|"
+    r"not (?:true|equal|hold|follow|valid|correct|right|the case))\b",
     re.IGNORECASE,
 )
+"""Words by which an equation in their sentence is not asserted."""
+_OF_IT = re.compile(
+    r"\s*(?:(?:but|however|yet|and),? )?(?:this|that|it|which|the (?:claim|formula|equation|result)|ours?|erratum|corrig\w+|"
+    r"(?:in |equation )?\(\d+\)|(?:in |equation )?\\eqref\S+)\b",
+    re.IGNORECASE,
+)
+"""How a sentence begins that speaks of the equation before it."""
+_OTHERWISE = re.compile(r"\b(?:opposite|the other way round|read\s+\$[^$]*\$\s+for)\b|\bread\s+\$", re.IGNORECASE)
 _NOT_QUITE = re.compile(
     r"\b(?:approximat\w*|neglect\w*|limit\w*|setting|equilibrium|at rest|steady|stationary|extrem\w+|absence|ignor\w+|"
     r"drop\w*|false|without|except)\b",
@@ -51,15 +63,17 @@ _ASSERTS = re.compile(
 )
 _GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
 HENCE = re.compile(
-    r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|we (?:get|obtain|find|have|arrive)|gives?|"
+    r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|(?:we|you|one) (?:gets?|obtains?|finds?|ha(?:ve|s)|arrives?)|gives?|"
     r"giving|yields?|yielding|becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
     r"resulting|leads? to|leading to|simplif\w+|that is|in other words|equivalent\w*|impl(?:y|ies|ying)|"
-    r"differentiat\w+|expanding|rewrit\w+|reduces? to|turns into|as a result|be (?:written|expressed)|is expressed)\b",
+    r"differentiat\w+|expanding|replacing|rewrit\w+|reduces? to|turns into|as a result|be (?:written|expressed)|is expressed)\b",
     re.IGNORECASE,
 )
 """Words by which an equation is said to follow from what is above it."""
 DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is a definition."""
+_DIRECTLY = re.compile(r"\W*(?:where|with|here|and|let|put|set|define|denote)\b", re.IGNORECASE)
+_LETS = re.compile(r"\b(?:let|put|set|defin\w+|denot\w+)\W*$", re.IGNORECASE)
 SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is one, if nothing else in the document gives its letter."""
 
@@ -103,6 +117,8 @@ class Beside:
         Where its display begins, in characters.
     ends : bool
         Whether its sentence ends before the next equation.
+    remark : str
+        The sentence behind its own one, if it speaks of it.
     """
 
     sentence: str
@@ -113,6 +129,7 @@ class Beside:
     part: int
     place: int
     ends: bool
+    remark: str = ""
 
     def case(self, given: Collection[str] = ()) -> str:
         """Return a word by which the equation may be of a case; empty for none.
@@ -164,8 +181,9 @@ class Beside:
 
     @property
     def is_denied(self) -> bool:
-        """Whether its own sentence says that it does not hold."""
-        return _DENIED.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+        """Whether its own sentence, or a remark on it, says that it does not hold."""
+        own = f"{self.sentence} {self.condition} {self.behind} {self.remark}"
+        return bool(_DENIED.search(own) or _OTHERWISE.search(self.remark))
 
     @property
     def words(self) -> frozenset[str]:
@@ -187,6 +205,11 @@ class Beside:
         """The formulas of which the words before say what they are."""
         return frozenset(re.sub(r"[{}\s]", "", each) for each in _RENAMED.findall(self.before))
 
+    @property
+    def changed(self) -> frozenset[str]:
+        """The letters that the words before give another meaning, as in "from here on $b$ is half of it"."""
+        return frozenset(symbol for each in _CHANGED.findall(self.before) for symbol in symbols_in_list(each))
+
     def strange(self, known: Collection[str]) -> str:
         """Return a word of the sentence that is none of a derivation, and that is not known; empty for none."""
         behind = "" if _NEW_SENTENCE.match(self.behind) else _CLAUSE.split(self.behind)[0]
@@ -198,9 +221,24 @@ def beside(statement: Statement, carried: str) -> Beside:
     display = statement.display
     last = last_sentence(display.before)
     sentence = f"{carried} {last}" if last == display.before.rstrip() else last
-    behind, *rest = [""] if has_ended(display) else re.split(r"[.]\s", display.after)
+    behind, *rest = re.split(r"[.]\s", f".{display.after}" if has_ended(display) else display.after)
+    ends = len(rest) > 1 or display.after.rstrip().endswith((".", "!"))
+    remark = rest[0] if rest and ends and _OF_IT.match(rest[0]) else ""
     own, before, after = map(without_steps, (sentence, display.before[-NEAR:], behind[:NEAR]))
-    return Beside(own, before, after, statement.condition, statement.implied, display.part, display.place, bool(rest))
+    return Beside(
+        own, before, after, statement.condition, statement.implied, display.part, display.place, bool(rest), remark
+    )
+
+
+def is_given_within(words: str, *, number: bool) -> bool:
+    """Whether words before an inline formula say that it is a definition.
+
+    Where it gives a number, they begin the sentence: "where $b = 0$", and not "lines with $b = 0$".
+    """
+    sentence = last_sentence(words)
+    if number and not (_DIRECTLY.match(sentence) or _LETS.search(words)):
+        return False
+    return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
 
 
 def has_ended(display: Display) -> bool:
@@ -270,6 +308,11 @@ _FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
+_CHANGED = re.compile(
+    r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|in the following|now)"
+    r"\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b",
+    re.IGNORECASE,
+)
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")
 _WORD = re.compile(r"[^\W\d_]{2,}")

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from lark import Token
+from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.phrases import called, symbols_in_list
 from algebroproj_sym.reading.documents.displays import Display
@@ -34,6 +34,7 @@ _SIGNS = (
     (
         r"\blogical (?:or|and|disjunction|conjunction)\b|\bboolean (?:algebra|or|and|sum|product)\b"
         r"|\b(?:max|min)-plus\b|\btropical\b|\bMinkowski (?:sum|difference)"
+        r"|\bproduct\b[^.$]* is (?:the|their) composition"
         r"|\$\s*(?:=|\+|/|\\cdot)\s*\$ (?:means|denotes|stands|is)\b",
         r"",
         "signs may mean something else than for numbers",
@@ -75,13 +76,17 @@ _FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activatio
 _NUMBER = re.compile(r"\b(?:ratio|circle|number|constant|half)\b|3\.14")
 _CALLED = re.compile(r"^\s*(?:is|are|be|denotes?|represents?)\b")
 _EACH_TIME = re.compile(
-    r"\$([^$=]*)\$[^.$]*\b(?:constants?)\b[^.$]*\b(?:each time|from (?:one )?(?:line|place|equation) to|not necessarily the same)",
+    r"\$([^$=]*)\$[^.$]*\b(?:constants?)\b[^.$]*"
+    r"\b(?:each time|from (?:one )?(?:line|place|equation) to|not necessarily the same)",
     re.IGNORECASE,
+)
+_INVERSE = re.compile(
+    r"\$([^$^]+)\^\{?-1\}?\$ (?:be|is|denotes) (?:the |its )?inverse (?:map|mapping|function|transform)\b"
 )
 _MATERIAL = re.compile(r"D|\\mathcal\{D\}")
 _DEPENDS = re.compile(
-    r"\$([^$]+)\$ (?:(?:is|are|be|being|as) (?:an? |the )?(?:\w+ ){0,2}functions? of|(?:depends?|varies|changes) (?:\w+ )?(?:on|with))"
-    r" (?:the \w+ )?\$([^$]+)\$"
+    r"\$([^$]+)\$ (?:(?:is|are|be|being|as) (?:an? |the )?(?:\w+ ){0,2}functions? of"
+    r"|(?:depends?|varies|changes) (?:\w+ )?(?:on|with)) (?:the \w+ )?\$([^$]+)\$"
 )
 
 
@@ -144,7 +149,9 @@ class Meanings:
 
     @cached_property
     def _functions(self) -> frozenset[str]:
-        return frozenset(each for each in functions_called(self.statements) if not _CHANGES.search(each))
+        inverse = (symbol for each in _INVERSE.findall(self._words) for symbol in symbols_in_list(each))
+        called_so = (each for each in functions_called(self.statements) if not _CHANGES.search(each))
+        return frozenset((*inverse, *called_so))
 
     @cached_property
     def _labelled(self) -> frozenset[str]:
@@ -155,9 +162,9 @@ class Meanings:
                 found.add(_text(side.children[0]))
         for each in self.statements:
             match = _NAMED.fullmatch(each.latex.strip())
-            power = re.search(r"\b(?:powers?|exponential|monomials?)\b", each.display.after[:60])
+            power = re.search(r"\b(?:powers?|exponential|monomials?|square\w*|varianc\w+)\b", each.display.after[:60])
             if match and each.display.environment == "inline" and _CALLED.match(each.display.after) and not power:
-                found |= {*symbols_in_list(match[1])}
+                found |= {*symbols_in_list(match[1] or match[2])}
         return frozenset(found)
 
     def reason(self, statement: Statement, formula: Parsed) -> str:
@@ -179,12 +186,12 @@ class Meanings:
         changes = any(map(_CHANGES.search, symbols)) or any(True for _ in tree.find_data("slope"))
         for part in tree.iter_subtrees():
             head = str(part.children[0]) if part.children and isinstance(part.children[0], Token) else ""
-            if part.data in ("function", "raised_function") and changes:
-                if head in _ANGLES and _DEGREES.search(self._words):
+            if part.data in ("function", "raised_function"):
+                if changes and head in _ANGLES and _DEGREES.search(self._words):
                     return "angles are in degrees"
                 if head == "log" and _BASES.search(self._words):
                     return "the base of logarithms is not e"
-            if part.data == "fraction" and all(map(_is_material, part.children)):
+            if part.data == "fraction" and all(_is_material(each) and not _text(each) for each in part.children):
                 return "D may be a derivative"
             if part.data == "power" and _text(part.children[0]) in self._labelled:
                 return "what stands above a letter may be an index"
@@ -195,24 +202,26 @@ class Meanings:
         return ""
 
 
-_NAMED = re.compile(r"((?:[a-zA-Z]|\\[a-z]+)(?:_\{?\w+\}?)?)\s*\^\s*\{?\s*[a-zA-Z]\s*\}?")
+_NAMED = re.compile(
+    r"((?:[a-zA-Z]|\\[a-z]+)(?:_\{?\w+\}?)?)\s*\^\s*\{?\s*[a-zA-Z]\s*\}?"
+    r"|((?:[a-zA-Z]|\\[a-z]+)_\{?\w+\}?)\s*\^\s*\{?\s*\d\s*\}?"
+)
 
 
 def _text(tree: object) -> str:
     """Return the symbol or the number that a tree is; empty for another one."""
-    data, children = getattr(tree, "data", ""), getattr(tree, "children", ())
+    if not isinstance(tree, Tree):
+        return ""
+    data, children = tree.data, tree.children
     if data in ("group", "bracket", "items") and len(children) == 1:
         return _text(children[0])
     return str(children[0]) if data in ("symbol", "number") else ""
 
 
 def _is_material(tree: object) -> bool:
-    """Whether a product begins with a D, as above and below in Dx/Dt."""
-    children = getattr(tree, "children", ())
-    first = children[0] if getattr(tree, "data", "") in ("run", "group") and children else None
-    if getattr(tree, "data", "") == "group":
-        return _is_material(first)
-    letter = _text(first) or _text(
-        getattr(first, "children", [None])[0] if getattr(first, "data", "") == "power" else None
-    )
-    return bool(letter) and _MATERIAL.fullmatch(split_symbol(letter)[0]) is not None
+    """Whether a product begins with a D, or with a power of D, as above and below in Dx/Dt."""
+    if not isinstance(tree, Tree) or not tree.children:
+        return False
+    if tree.data in ("run", "group", "power"):
+        return _is_material(tree.children[0])
+    return tree.data == "symbol" and _MATERIAL.fullmatch(split_symbol(str(tree.children[0]))[0]) is not None

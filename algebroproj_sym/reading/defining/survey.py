@@ -18,6 +18,7 @@ from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import Document
+from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
@@ -46,7 +47,7 @@ class Survey:
     def statements(self) -> tuple[Statement, ...]:
         """All statements in the order of the document, also those within the text."""
         order = {id(each): place for place, each in enumerate(self.document.formulas)}
-        every = [*statements(self.document), *inline_statements(self.document)]
+        every = named([*statements(self.document), *inline_statements(self.document)])
         return tuple(sorted(every, key=lambda each: order[id(each.display)]))
 
     @cached_property

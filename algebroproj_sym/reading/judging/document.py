@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -57,6 +57,7 @@ from algebroproj_sym.reading.judging.words import (
     has_ended,
     is_given_within,
     last_sentence,
+    takes_back,
     words_of,
 )
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -165,6 +166,8 @@ class _Pass:
         display = statement.display
         same_part = self.beside.part == display.part
         if display is not self.display:
+            if self.display is not None and takes_back(display.before):
+                self._retract(self.display)
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         self.display = display
         self.beside = beside(statement, self.carried)
@@ -175,11 +178,22 @@ class _Pass:
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
 
+    def _retract(self, display: Display) -> None:
+        """Forget what a display said."""
+        self.premises = [each for each in self.premises if each.place != display.place]
+        self._drop(each.symbol for each in self.vocabulary.definitions.values() if each.place == display.place)
+
     def _forget(self, symbol: str) -> None:
-        """Forget what was said of a letter."""
+        """Forget what was said of a letter, and with it."""
         self.premises = [each for each in self.premises if symbol not in each.symbols]
-        if symbol in self.vocabulary.definitions:
-            self.vocabulary.drop(symbol)
+        self._drop(
+            each.symbol for each in self.vocabulary.definitions.values() if symbol in (each.symbol, *each.symbols)
+        )
+
+    def _drop(self, symbols: Iterable[str]) -> None:
+        for symbol in [*symbols]:
+            if symbol in self.vocabulary.definitions:
+                self.vocabulary.drop(symbol)
 
     def _stand_at(self, display: Display) -> None:
         """Take in where an equation holds: what one before it says goes on, up to the next heading."""

@@ -31,16 +31,17 @@ CONDITIONAL = re.compile(
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
 _DENIED = re.compile(
     r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|refuted|dispro\w+|absurd|"
-    r"(?:a|was) slip|typo|misprint\w*|erratum|errata|impossible|contradict\w*|invalid|untenable|neither|nor|no longer|naive\w*|tempt\w+|"
-    r"sign error|in error|ceases?|fails? (?:to hold|in general)|(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
+    r"(?:a|was) slip|typo|misprint\w*|erratum|errata|impossible|contradict\w*|invalid|untenable|neither|nor|no longer|"
+    r"naive\w*|tempt\w+|sign error|in error|ceases?|fails? (?:to hold|in general)|"
+    r"(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
     r"if only|earlier (?:version|draft|edition)|(?<!one )(?:writes|claims|asserts|believes|claimed|believed|wrote)|"
     r"not (?:true|equal|hold|follow|valid|correct|right|the case))\b",
     re.IGNORECASE,
 )
 """Words by which an equation in their sentence is not asserted."""
 _OF_IT = re.compile(
-    r"\s*(?:(?:but|however|yet|and),? )?(?:this|that|it|which|the (?:claim|formula|equation|result)|ours?|erratum|corrig\w+|"
-    r"(?:in |equation )?\(\d+\)|(?:in |equation )?\\eqref\S+)\b",
+    r"\s*(?:(?:but|however|yet|and),? )?(?:this|that|it|which|the (?:claim|formula|equation|result)|ours?|erratum|"
+    r"corrig\w+|(?:in |equation )?\(\d+\)|(?:in |equation )?\\eqref\S+)\b",
     re.IGNORECASE,
 )
 """How a sentence begins that speaks of the equation before it."""
@@ -63,10 +64,11 @@ _ASSERTS = re.compile(
 )
 _GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
 HENCE = re.compile(
-    r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|(?:we|you|one) (?:gets?|obtains?|finds?|ha(?:ve|s)|arrives?)|gives?|"
-    r"giving|yields?|yielding|becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
-    r"resulting|leads? to|leading to|simplif\w+|that is|in other words|equivalent\w*|impl(?:y|ies|ying)|"
-    r"differentiat\w+|expanding|replacing|rewrit\w+|reduces? to|turns into|as a result|be (?:written|expressed)|is expressed)\b",
+    r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|gives?|"
+    r"(?:we|you|one) (?:gets?|obtains?|finds?|ha(?:ve|s)|arrives?)|giving|yields?|yielding|"
+    r"becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
+    r"resulting|leads? to|leading to|simplif\w+|that is|in other words|equivalent\w*|impl(?:y|ies|ying)|replacing|"
+    r"differentiat\w+|expanding|rewrit\w+|reduces? to|turns into|as a result|be (?:written|expressed)|is expressed)\b",
     re.IGNORECASE,
 )
 """Words by which an equation is said to follow from what is above it."""
@@ -117,8 +119,6 @@ class Beside:
         Where its display begins, in characters.
     ends : bool
         Whether its sentence ends before the next equation.
-    remark : str
-        The sentence behind its own one, if it speaks of it.
     """
 
     sentence: str
@@ -129,7 +129,6 @@ class Beside:
     part: int
     place: int
     ends: bool
-    remark: str = ""
 
     def case(self, given: Collection[str] = ()) -> str:
         """Return a word by which the equation may be of a case; empty for none.
@@ -181,9 +180,8 @@ class Beside:
 
     @property
     def is_denied(self) -> bool:
-        """Whether its own sentence, or a remark on it, says that it does not hold."""
-        own = f"{self.sentence} {self.condition} {self.behind} {self.remark}"
-        return bool(_DENIED.search(own) or _OTHERWISE.search(self.remark))
+        """Whether its own sentence says that it does not hold."""
+        return _DENIED.search(f"{self.sentence} {self.condition} {self.behind}") is not None
 
     @property
     def words(self) -> frozenset[str]:
@@ -221,13 +219,10 @@ def beside(statement: Statement, carried: str) -> Beside:
     display = statement.display
     last = last_sentence(display.before)
     sentence = f"{carried} {last}" if last == display.before.rstrip() else last
-    behind, *rest = re.split(r"[.]\s", f".{display.after}" if has_ended(display) else display.after)
-    ends = len(rest) > 1 or display.after.rstrip().endswith((".", "!"))
-    remark = rest[0] if rest and ends and _OF_IT.match(rest[0]) else ""
+    behind, *rest = [""] if has_ended(display) else re.split(r"[.]\s", display.after)
     own, before, after = map(without_steps, (sentence, display.before[-NEAR:], behind[:NEAR]))
-    return Beside(
-        own, before, after, statement.condition, statement.implied, display.part, display.place, bool(rest), remark
-    )
+    place = display.part, display.place, bool(rest)
+    return Beside(own, before, after, statement.condition, statement.implied, *place)
 
 
 def is_given_within(words: str, *, number: bool) -> bool:
@@ -239,6 +234,19 @@ def is_given_within(words: str, *, number: bool) -> bool:
     if number and not (_DIRECTLY.match(sentence) or _LETS.search(words)):
         return False
     return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
+
+
+def takes_back(words: str) -> bool:
+    """Whether the words between two displays begin with a sentence by which the first one does not hold.
+
+    Examples
+    --------
+    >>> takes_back("This is wrong. We have"), takes_back("It cannot be that"), takes_back("This is $s$.")
+    (True, False, False)
+    """
+    remark = re.match(r"\W*([^.!]*)[.!](?=\s|$)", words.removeprefix("$"))
+    said = remark[1] if remark else ""
+    return bool(_OF_IT.match(said) and (_DENIED.search(said) or _OTHERWISE.search(said)))
 
 
 def has_ended(display: Display) -> bool:
@@ -309,8 +317,9 @@ _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
 _CHANGED = re.compile(
-    r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|in the following|now)"
-    r"\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b",
+    r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
+    r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
+    r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b",
     re.IGNORECASE,
 )
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")

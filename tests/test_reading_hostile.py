@@ -12,11 +12,13 @@ pytestmark = pytest.mark.usefixtures("decided_here")
 
 DOCUMENTS = {
     "degrees": (
-        r"The signal is \[ y = \sin\theta, \] where $\theta$ is in degrees. Its slope is \[ \frac{dy}{d\theta} = \cos\theta. \]",
+        r"The signal is \[ y = \sin\theta, \] where $\theta$ is in degrees. Its slope is \[ "
+        r"\frac{dy}{d\theta} = \cos\theta. \]",
         True,
     ),
     "logarithm to base ten": (
-        r"The level is \[ L = 10 \log P, \] where the logarithm is to base ten. Hence \[ \frac{dL}{dP} = \frac{10}{P}. \]",
+        r"The level is \[ L = 10 \log P, \] where the logarithm is to base ten. Hence \[ \frac{dL}{dP} = "
+        r"\frac{10}{P}. \]",
         True,
     ),
     "iterates as superscripts": (
@@ -29,15 +31,18 @@ DOCUMENTS = {
         True,
     ),
     "satellites as superscripts": (
-        r"Let $\rho^s$ be the range to satellite $s$. The first two are \[ \rho^1 = c t \] and \[ \rho^2 = c^2 t^2. \]",
+        r"Let $\rho^s$ be the range to satellite $s$. The first two are \[ \rho^1 = c t \] and \[ \rho^2 "
+        r"= c^2 t^2. \]",
         True,
     ),
     "frames as exponents": (
-        r"Let $x^a$ and $x^b$ be the abscissas in the images $a$ and $b$. The entry is \[ w = x^a x^b. \] Thus \[ w = x^{a+b}. \]",
+        r"Let $x^a$ and $x^b$ be the abscissas in the images $a$ and $b$. The entry is \[ w = x^a x^b. "
+        r"\] Thus \[ w = x^{a+b}. \]",
         True,
     ),
     "from frame to frame": (
-        r"Let $T_1^2$ be the motion from frame 1 to frame 2, \[ T_1^2 = a b. \] From frame 1 to frame 4 it is \[ T_1^4 = a^2 b^2. \]",
+        r"Let $T_1^2$ be the motion from frame 1 to frame 2, \[ T_1^2 = a b. \] From frame 1 to frame 4 "
+        r"it is \[ T_1^4 = a^2 b^2. \]",
         True,
     ),
     "the eccentricity": (
@@ -56,7 +61,8 @@ DOCUMENTS = {
         True,
     ),
     "a count in bars": (
-        r"Let $\|x\|_0$ be the number of entries of $x$ that are not zero. \[ n = \|2x\|_0 \] Hence \[ n = 2\|x\|_0. \]",
+        r"Let $\|x\|_0$ be the number of entries of $x$ that are not zero. \[ n = \|2x\|_0 \] Hence \[ n "
+        r"= 2\|x\|_0. \]",
         True,
     ),
     "equal up to a factor": (
@@ -88,7 +94,8 @@ DOCUMENTS = {
     ),
     "the positive part": (r"With the positive part we get \[ y = (a)_+ + (-a)_+. \] Hence \[ y = 0. \]", True),
     "an activation": (
-        r"The neuron gives \[ y = \sigma(w x + b), \] where $\sigma$ is the activation. Hence \[ y = \sigma w x + \sigma b. \]",
+        r"The neuron gives \[ y = \sigma(w x + b), \] where $\sigma$ is the activation. Hence \[ y = "
+        r"\sigma w x + \sigma b. \]",
         True,
     ),
     "a signal": (r"We take the sample \[ u = s(t + h) \] of the signal $s$. Hence \[ u = s t + s h. \]", True),
@@ -134,7 +141,8 @@ DOCUMENTS = {
         True,
     ),
     "entries that do not matter": (
-        r"\[ A = \begin{pmatrix} 1 & * \\ 0 & 1 \end{pmatrix}, \quad B = \begin{pmatrix} 1 & * \\ 0 & 1 \end{pmatrix}. \] Hence \[ A = B. \]",
+        r"\[ A = \begin{pmatrix} 1 & * \\ 0 & 1 \end{pmatrix}, \quad B = \begin{pmatrix} 1 & * \\ 0 & 1 "
+        r"\end{pmatrix}. \] Hence \[ A = B. \]",
         True,
     ),
     "plus or minus twice": (r"\[ x = a \pm b \] \[ y = a \pm b \] Hence \[ x = y. \]", True),
@@ -171,7 +179,8 @@ DOCUMENTS = {
         True,
     ),
     "a quadratic form": (
-        r"\[ f = \mathbf{x}^T \mathbf{A} \mathbf{x} \] Hence \[ \frac{\partial f}{\partial \mathbf{x}} = 2 \mathbf{A} \mathbf{x}. \]",
+        r"\[ f = \mathbf{x}^T \mathbf{A} \mathbf{x} \] Hence \[ \frac{\partial f}{\partial \mathbf{x}} = "
+        r"2 \mathbf{A} \mathbf{x}. \]",
         True,
     ),
     "a letter that depends": (r"\[ z = x y, \] where $y$ is a function of $x$. Hence \[ \frac{dz}{dx} = y. \]", True),

@@ -1,7 +1,7 @@
 r"""Documents that ask to be misread: the last equation of each does not follow from what stands above it.
 
-A letter, a sign or a superscript means something else than it looks like, words take an equation back, or it stands in a
-comment, a quotation or a list of cases.
+A letter, a sign or a superscript means something else than it looks like, words take an equation back, or it stands in
+a comment, a quotation or a list of cases.
 """
 
 import pytest
@@ -262,6 +262,11 @@ DOCUMENTS = {
     "a heading for each camera": (
         "## Pinhole\n\n$$ r = f t $$\n\n## Fisheye\n\n$$ r = f a $$\n\n## Result\n\n$$ f t = f a $$\n",
         False,
+    ),
+    "one index of a sum": (r"\[ y = \sum_{i} x_i \] At $i = 1$ \[ x_i = 0 \] Hence \[ y = 0 \]", True),
+    "two frames": (
+        r"The velocity in frame A is \[ v = u. \] The velocity in frame B is \[ v = u - w. \] Hence \[ w + 1 = 1. \]",
+        True,
     ),
 }
 

@@ -20,7 +20,7 @@ _KINDS = {
         r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) (?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes)\b)"
         r"|unless\b|otherwise\b|else\b|in general\b|generally\b).*"
     ),
-    "range": r"for\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
+    "range": r"(?:for|at)\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
     "place": (
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
         r"|(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+(?:boundary|end|wall|edge|half|side(?! of))"
@@ -40,6 +40,11 @@ _BEGINS = re.compile(
     + ")",
     re.DOTALL,
 )
+_OF_A_THING = re.compile(
+    r"[^a-z$]*the\s+[a-z]+\s+(?:in|of|for)\s+(?:the\s+)?((?:frame|model|image|camera|system|case|observer|medium|scenario)"
+    r"\s+\$?[a-z0-9]+\b)"
+)
+_FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
 _STEPS = re.compile(
     r"\b(?:if|when|once)\s+(?:we|you|one)\s+(?=(?:now\s+|then\s+)?(?:substitut|insert|plug|replac|put|multipl|divid|add|"
     r"subtract|combin|rearrang|differentiat)\w*\b[^.,;=]*?(?:\(\d+[a-z]?\)|ref\s*\{|\b(?:equations?|eqs?)\b))"
@@ -64,6 +69,12 @@ class Context:
 
     kind: str = ""
     words: str = ""
+
+    @property
+    def fixed(self) -> str:
+        """The letter to which it gives a number, as in "at $i = 1$"; empty for none."""
+        found = _FIXED.search(self.words) if self.kind == "range" else None
+        return found[1] if found else ""
 
     def excludes(self, other: Context) -> bool:
         """Whether an equation may hold in the one and not in the other.
@@ -106,5 +117,6 @@ def context_of(sentence: str, behind: str = "") -> Context:
     bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
     found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
-        return ANYWHERE
+        thing = _OF_A_THING.match(bare.lower())
+        return Context("name", " ".join(thing[1].split())) if thing else ANYWHERE
     return Context(found.lastgroup, " ".join(found[found.lastgroup].split()))

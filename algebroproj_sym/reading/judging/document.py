@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
+from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
@@ -329,11 +330,16 @@ class _Pass:
             made = Definition(*given, place=self.beside.place, words=words, context=self.context)
             self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
 
+    def _is_of_one_index(self, formula: Parsed) -> bool:
+        """Whether an equation with an index holds for one value of it, which the words give."""
+        symbols = (symbol for side in formula.sides for symbol in symbols_in(side))
+        return bool(self.context.fixed) and any(self.context.fixed in letters_of_symbol(each) for each in symbols)
+
     def _assert(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
         """Keep an equation as a premise of what stands behind it."""
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
-        if self.beside.is_denied or is_update(*formula.sides[:2]):
+        if self.beside.is_denied or is_update(*formula.sides[:2]) or self._is_of_one_index(formula):
             return
         sides = formula.sides[defines:]
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
@@ -357,6 +363,8 @@ class _Pass:
         left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
         symbol, parameters = defined_by(left)
         if not symbol or self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
+            return None
+        if self._is_of_one_index(formula):
             return None
         explicit = explicit or relation in (":=", "=:") or self._named(statement, self.given.definitions)
         table = is_table(symbol, right, self.vocabulary)

@@ -237,6 +237,11 @@ def test_text_and_sympy_are_taken_as_they_stand(lhs, rhs, options, verdict):
     assert prove(lhs, rhs, **options).verdict == verdict
 
 
+@pytest.mark.parametrize("inner", ["sin(x)", "atan(x)", "sqrt(x^2 + 1)"])
+def test_another_function_in_an_exponent_is_a_part_of_it(inner):
+    assert prove(f"exp(2*{inner})", f"exp({inner})^2").verdict == "proved"
+
+
 @pytest.mark.parametrize(
     ("lhs", "rhs"),
     [

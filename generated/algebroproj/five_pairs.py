@@ -39,8 +39,12 @@ BLOCK = 256
 ATTEMPTS = 5
 """How often floating-point numbers try a problem, each time with other unknowns."""
 
-RESIDUAL = 2.0**-89
-"""By how much double-double numbers miss an equation at most, as a share of the lengths of its two vectors."""
+RESIDUAL = 2.0**-88
+"""By how much rounding changes a part of an equation at most, beside one unit roundoff of what it is, as a share of the
+lengths of the two vectors: `a_priori` of `conditions` tells it."""
+
+DERIVATIVES = 2.0**20 * ROUNDOFF
+"""By how much rounding changes the derivatives of five equations at most, and their product with an inverse."""
 
 PRECISE = 2.0**-46
 """How far a real solution may be from an exact one, in base and quaternion of length 1."""
@@ -330,16 +334,14 @@ def _tested(base: Complex, quaternion: Complex, left: Numbers, right: Numbers, s
     ``p - Y F(p) = -Y F(0) + (1 - Y J) p - Y Q(p)``.  For ``|p| <= r``, r below 1, an element of Q is at most 5 r**2
     times the lengths of its two vectors (bridges 9/expansion: a product of complex quaternions is at most sqrt(2) times
     that of their lengths).  With ``h = |Y F(0)|``, ``|1 - Y J| <= 1/5`` and ``12 |Y| h <= 1/10`` the ball of radius 2 h
-    is taken into itself, and distances in it are at least halved: there is just one solution in it.  Of a real base and
-    quaternion it is real, since its conjugate is another one.
+    is taken into itself, and distances in it are at least halved: there is just one solution in it.  If base and
+    quaternion are real, so is the solution: its conjugate is in the ball, too.
 
     The solution differs from the step by at most ``2 h |1 - Y J| + 48 |Y| h**2``, and by what rounding changes.  The
     step changes the matrix by its derivative times the step, and by less than 9 times the square of the step.  Any
     other change of base and quaternion changes the matrix by less than 8 times that change.
 
-    What is rounded.  The residual has the error of its rounding, see RESIDUAL.  The terms of a derivative of the matrix
-    have absolute values whose sums, as a vector, have a norm of at most 20, and there are at most 64 roundings on the
-    way to an element of J, and as many from there to 1 - Y J: together less than 2**15 u.
+    Of what is rounded, the constants RESIDUAL and DERIVATIVES tell.
     """
     from . import minimal
 
@@ -357,7 +359,7 @@ def _tested(base: Complex, quaternion: Complex, left: Numbers, right: Numbers, s
     step = np.where(real[:, None, None], step.real, step)
     rounded = weight * (64 * ROUNDOFF * missed + 4 * RESIDUAL)
     reach = _norms(step) * (1 + 2.0**-20) + rounded
-    off = _norms(inverse @ jacobian - np.eye(UNKNOWNS)) * (1 + 2.0**-20) + ROUNDOFF * (2.0**15 * weight + 64)
+    off = _norms(inverse @ jacobian - np.eye(UNKNOWNS)) * (1 + 2.0**-20) + DERIVATIVES * weight + 64 * ROUNDOFF
     isotropic = np.minimum(*(np.abs((part**2).sum(axis=-1)) for part in (base, quaternion)))
     passed = (off <= 0.2) & (12 * weight * reach <= 0.1) & (isotropic > 8 * reach + 2.0**-40)
     radius = 16 * (reach * (2 * off + 48 * weight * reach) + rounded + reach**2) + 2.0**-40 * reach

@@ -157,7 +157,7 @@ def _asked(reader: _Reader, left: Formula, right: Formula) -> Question:
 class _Reader:
     def __init__(self, vocabulary: Vocabulary, column: re.Pattern[str], of_rotations: _Size | None = None) -> None:
         self._vocabulary = vocabulary
-        self.column = column
+        self._column = column
         self._of_rotations = of_rotations
         self._letters: dict[str, Shape] = {}
         self._known: dict[str, _Part] = {}
@@ -208,7 +208,7 @@ class _Reader:
         if size is None and not properties and not vocabulary.is_matrix(symbol):
             return _number(name)
         rows, columns = (_Size(), _Size()) if size is None else (_Size(size[0]), _Size(size[1]))
-        if "unit" in properties or (size is None and self.column.search(symbol)):
+        if "unit" in properties or (size is None and self.is_column(symbol)):
             columns.unite(_Size(1))
         elif properties:
             rows.unite(columns)
@@ -245,6 +245,10 @@ class _Reader:
         """Whether a part may depend on the index of a sum."""
         related = self._vocabulary.dependence.related(index)
         return any(each in related or not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in part.symbols)
+
+    def is_column(self, symbol: str) -> bool:
+        """Whether a symbol is written as a vector."""
+        return self._column.search(symbol) is not None or symbol in self._vocabulary.kinds.columns
 
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
@@ -420,7 +424,7 @@ class _Parts(_Gathering):
         name = str(token)
         if name in self.reader.definitions:
             return self.reader.applied(name, arguments)
-        columns = (_Size(), _Size(1)) if self.reader.column.search(name) else (_Size(), _Size())
+        columns = (_Size(), _Size(1)) if self.reader.is_column(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
         part = self.reader.whole(name, arguments, shape, is_call=True)
         part.is_table = _TABLE.search(name) is not None

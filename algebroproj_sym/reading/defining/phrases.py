@@ -61,6 +61,7 @@ _OF_IT = re.compile(
     r"\bof(?: the| an?)?(?: (?:matrix|matrices|vectors?|tensors?))?\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$"
 )
 """What is said of the square of a letter is not said of the letter."""
+_VECTORS = r"matri(?:x|ces)|vectors?|tensors?"
 Value = TypeVar("Value")
 _SPACE_OF = re.compile(
     r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
@@ -83,9 +84,12 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
 
 def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
-    return _called(
-        statements, r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?|operators?|rotations?|sets?|events?|groups?)"
-    )
+    return _called(statements, rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|sets?|events?|groups?)")
+
+
+def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the symbols that are said to be vectors or matrices: what is added to them is one, too."""
+    return _called(statements, rf"(?:{_VECTORS})")
 
 
 def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:

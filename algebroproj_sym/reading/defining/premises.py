@@ -87,9 +87,11 @@ class Premise:
 
     @cached_property
     def gives(self) -> Definition | None:
-        """What it says of a letter that stands alone; None if none does."""
+        """What it says of a letter, or of a derivative, that stands alone; None if none does."""
         for side, other in ((self.left, self.right), (self.right, self.left)):
             symbol, parameters = defined_by(side)
+            if side.data == "opaque" and symbols_in(other):
+                symbol = str(side.children[0])
             if symbol and not is_one_value(parameters, other):
                 return self._of(symbol, parameters, other)
         return None

@@ -14,6 +14,7 @@ from lark import Token
 from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
 from algebroproj_sym.reading.defining.dependence import Dependence
+from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -91,7 +92,7 @@ class Vocabulary:
         self,
         given: Table,
         sizes: Mapping[str, tuple[int, int]],
-        matrices: frozenset[str],
+        kinds: Kinds,
         properties: Mapping[str, tuple[str, ...]],
         *,
         dependence: Dependence,
@@ -108,7 +109,7 @@ class Vocabulary:
         self.uncomputed: Values | None = None
         self.definitions: dict[str, Definition] = {}
         self._sizes = {**sizes, **given.sizes}
-        self._matrices = matrices
+        self.kinds = kinds
         self._properties = {**properties, **given.properties}
         self._names: dict[str, str] = {}
         self._taken: dict[str, str] = {}
@@ -117,7 +118,7 @@ class Vocabulary:
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
-        given = self.given, self._sizes, self._matrices, self._properties
+        given = self.given, self._sizes, self.kinds, self._properties
         copied = Vocabulary(
             *given,
             dependence=self.dependence,
@@ -250,12 +251,12 @@ class Vocabulary:
         return sympy.Symbol(self.name(symbol))
 
     def is_matrix(self, symbol: str) -> bool:
-        """Whether a symbol is written as a vector or a matrix; one with an accent may still be a number."""
-        return _is_accented(symbol) or self.is_no_number(symbol)
+        """Whether a symbol is a vector or a matrix, or may be one."""
+        return _is_accented(symbol) or symbol in self.kinds.open or self.is_no_number(symbol)
 
     def is_no_number(self, symbol: str) -> bool:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
-        return _BOLD.search(symbol) is not None or symbol in self._matrices or symbol in self._properties
+        return _BOLD.search(symbol) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""

@@ -34,6 +34,9 @@ from algebroproj_sym.reading.lexing.names import (
 )
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, says_more
 
+_SIGNS = (r"\partial", "d", r"\delta")
+r"""How derivatives begin; ``\frac{\delta x}{\delta t}`` is a quotient of small numbers, unless of second order."""
+
 
 def _derivative(above: str, below: str) -> str | None:
     r"""Return the text of a derivative, empty for d/dx before what it is of; None if a fraction is none.
@@ -43,7 +46,9 @@ def _derivative(above: str, below: str) -> str | None:
     >>> _derivative("dy", "dx"), _derivative("\\partial", "\\partialx"), _derivative("d", "2")
     ('dy/dx', '', None)
     """
-    sign = next((each for each in (r"\partial", "d") if above.startswith(each) and below.startswith(each)), None)
+    sign = next((each for each in _SIGNS if above.startswith(each) and below.startswith(each)), None)
+    if sign == r"\delta" and above[len(sign) :] and not re.match(r"\^\{?[2-9]", above[len(sign) :]):
+        return None
     if sign is None or len(below) == len(sign) or not re.match(r"[A-Za-z\\(]", below[len(sign) :]):
         return None
     rest = re.sub(r"^\^?\d*", "", above[len(sign) :])

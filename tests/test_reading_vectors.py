@@ -43,6 +43,22 @@ def last_verdict(latex: str) -> str:
         r"\[ \bar r_1 \times \bar r_{12} = \bar r_2 \times \bar r_1 \]",
         r"\[ \mathbf{F} = \frac{d\mathbf{p}}{dt} \] "
         r"\[ \mathbf{r} \times \mathbf{F} = \frac{d\mathbf{p}}{dt} \times \mathbf{r} \]",
+        r"Here $A$ is a matrix. \[ b = A x \] \[ c = A b \] \[ c = x A A \]",
+        r"Here $A$ and $B$ are matrices. \[ y = A x + B u \] \[ y = x A + u B \]",
+        r"The Jacobian matrix is $J$. \[ d = J^{-1} e \] \[ d = e J^{-1} \]",
+        r"\[ f = k^T x \] \[ f = x k^T \]",
+        r"\[ S = x y^T \] \[ S = y^T x \]",
+        r"\[ (X^T X)^{-1} X^T = X^{-1} \]",
+        r"\[ \mathbf{x} = (A^T A)^{-1} A^T \mathbf{b} \] \[ \mathbf{x} = A^{-1} \mathbf{b} \]",
+        r"\[ S = X^T X \] \[ \mathbf{b} = S^{-1} X^T \mathbf{y} \] \[ \mathbf{b} = X^{-1} \mathbf{y} \]",
+        r"\[ \mathbf{L} = I \boldsymbol\omega \] "
+        r"\[ \boldsymbol\omega \times \mathbf{L} = I \boldsymbol\omega \times \boldsymbol\omega \]",
+        r"\[ \left(\frac{\partial\mathbf{f}}{\partial\mathbf{x}}\right)^T \mathbf{v} "
+        r"= \mathbf{v}^T \frac{\partial\mathbf{f}}{\partial\mathbf{x}} \]",
+        r"\[ \mathrm{diag}(\mathbf{A}, \mathbf{B})^T = \mathrm{diag}(\mathbf{A}, \mathbf{B}) \]",
+        r"\[ \mathrm{diag}(\mathbf{x})^T = \mathrm{diag}(\mathbf{x}) \]",
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] "
+        r"\[ \mathrm{diag}(5, A) = \begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 0 \\ 0 & 0 & 5 \end{bmatrix} \]",
         r"The means are \[ \bar x = \frac1n\sum_{i=1}^n x_i \] \[ \bar y = \frac1n\sum_{i=1}^n y_i \] "
         r"They are no vectors: \[ \bar x \times \bar x = 0 \]",
     ],
@@ -67,6 +83,16 @@ def test_what_holds_of_numbers_alone_does_not_follow_of_vectors_and_matrices(lat
         r"\[ \frac{\delta^2\bar r}{\delta t^2} = \bar v \times \bar\omega + \bar g \]",
         r"\[ \hat{x}_t = \bar{x}_t + \Delta{x}_t \] \[ \Delta{x}_t = P H^T y y^T \] "
         r"\[ \hat{x}_t = \bar{x}_t + P H^T y y^T \]",
+        r"Here $A$ is a matrix. \[ b = A x \] \[ c = A b \] \[ c = A A x \]",
+        r"The system matrix is $A$. \[ \dot x = A x + B u \] \[ y = C \dot x \] \[ y = C A x + C B u \]",
+        r"\[ (X^T X)^{-1} X^T = X^{-1} \] where $X$ is square.",
+        r"\[ g = J^T r \] \[ H = J^T J \] \[ d = -H^{-1} g \] \[ d = -(J^T J)^{-1} J^T r \]",
+        r"\[ \mathbf{K} = (I - \mathbf{A})^{-1} \] \[ \mathbf{K}^{-1} = I - \mathbf{A} \]",
+        r"Let $A = \begin{bsmallmatrix} 1 & 2 \\ 3 & 4 \end{bsmallmatrix}$ and $B = 5$. \[ \mathrm{diag}(A, B) = "
+        r"\begin{bmatrix} A & 0 \\ 0 & B \end{bmatrix} = "
+        r"\begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 0 \\ 0 & 0 & 5 \end{bmatrix} \]",
+        r"\[ \mathbf{v} = \frac{d\mathbf{r}}{dt} \] "
+        r"\[ \mathbf{v}\cdot\mathbf{w} = \mathbf{w}\cdot\frac{d\mathbf{r}}{dt} \]",
         r"\[ p = \bar x \times 0.5 \] \[ p = 0.5 \times \bar x \]",
         r"\[ p = a \times b \] \[ p = b \times a \]",
         r"\[ \bar x = \frac1n\sum_{i=1}^n x_i \] \[ p = \bar x \times \bar y \] \[ p = \bar y \times \bar x \]",
@@ -102,3 +128,16 @@ def test_the_accent_of_vectors_holds_for_all_letters_that_have_it_but_for_no_ind
 )
 def test_a_thin_capital_beside_a_vector_may_be_a_matrix_unless_it_is_a_number_elsewhere(latex, found):
     assert Survey(document_of(latex), SymbolsFile()).kinds.open == found
+
+
+@pytest.mark.parametrize(
+    ("latex", "found"),
+    [
+        (r"Set $\omega = 2$. \[ a = b \]", set()),
+        (r"The set $A = B$. \[ a = b \]", {"A"}),
+        (r"The numbers $\{x_i\}$ are a set. \[ a = b \]", set()),
+        (r"The state vector is $x$. The rank of the matrix is $n$. \[ a = b \]", {"x"}),
+    ],
+)
+def test_words_call_a_letter_a_vector_or_a_set(latex, found):
+    assert Survey(document_of(latex), SymbolsFile()).kinds.no_numbers == found

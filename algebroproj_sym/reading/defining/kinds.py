@@ -25,6 +25,7 @@ _CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
     r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
 )
+_SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
 _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?![a-z]{2})")
 _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
@@ -33,6 +34,7 @@ _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\d
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
 """The relations whose sides are both numbers, or both none."""
+_SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
 _SPOKEN = re.compile(r"\b(?:vectors?|vectorial|cross[- ]products?)\b", re.IGNORECASE)
 
 
@@ -48,11 +50,14 @@ class Kinds:
         Those of them that have the accent of vectors.
     open : frozenset of str
         The symbols that may be matrices, or numbers.
+    oblong : frozenset of str
+        Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
     """
 
     no_numbers: frozenset[str] = frozenset()
     columns: frozenset[str] = frozenset()
     open: frozenset[str] = frozenset()
+    oblong: frozenset[str] = frozenset()
 
 
 def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Kinds:
@@ -76,7 +81,8 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open))
+    oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong)
 
 
 class _Closure:
@@ -107,10 +113,25 @@ class _Closure:
         return (len(self.known), len(self.open)) != before
 
     def _take_beside(self, product: Formula) -> None:
-        """Take thin capitals beside what is no number for matrices, unless they are numbers elsewhere."""
-        inside = {letter for each in product.children if isinstance(each, Tree) for letter in _factors(each)}
+        """Take what may be a matrix, or a vector behind one, unless it is a number elsewhere.
+
+        It is a thin capital beside what is no number; or a small letter at the end of a product, behind a matrix or
+        what is transposed; or before what is transposed, as in ``x y^T``.
+        """
+        factors = _trees(product)
+        inside = {letter for each in factors for letter in _factors(each)}
         if inside & (self.known | self.open):
             self.open |= {each for each in inside if _CAPITAL.match(each)} - self._numbers - self._scales
+        behind, before = _lone(factors[-1]), factors[-2]
+        first, other = _lone(factors[0]), factors[1]
+        if before.data != "marked" and not self._is_matrix(_base(before)):
+            behind = ""
+        if len(factors) > 2 or other.data != "marked":
+            first = ""
+        self.open |= {each for each in (behind, first) if _SMALL.fullmatch(each)} - self._numbers - self._scales
+
+    def _is_matrix(self, letter: str) -> bool:
+        return letter in self.known and _CAPITAL.match(letter) is not None
 
     def _is_like_known(self, symbol: str) -> bool:
         r"""Whether a letter is one that is no number with another index, or the rate at which one changes."""
@@ -134,6 +155,8 @@ class _Closure:
             return _CAPITAL.match(_base(term)) is not None and self._is_no_number(term.children[0])
         if term.data == "product":
             return _is_cross(term) and all(map(self._is_no_number, _trees(term)))
+        if term.data == "run" and len(term.children) == 2 and self._is_matrix(_lone(term.children[0])):
+            return _lone(term.children[1]) != ""
         if term.data == "run":
             inside = [each for each in _trees(term) if {*symbols_in(each)} & (self.known | self.open)]
             alone = len(inside) == 1 or all(_CAPITAL.match(_base(each)) for each in inside)
@@ -150,6 +173,11 @@ def _base(factor: Any) -> str:
     while isinstance(factor, Tree) and factor.data in ("marked", "power", "group"):
         factor = factor.children[0]
     return str(factor.children[0]) if isinstance(factor, Tree) and factor.data == "symbol" else ""
+
+
+def _lone(factor: Any) -> str:
+    """Return the letter that a factor is; empty if it is more."""
+    return str(factor.children[0]) if factor.data == "symbol" else ""
 
 
 def _head(term: Any) -> str:
@@ -272,6 +300,34 @@ def _above_lines(side: Formula) -> Iterator[str]:
 
 def _is_quotient(tree: Formula) -> bool:
     return tree.data in ("fraction", "quotient") and all(map(symbols_in, _trees(tree)))
+
+
+def _oblong_in(equations: Iterable[Sides], sides: Iterable[Formula]) -> Iterator[str]:
+    r"""Yield the letters of which a square is inverted, as X in ``(X^T X)^{-1}``, or in ``S = X^T X``, ``S^{-1}``."""
+    bases = [power.children[0] for side in sides for power in side.find_data("power") if _is_inverse(power)]
+    inverted = {_base(each) for each in bases if isinstance(each, Tree)} - {""}
+    for each in bases:
+        yield from _squared_in(each)
+    for both in equations:
+        if inverted & {_head(side) for side in both}:
+            for side in both:
+                yield from _squared_in(side)
+
+
+def _is_inverse(power: Formula) -> bool:
+    exponent = power.children[1]
+    tokens = [str(each) for each in exponent.scan_values(lambda each: True)] if isinstance(exponent, Tree) else []
+    return tokens == ["-", "1"]
+
+
+def _squared_in(tree: Any) -> Iterator[str]:
+    """Yield the letter that a product has at one end, and transposed at the other."""
+    if not isinstance(tree, Tree):
+        return
+    for term in _terms(tree):
+        first, last = (_trees(term)[0], _trees(term)[-1]) if term.data == "run" else (term, term)
+        if _base(first) == _base(last) and (first.data == "marked") != (last.data == "marked"):
+            yield _base(first)
 
 
 # -- the accent of vectors

@@ -27,9 +27,10 @@ MOST_PARTS = 1_000
 _STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 _COLUMN = re.compile(rf"{_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
 _LATIN = re.compile(rf"{_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{_STYLE}[a-z]")
+_BARE = re.compile(rf"{_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
 _ZERO = r"\mathbf{0}"
 _TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
-_SIZES = "nmklpqrstuvw"
+_SIZES = "nmklpqrstuvwhijabcdgoyz"
 _OF_LETTERS = ("sin", "cos", "norm")
 """Functions that the prover takes as they are."""
 FREE = "free"
@@ -247,8 +248,15 @@ class _Reader:
         return any(each in related or not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in part.symbols)
 
     def is_column(self, symbol: str) -> bool:
-        """Whether a symbol is written as a vector."""
-        return self._column.search(symbol) is not None or symbol in self._vocabulary.kinds.columns
+        """Whether a symbol is written as a vector; a derivative by a vector may be a row, or a matrix."""
+        above, _, below = symbol.partition("/")
+        written = _BARE.search(above) and not _BARE.search(below) if below else self._column.search(symbol)
+        return bool(written) or symbol in self._vocabulary.kinds.columns
+
+    def _is_jacobian(self, symbol: str) -> bool:
+        """Whether a symbol is the derivative of a vector by a vector."""
+        above, _, below = symbol.partition("/")
+        return _BARE.search(above) is not None and _BARE.search(below) is not None
 
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
@@ -305,6 +313,10 @@ class _Reader:
         for symbol, shape in self._letters.items():
             listed = ", ".join(sorted(self._vocabulary.properties_of(symbol)))
             text = f"{self.size(shape[0])}x{self.size(shape[1])}"
+            if symbol in self._vocabulary.kinds.oblong and shape[0].root is shape[1].root:
+                raise UnreadableError(f"{self._vocabulary.name(symbol)} may not be square")
+            if self._is_jacobian(symbol) and "1" in text.split("x"):
+                raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is no matrix")
             if text != "1x1":
                 letters[self._vocabulary.name(symbol)] = f"{text} {listed}".strip()
             elif self._vocabulary.size_of(symbol) is None and self._vocabulary.is_no_number(symbol):
@@ -468,9 +480,15 @@ class _Parts(_Gathering):
         return self.reader.whole("factorial", [_scalar(base, "a factorial")], base.shape)
 
     def function(self, name: Token, arguments: list[_Part]) -> _Part:
+        if name == "diag" and len(arguments) > 1:
+            zero = _number("0")
+            rows = [[each if i == j else zero for j in range(len(arguments))] for i, each in enumerate(arguments)]
+            return self.matrix(Token("BEGIN", "("), *rows)
         if len(arguments) != 1:
             return self.reader.whole(str(name), arguments, (_Size(1), _Size(1)))
         (argument,) = arguments
+        if name == "diag" and not argument.is_number:
+            raise _refused("a diagonal matrix of a vector")
         if name in ("det", "tr", "Tr", "trace"):
             argument.shape[0].unite(argument.shape[1])
             kind = "det" if name == "det" else "trace"

@@ -61,6 +61,9 @@ _OF_IT = re.compile(
     r"\bof(?: the| an?)?(?: (?:matrix|matrices|vectors?|tensors?))?\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$"
 )
 """What is said of the square of a letter is not said of the letter."""
+_SET = re.compile(r"(?:\bSet|\b(?:we|us|and|to|then|now|can|may|let|if|[Bb]y) set) ?$")
+"""How an order or a choice ends, as in "Set x = 2": it speaks of no set."""
+_THE = r"(?:^|[.;:,] ?|\b(?:where|and|with|let|that|so) )(?:the|an?|our|its) (?:(?!of |in |to |from )[\w-]+ ){0,3}"
 _VECTORS = r"matri(?:x|ces)|vectors?|tensors?"
 Value = TypeVar("Value")
 _SPACE_OF = re.compile(
@@ -101,7 +104,9 @@ def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
 
 def _called(statements: Iterable[Statement], things: str) -> frozenset[str]:
     """Return the symbols that words before or behind them call by a name."""
-    is_before = re.compile(rf"\b{things}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
+    is_before = re.compile(
+        rf"(?:\b{things}|{_THE}{things} (?:is|are|be))\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE
+    )
     is_behind = re.compile(
         r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*"
         rf"(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{things}\b",
@@ -111,6 +116,8 @@ def _called(statements: Iterable[Statement], things: str) -> frozenset[str]:
     for each in statements:
         if each.display.environment == "inline":
             before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
+            if each.latex.lstrip().startswith(r"\{") or ("=" in each.latex and _SET.search(before)):
+                continue
             if is_before.search(before[-200:]) or is_behind.match(after):
                 found |= {*_symbols(each.latex.partition("=")[0])}
     return frozenset(found)

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any, Literal
 
 import sympy
-from lark import Token
+from lark import Token, Tree
 
 from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
@@ -135,7 +135,7 @@ class Vocabulary:
         """Return the vocabulary in which a lone I is the identity matrix; None if there is none, or if it is given."""
         letters = {symbol for tree in trees for symbol in self.letters_of(tree) if _LIKE_IDENTITY.fullmatch(symbol)}
         given = {*self.definitions, *self._properties, *self._sizes}
-        if not letters or letters & given:
+        if not letters or letters & given or any(map(self._multiplies_identity, trees)):
             return None
         found = self.copied()
         found.forget()
@@ -144,6 +144,19 @@ class Vocabulary:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         found._properties = found._properties | dict.fromkeys(letters, ("identity",))
         return found
+
+    def _multiplies_identity(self, tree: Formula) -> bool:
+        """Whether a lone I stands beside a vector or a matrix in a product: nobody writes the identity there."""
+        trees = [tree, *(each.tree for each in self.used_in(tree))]
+        for run in (run for each in trees for run in each.find_data("run")):
+            factors = [each for each in run.children if isinstance(each, Tree)]
+            lone = [
+                each for each in factors if each.data == "symbol" and _LIKE_IDENTITY.fullmatch(str(each.children[0]))
+            ]
+            others = [symbol for each in factors if each not in lone for symbol in symbols_in(each)]
+            if lone and any(map(self.is_no_number, others)):
+                return True
+        return False
 
     def with_complex_numbers(self, numbers: Numbers) -> Vocabulary:
         """Return the vocabulary in which i is the imaginary unit, and other letters stand for complex numbers."""

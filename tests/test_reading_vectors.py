@@ -141,3 +141,58 @@ def test_a_thin_capital_beside_a_vector_may_be_a_matrix_unless_it_is_a_number_el
 )
 def test_words_call_a_letter_a_vector_or_a_set(latex, found):
     assert Survey(document_of(latex), SymbolsFile()).kinds.no_numbers == found
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{L} = \mathbf{r} \times \mathbf{p} \] "
+        r"\[ \dot{\mathbf{L}} = \dot{\mathbf{r}} \times \mathbf{p} + \mathbf{r} \times \dot{\mathbf{p}} \]",
+        r"\[ \mathbf{L} = \mathbf{r} \times \mathbf{p} \] \[ \frac{d\mathbf{L}}{dt} = "
+        r"\frac{d\mathbf{r}}{dt} \times \mathbf{p} + \mathbf{r} \times \frac{d\mathbf{p}}{dt} \]",
+        r"\[ \mathbf{r} = r \mathbf{e}_r \] \[ \dot{\mathbf{r}} = \dot r \mathbf{e}_r + r \dot{\mathbf{e}}_r \]",
+        r"\[ \mathbf{e}_r = \cos\theta \mathbf{i} + \sin\theta \mathbf{j} \] "
+        r"\[ \dot{\mathbf{e}}_r = \dot\theta (-\sin\theta \mathbf{i} + \cos\theta\mathbf{j}) \]",
+        r"\[ \mathbf{v} = \frac{\mathbf{p}}{m} \] "
+        r"\[ \dot{\mathbf{v}} = \frac{\dot{\mathbf{p}}}{m} - \frac{\dot m \mathbf{p}}{m^2} \]",
+        r"\[ \mathbf{A} = \mathbf{B}^2 \] "
+        r"\[ \dot{\mathbf{A}} = \dot{\mathbf{B}} \mathbf{B} + \mathbf{B} \dot{\mathbf{B}} \]",
+        r"\[ \mathbf{r} = \mathbf{r}_0 + \mathbf{v} t + \frac12 \mathbf{a} t^2 \] "
+        r"\[ \dot{\mathbf{r}} = \mathbf{v} + \mathbf{a} t \]",
+        r"\[ \mathbf{r}(t) = x(t) \mathbf{e}_1 + y(t) \mathbf{e}_2 \] "
+        r"\[ \frac{d\mathbf{r}(t)}{dt} = \frac{dx(t)}{dt} \mathbf{e}_1 + \frac{dy(t)}{dt} \mathbf{e}_2 \]",
+        r"\[ E = \frac12 m v^2 + m g y \] \[ \frac{dE}{dt} = m v \frac{dv}{dt} + m g \frac{dy}{dt} \]",
+    ],
+)
+def test_the_derivative_of_vectors_is_taken_factor_by_factor(latex):
+    assert last_verdict(latex) == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{L} = \mathbf{r} \times \mathbf{p} \] "
+        r"\[ \dot{\mathbf{L}} = \dot{\mathbf{r}} \times \mathbf{p} + \dot{\mathbf{p}} \times \mathbf{r} \]",
+        r"\[ \mathbf{L} = \mathbf{r} \times \mathbf{p} \] "
+        r"\[ \dot{\mathbf{L}} = \dot{\mathbf{r}} \times \dot{\mathbf{p}} \]",
+        r"\[ \mathbf{r} = r \mathbf{e}_r \] \[ \dot{\mathbf{r}} = \dot r \mathbf{e}_r \]",
+        r"\[ \mathbf{r} = r \hat{\mathbf{r}} \] \[ \dot{\mathbf{r}} = \dot r \hat{\mathbf{r}} \]",
+        r"\[ \mathbf{p} = \mathbf{R} \mathbf{q} \] \[ \dot{\mathbf{p}} = \mathbf{R} \dot{\mathbf{q}} \]",
+        r"\[ \mathbf{p} = R \mathbf{q} \] \[ \dot{\mathbf{p}} = R \dot{\mathbf{q}} \]",
+        r"\[ \mathbf{v} = \boldsymbol\omega \times \mathbf{r} \] "
+        r"\[ \dot{\mathbf{v}} = \boldsymbol\omega \times \dot{\mathbf{r}} \]",
+        r"\[ \mathbf{A} = \mathbf{B}^2 \] \[ \dot{\mathbf{A}} = 2 \mathbf{B} \dot{\mathbf{B}} \]",
+        r"\[ \mathbf{A} = \mathbf{B} \mathbf{C} \] "
+        r"\[ \dot{\mathbf{A}} = \dot{\mathbf{B}} \mathbf{C} + \dot{\mathbf{C}} \mathbf{B} \]",
+        r"At the start, \[ \mathbf{r} = \mathbf{r}_0 \] Later \[ \dot{\mathbf{r}} = 0 \]",
+        r"\[ \mathbf{r} = x \mathbf{i} + y \mathbf{j} \] "
+        r"\[ \ddot{\mathbf{r}} = \dot x \mathbf{i} + \dot y \mathbf{j} \]",
+        r"\[ \mathbf{v} = \frac{\mathbf{p}}{m} \] "
+        r"\[ \dot{\mathbf{v}} = \frac{\dot{\mathbf{p}}}{m} - \frac{\dot m \mathbf{p}}{m} \]",
+        r"\[ \mathbf{y} = f(\mathbf{x}) \mathbf{x} \] \[ \dot{\mathbf{y}} = f(\mathbf{x}) \dot{\mathbf{x}} \]",
+        r"\[ E = \frac12 m v^2 \] \[ \frac{dE}{dt} = m v \frac{dv}{dt} + v^2 \frac{dm}{dt} \]",
+        r"\[ y = a x \] \[ a = x \] \[ \frac{dy}{dt} = a \frac{dx}{dt} \]",
+    ],
+)
+def test_what_is_not_the_derivative_of_vectors_does_not_follow(latex):
+    assert last_verdict(latex) != "follows"

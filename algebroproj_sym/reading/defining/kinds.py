@@ -32,6 +32,7 @@ _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
 _RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
 _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
+MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
 """The relations whose sides are both numbers, or both none."""
 _SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
@@ -143,6 +144,8 @@ class _Closure:
 
     def _is_no_number(self, term: Any) -> bool:
         """Whether a term is a vector or a matrix, whatever the letters are of which nothing is known."""
+        if is_mean(term):
+            return self._is_no_number(_trees(term)[0])
         if term.data in ("symbol", "opaque", "call"):
             return str(term.children[0]) in self.known
         if term.data == "matrix":
@@ -186,7 +189,13 @@ def _head(term: Any) -> str:
         (term,) = term.children
     if term.data == "run" and all(each.data == "number" for each in term.children[:-1]):
         term = term.children[-1]
-    return str(term.children[0]) if term.data in ("symbol", "opaque", "call") else ""
+    return str(term.children[0]) if term.data in ("symbol", "opaque", "call") and not is_mean(term) else ""
+
+
+def is_mean(term: Formula) -> bool:
+    """Whether a formula is an expected value: it has the shape of what stands within it."""
+    name = str(term.children[0]) if term.data == "call" else ""
+    return MEAN.fullmatch(name) is not None and len(_trees(term)[0].children) == 1
 
 
 def _is_printed_number(term: Any) -> bool:
@@ -236,9 +245,9 @@ def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
         for tree in side.iter_subtrees():
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
-                found |= {*_factors(tree.children[0])}
+                found |= {*_factors(tree.children[0], deep=False)}
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
-                found |= {*_factors(tree.children[1])}
+                found |= {*_factors(tree.children[1], deep=False)}
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
 
@@ -260,17 +269,17 @@ def _is_table(side: Any) -> bool:
     return len(rows) > 1 or len(rows[0].children) > 1
 
 
-def _factors(tree: Any) -> Iterator[str]:
-    """Yield the letters of a sum or product of letters alone."""
+def _factors(tree: Any, *, deep: bool = True) -> Iterator[str]:
+    """Yield the letters of a sum or product of letters, and of their powers if deep."""
     if tree.data == "symbol":
         yield str(tree.children[0])
-    elif tree.data in ("marked", "power"):
-        yield from _factors(tree.children[0])
+    elif tree.data in ("marked", "power") and deep:
+        yield from _factors(tree.children[0], deep=deep)
     elif tree.data in ("run", "product", "sum", "group") or (
         tree.data in ("bracket", "items") and len(tree.children) == 1
     ):
         for part in _trees(tree):
-            yield from _factors(part)
+            yield from _factors(part, deep=deep)
 
 
 def _numbers_in(side: Formula) -> Iterator[str]:

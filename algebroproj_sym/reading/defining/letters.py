@@ -17,6 +17,7 @@ from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
+from algebroproj_sym.reading.defining.kinds import MEAN
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
@@ -438,6 +439,8 @@ class _Parts(_Gathering):
             return self.reader.applied(name, arguments)
         columns = (_Size(), _Size(1)) if self.reader.is_column(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
+        if MEAN.fullmatch(name) and len(arguments) == 1:
+            shape = arguments[0].shape
         part = self.reader.whole(name, arguments, shape, is_call=True)
         part.is_table = _TABLE.search(name) is not None
         part.symbols |= {name}

@@ -170,6 +170,15 @@ class Vocabulary:
         units = self.complexes | {self.imaginary} - {""}
         return frozenset(each for each in symbols if units and units & self.behind(each))
 
+    def gives_letters(self, symbol: str) -> bool:
+        """Whether a symbol has a definition with letters in it."""
+        known = self.definitions.get(symbol)
+        return known is not None and bool(self.letters_of(known.tree))
+
+    def is_computed(self, tree: Formula) -> bool:
+        """Whether a formula is a number that is computed, and none of vectors, matrices or values as letters."""
+        return self._shape_of(tree) == ()
+
     def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:
         """Return the shape of what a formula stands for; None if it has no entries."""
         try:

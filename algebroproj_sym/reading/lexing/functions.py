@@ -12,6 +12,7 @@ from algebroproj_sym.reading.lexing.commands import (
     ARGUMENT,
     BARS,
     BIG,
+    BOLD,
     CLOSING,
     CLOSING_BARS,
     DROPPED,
@@ -183,6 +184,10 @@ def read_function(cursor: Cursor) -> None:
     read_after(cursor)
 
 
+_VECTORS = {*BOLD, r"\mathbf", r"\vec", r"\hat", r"\overrightarrow"}
+r"""How a vector begins, or a unit vector: no argument goes on over one, as in ``\cos\theta \mathbf{i}``."""
+
+
 def _choose_raised(cursor: Cursor, begin: int, mark: int) -> None:
     r"""Choose what is raised in ``\ln(x)^2``: the value of the function, or its argument."""
     cursor.chose = ARGUMENT
@@ -224,7 +229,7 @@ def _read_argument(cursor: Cursor) -> None:
             if cursor.index > start and cursor.peek() in ("(", "["):
                 cursor.chose = ARGUMENT
             break
-        if values and not cursor.wide:
+        if values and (not cursor.wide or cursor.text in _VECTORS):
             cursor.chose = ARGUMENT
             break
         if values:

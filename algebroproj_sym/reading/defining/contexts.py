@@ -13,17 +13,20 @@ _STEP = (
 _ORDINAL = r"(?:old|new|first|second|third|other|another|explicit|implicit|forward|backward|original|modified|exact)"
 _THING = (
     r"(?:method|model|case|experiment|medium|scheme|image|camera|approach|problem|lens|body|stage|phase|euler|setup|"
-    r"system|example|variant|interval|region)"
+    r"system|example|variant|interval|region|version|edition|notation|convention|axis|one)"
 )
 _KINDS = {
-    "condition": r"(?:if|when|whenever|unless|otherwise|else)\b.*",
-    "range": r"for\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
+    "condition": (
+        r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) (?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes)\b)"
+        r"|unless\b|otherwise\b|else\b|in general\b|generally\b).*"
+    ),
+    "range": r"(?:for|at)\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
     "place": (
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
         r"|(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+(?:boundary|end|wall|edge|half|side(?! of))"
         r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
     ),
-    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally",
+    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)",
     "name": (
         r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
         rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
@@ -37,6 +40,19 @@ _BEGINS = re.compile(
     + ")",
     re.DOTALL,
 )
+_OF_A_THING = re.compile(
+    r"[^a-z$]*the\s+[a-z]+\s+(?:in|of|for)\s+(?:the\s+)?((?:frame|model|image|camera|system|case|observer|medium|scenario)"
+    r"\s+\$?[a-z0-9]+\b)"
+)
+_FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
+_STEPS = re.compile(
+    r"\b(?:if|when|once)\s+(?:we|you|one)\s+(?=(?:now\s+|then\s+)?(?:substitut|insert|plug|replac|put|multipl|divid|add|"
+    r"subtract|combin|rearrang|differentiat)\w*\b[^.,;=]*?(?:\(\d+[a-z]?\)|ref\s*\{|\b(?:equations?|eqs?)\b))"
+    r"|\blet(?:['’]s|\s+us)\s+(?=(?:now\s+|also\s+|first\s+)?(?:substitut|insert|plug|multipl|divid|subtract|combin|rearrang|"
+    r"differentiat|comput|calculat|expand|simplif|write|rewrite|see|look|start|begin|find|check|verify|show)\w*\b)",
+    re.IGNORECASE,
+)
+"""Words before a step of a derivation, which are no condition: "if we put (3) into (4)", "let us divide"."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +70,12 @@ class Context:
     kind: str = ""
     words: str = ""
 
+    @property
+    def fixed(self) -> str:
+        """The letter to which it gives a number, as in "at $i = 1$"; empty for none."""
+        found = _FIXED.search(self.words) if self.kind == "range" else None
+        return found[1] if found else ""
+
     def excludes(self, other: Context) -> bool:
         """Whether an equation may hold in the one and not in the other.
 
@@ -62,23 +84,39 @@ class Context:
         >>> context_of("At the top,").excludes(context_of("At the bottom")), Context().excludes(context_of("If so"))
         (True, False)
         """
-        if not self.kind or self.kind != other.kind or self.words == other.words:
+        if not self.kind or self.words == other.words:
             return False
+        if self.kind != other.kind:
+            return other.kind == "condition"
         return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
 
 
 ANYWHERE = Context()
 
 
-def context_of(sentence: str) -> Context:
-    """Return where an equation holds, by the words with which its sentence begins.
+def without_steps(words: str) -> str:
+    """Return words in which a step of a derivation does not look like a condition.
+
+    Examples
+    --------
+    >>> without_steps("If we put (3) into (4), let's expand, if we put the lid on the box")
+    'put (3) into (4), expand, if we put the lid on the box'
+    """
+    return _STEPS.sub("", words)
+
+
+def context_of(sentence: str, behind: str = "") -> Context:
+    """Return where an equation holds, by the words with which its sentence begins, and perhaps goes on behind it.
 
     Examples
     --------
     >>> context_of("At the top, the speed is"), context_of("After some algebra, we get")
     (Context(kind='place', words='at the top'), Context(kind='', words=''))
     """
-    found = _BEGINS.match(sentence.lower())
+    step = _STEPS.search(f"{sentence} {behind}")
+    bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
+    found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
-        return ANYWHERE
+        thing = _OF_A_THING.match(bare.lower())
+        return Context("name", " ".join(thing[1].split())) if thing else ANYWHERE
     return Context(found.lastgroup, " ".join(found[found.lastgroup].split()))

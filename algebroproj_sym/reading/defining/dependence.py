@@ -7,7 +7,7 @@ each letter of the equation may depend on each other one: ``c - k = 1`` gives c 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -19,6 +19,8 @@ from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 ANY = "any"
 """What stands for all letters on which a symbol may depend that is more than a letter with scripts."""
+SUMMED = r"\bullet"
+"""What stands for an index over which a symbol is summed."""
 _BEGINNING = -1
 
 
@@ -112,13 +114,29 @@ def ties_of(letter: str, parameters: Sequence[str], sides: Sequence[Formula], be
 
 
 def free_symbols(tree: Formula) -> frozenset[str]:
-    """Return the symbols of a formula, without the indices of the sums in which they stand."""
-    bound = {id(each): index_of(str(each.children[0])) for each in tree.find_data("big")}
-    if not any(bound.values()):
-        return frozenset(symbols_in(tree))
+    r"""Return the symbols of a formula, without the indices of the sums in which they stand.
+
+    In a sum over i, ``x_{ij}`` becomes ``x_{\bullet j}``: all that differ in the first index alone.
+    """
     found = frozenset().union(*(free_symbols(each) for each in tree.children if isinstance(each, Tree)))
     own = Tree(tree.data, [each for each in tree.children if not isinstance(each, Tree)])
-    return (found | frozenset(symbols_in(own))) - {bound.get(id(tree), "")}
+    found |= frozenset(symbols_in(own))
+    index = index_of(str(tree.children[0])) if tree.data == "big" else ""
+    return frozenset(_summed(each, index) for each in found - {index}) if index else found
+
+
+def _summed(symbol: str, index: str) -> str:
+    letters = letters_of_symbol(symbol)
+    if index not in letters or ANY in letters:
+        return symbol
+    letter = split_symbol(symbol)[0]
+    return f"{letter}_{{{SUMMED}{''.join(f' {each}' for each in sorted(letters - {index, letter, SUMMED}))}}}"
+
+
+def is_among(letter: str, symbols: Iterable[str]) -> bool:
+    """Whether a symbol is among others, or among those over which one of them is summed."""
+    letter, own = split_symbol(letter)[0], letter
+    return any(each == own or (SUMMED in each and split_symbol(each)[0] == letter) for each in symbols)
 
 
 def index_of(name: str) -> str:

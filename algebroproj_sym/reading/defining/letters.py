@@ -284,8 +284,9 @@ class _Reader:
             self._applied.remove(function)
 
     def may_be_square(self, symbol: str) -> bool:
-        """Whether a letter is a bold capital of which nothing says the size."""
-        return _TABLE.search(symbol) is not None and self._vocabulary.size_of(symbol) is None
+        """Whether a letter is a bold capital, or one that is called a matrix, of which nothing says the size."""
+        named = re.match(r"[A-Z]", symbol) is not None and self._vocabulary.is_matrix(symbol)
+        return (named or _TABLE.search(symbol) is not None) and self._vocabulary.size_of(symbol) is None
 
     def whole(self, name: str, arguments: list[_Part], shape: Shape, *, is_call: bool = False) -> _Part:
         """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text."""

@@ -87,39 +87,41 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
 
 def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
-    return _called(statements, rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|sets?|events?|groups?)")
+    return called(statements, rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|sets?|events?|groups?|maps?)")
 
 
 def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors or matrices: what is added to them is one, too."""
-    return _called(statements, rf"(?:{_VECTORS})")
+    return called(statements, rf"(?:{_VECTORS})")
 
 
 def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
     r"""Return the symbols that are said to be complex, in words or as in ``z \in \mathbb{C}``."""
     every = tuple(statements)
-    members = (symbol for each in every if (match := _COMPLEX.match(each.latex)) for symbol in _symbols(match[1]))
-    return _called(every, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | {*members}
+    members = (
+        symbol for each in every if (match := _COMPLEX.match(each.latex)) for symbol in symbols_in_list(match[1])
+    )
+    return called(every, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | {*members}
 
 
-def _called(statements: Iterable[Statement], things: str) -> frozenset[str]:
+def called(statements: Iterable[Statement], things: str) -> frozenset[str]:
     """Return the symbols that words before or behind them call by a name."""
     is_before = re.compile(
         rf"(?:\b{things}|{_THE}{things} (?:is|are|be))\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE
     )
     is_behind = re.compile(
         r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*"
-        rf"(?:is|are|denotes?|be|represents?)\s+(?:[a-zA-Z-]+ ){{0,3}}{things}\b",
+        rf"(?:is|are|denotes?|be|represents?)\s+(?:(?:[a-zA-Z-]+|\$[^$]*\$) ){{0,3}}{things}\b",
         re.IGNORECASE,
     )
     found = set[str]()
     for each in statements:
-        if each.display.environment == "inline":
+        if each.display.environment == "inline" and not each.latex.lstrip().startswith(r"\{"):
             before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
-            if each.latex.lstrip().startswith(r"\{") or ("=" in each.latex and _SET.search(before)):
+            if "=" in each.latex and _SET.search(before):
                 continue
             if is_before.search(before[-200:]) or is_behind.match(after):
-                found |= {*_symbols(each.latex.partition("=")[0])}
+                found |= {*symbols_in_list(each.latex.partition("=")[0])}
     return frozenset(found)
 
 
@@ -135,17 +137,17 @@ def _sizes(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[int, in
         if _is_denied(each):
             continue
         if match := _SPACE_OF.match(each.latex):
-            yield from ((symbol, (int(match[2]), int(match[3] or 1))) for symbol in _symbols(match[1]))
+            yield from ((symbol, (int(match[2]), int(match[3] or 1))) for symbol in symbols_in_list(match[1]))
         elif match := _ROTATIONS.match(each.latex):
-            yield from ((symbol, (int(match[2]), int(match[2]))) for symbol in _symbols(match[1]))
+            yield from ((symbol, (int(match[2]), int(match[2]))) for symbol in symbols_in_list(match[1]))
 
 
 def _properties(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[str, ...]]]:
     for each in statements:
         if match := _ROTATIONS.match(each.latex):
-            yield from ((symbol, ("rotation",)) for symbol in _symbols(match[1]) if not _is_denied(each))
+            yield from ((symbol, ("rotation",)) for symbol in symbols_in_list(match[1]) if not _is_denied(each))
         elif each.display.environment == "inline" and (kind := _kind_of(each)):
-            yield from ((symbol, (kind,)) for symbol in _symbols(each.latex, 1) if "dot" not in symbol)
+            yield from ((symbol, (kind,)) for symbol in symbols_in_list(each.latex, 1) if "dot" not in symbol)
 
 
 def _is_denied(statement: Statement) -> bool:
@@ -168,7 +170,7 @@ def _kind_of(statement: Statement) -> str:
     return "" if kind in _ADJECTIVES and not match[0].strip().endswith("matrix") else kind
 
 
-def _symbols(latex: str, most: int = 9) -> Iterator[str]:
+def symbols_in_list(latex: str, most: int = 9) -> Iterator[str]:
     """Yield the symbols of a list such as ``a, b``, if it has no more than so many and nothing else."""
     parts = latex.split(",")
     for part in parts if len(parts) <= most else ():

@@ -33,6 +33,8 @@ MOST_VALUES = 30
 """How many values that are given are put in, one into the other."""
 MOST_NEAR = 3
 """How many equations before one may be premises of it, though words beside them speak of a case."""
+MOST_TOGETHER = 6
+"""Under how many equations before one it may hold together, besides those that it names."""
 _CITED = re.compile(
     r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\{(?:eq|numref)\}`([^`]*)`|\((\d+(?:\.\d+)*[a-z]?)\)"
 )
@@ -176,9 +178,9 @@ def applicable(premises: Sequence[Premise], part: int, cited: frozenset[str]) ->
     ]
 
 
-def neighbours(premises: Sequence[Premise], part: int, cited: frozenset[str]) -> list[Premise]:
-    """Return the premises from which a letter may be found that stands alone on no side: the last, and those cited."""
-    near = [each for each in premises[-MOST_NEAR:] if each.part == part]
+def neighbours(premises: Sequence[Premise], part: int, cited: frozenset[str], most: int = MOST_NEAR) -> list[Premise]:
+    """Return the last premises of a section, from the last one on, and those cited."""
+    near = [each for each in premises[-most:] if each.part == part]
     named = [each for each in premises if each.names & cited]
     return list(dict.fromkeys([*near[::-1], *named]))
 

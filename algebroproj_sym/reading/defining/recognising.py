@@ -83,6 +83,16 @@ def is_circular(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:
     return symbol in used | {*symbols_in(value)} | vocabulary.letters_of(value)
 
 
+def is_update(left: Formula, right: Formula) -> bool:
+    """Whether the right side adds to the letter on the left, or multiplies it, as in ``x = x - a g``: no equation."""
+    given = defined_by(left)
+    terms = [each for each in right.children if isinstance(each, Tree)] if right.data == "sum" else [right]
+    factors = (each.children if each.data in ("run", "product") else [each] for each in terms)
+    return bool(given[0]) and any(
+        defined_by(each) == given for parts in factors for each in parts if isinstance(each, Tree)
+    )
+
+
 def computes(definition: Definition, vocabulary: Vocabulary) -> bool:
     """Whether what a definition says is a value or a function, and not only read."""
     if definition.parameters:

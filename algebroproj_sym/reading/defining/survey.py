@@ -12,12 +12,14 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
+from algebroproj_sym.reading.defining.meanings import Meanings, dependences, functions_called
 from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in, vectors_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import Document
+from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
@@ -46,7 +48,7 @@ class Survey:
     def statements(self) -> tuple[Statement, ...]:
         """All statements in the order of the document, also those within the text."""
         order = {id(each): place for place, each in enumerate(self.document.formulas)}
-        every = [*statements(self.document), *inline_statements(self.document)]
+        every = named([*statements(self.document), *inline_statements(self.document)])
         return tuple(sorted(every, key=lambda each: order[id(each.display)]))
 
     @cached_property
@@ -59,7 +61,7 @@ class Survey:
             except UnreadableError:
                 continue
             found |= {str(token) for token in tokens if token.type == "CALLEE"}
-        return frozenset(found)
+        return functions_called(self.statements).union(found)
 
     @cached_property
     def _first(self) -> dict[int, Parsed | UnreadableError]:
@@ -124,7 +126,20 @@ class Survey:
             if isinstance(formula, Parsed) and not {*EQUALITIES}.isdisjoint(formula.relations):
                 sides = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
                 ties += ties_of(*defined_by(sides[0]), sides, before)
+        ties += (Tie(letter, frozenset((other,)), True) for letter, other in dependences(self.statements))
+        ties += (
+            Tie(letter, frozenset(of), True)
+            for each in self.formulas.values()
+            if isinstance(each, Parsed) and len(each.sides) == 1
+            for letter, of in (defined_by(each.sides[0]),)
+            if of
+        )
         return Dependence(tuple(ties))
+
+    @cached_property
+    def meanings(self) -> Meanings:
+        """What words say of letters and signs."""
+        return Meanings(self.statements, tuple(_sides(self.formulas)))
 
     @cached_property
     def restricted(self) -> frozenset[str]:

@@ -16,7 +16,9 @@ from algebroproj_sym.expressions import entries, over, shape, text
 from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.letters import FREE, MOST_TERMS, WHOLE, base_of, require_no_value
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import slope_of
 
 _COUNTED = re.compile(r"\\sum_\{[a-z]=(0(?=.*-1)|[01](?!.*-1))\}\^\{([a-zA-Z](?:_\w)?)(-1)?\}")
 """From 1 to n, from 0 to n, or from 0 to n - 1: n is a number 0, 1, 2, ..."""
@@ -29,11 +31,37 @@ class Uncomputed:
         self._vocabulary = vocabulary
         self._letters: dict[str, frozenset[str]] = {}
         self._first: dict[str, str] = {}
+        self._sums: dict[str, tuple[str, Any]] = {}
 
-    def require_none(self, value: Any) -> None:
-        """Refuse an expression in which one of these letters stands: on what it depends is not known."""
-        if any(symbol.name in self._letters for entry in entries(value) for symbol in entry.free_symbols):
-            raise UnreadableError("the derivative of a sum, an integral or a function in it is not computed")
+    def slope(self, value: Any, variable: Any) -> Any:
+        """Return a derivative: that of a sum is the sum of the derivatives of its terms."""
+        slopes: dict[Any, Any] = {}
+        for symbol in {symbol for entry in entries(value) for symbol in entry.free_symbols}:
+            if symbol.name in self._sums:
+                name, body = self._sums[symbol.name]
+                self._require_apart(name, body, variable)
+                slopes[symbol] = self.big(name, self.slope(body, variable))
+            elif symbol.name in self._letters:
+                raise UnreadableError("the derivative of an integral or a function in it is not computed")
+        found = slope_of(value, variable)
+        for symbol, slope in slopes.items():
+            found += slope_of(value, symbol) * slope
+        return found
+
+    def _require_apart(self, name: str, body: Any, variable: Any) -> None:
+        """Refuse the derivative of a sum by a letter that changes with its index, or is one of many of its name."""
+        letter, _, below, above = split_symbol(self._vocabulary.symbol_of(variable.name))
+        scripts = letters_in(f"{below} {above}")
+        others = [self._vocabulary.symbol_of(each) for each in _names(body) - {variable.name}]
+        for other in others:
+            like, _, *theirs = split_symbol(other)
+            alike = letter in letters_of_symbol(other) and not (like == letter and "".join(theirs).isdigit())
+            if ANY in letters_of_symbol(other) or alike:
+                raise UnreadableError(f"{self._vocabulary.name(other)} in a sum may depend on {variable.name}")
+        if scripts or {letter, *_names(variable)} & (
+            letters_in(name) | self._vocabulary.dependence.related(index_of(name))
+        ):
+            raise UnreadableError(f"{variable.name} may depend on the index of a sum")
 
     def call(self, name: str, arguments: Sequence[Any]) -> Any:
         """Return the value of a function that nothing defines."""
@@ -105,7 +133,10 @@ class Uncomputed:
 
     def _whole(self, name: str, body: Any) -> Any:
         letters = (self._on(body) | letters_in(name)) - {index_of(name)}
-        return self._letter(f"{name} {text(body)}", WHOLE, letters)
+        found = self._letter(f"{name} {text(body)}", WHOLE, letters)
+        if index_of(name):
+            self._sums[found.name] = name, body
+        return found
 
     def _letter(self, key: str, kind: str, letters: frozenset[str]) -> Any:
         name = self._vocabulary.name(f"{kind} {key}")

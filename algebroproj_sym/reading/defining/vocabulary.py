@@ -13,7 +13,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
-from algebroproj_sym.reading.defining.dependence import Dependence
+from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free_symbols, is_among
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
@@ -225,10 +225,14 @@ class Vocabulary:
     def behind(self, symbol: str) -> frozenset[str]:
         """Return a symbol with all on which it may depend: what stands in equations with it alone on the left."""
         found, waiting = {symbol}, [symbol]
+        given = {*self.definitions, *self.dependence.equated}
         while waiting:
             last = waiting.pop()
-            definition = self.definitions.get(last)
-            more = ({*definition.symbols} if definition else set()) | self.dependence.equated.get(last, frozenset())
+            more: set[str] = set()
+            for each in (one for one in given if is_among(one, (last,))) if SUMMED in last else (last,):
+                more |= self.dependence.equated.get(each, frozenset())
+                if each in self.definitions:
+                    more |= free_symbols(self.definitions[each].tree)
             waiting += more - found
             found |= more
         return frozenset(found)
@@ -236,7 +240,7 @@ class Vocabulary:
     def depends(self, symbols: Iterable[str], letter: str) -> bool:
         """Whether some symbols may depend on a letter: by equations, or as ``p(y|x)`` does on x."""
         behind = frozenset().union(*(self.behind(each) for each in symbols))
-        return letter in behind or stands_within(letter, behind)
+        return is_among(letter, behind) or stands_within(letter, behind)
 
     def symbol_of(self, name: str) -> str:
         """Return the symbol that has a name; the name itself if it is that of no symbol alone."""

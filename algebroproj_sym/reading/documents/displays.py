@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -35,9 +35,16 @@ _CODE = re.compile(
 _INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
 _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 """Code within a line; what a role of MyST cites is none."""
+_HIDDEN = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_STRUCK = re.compile(r"\\(?:sout|st)\{(?:[^{}]|\{[^{}]*\})*\}")
+_STRUCK_IN_MARKDOWN = re.compile(
+    r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike)>.*?</\1>|" + _STRUCK.pattern, re.DOTALL
+)
+"""What an author takes back."""
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
+_SPACED = re.compile(r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*)\((\d[\d.]*[a-z]?)\)\s*$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
 
@@ -187,7 +194,10 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     """
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbers = lines or tuple(range(1, len(starts) + 1))
-    plain = _without_code(_without_comments(text)) if latex else _CODE_IN_LINE.sub(_uncited, _without_blocks(text))
+    if latex:
+        plain = _STRUCK.sub(_blank, _without_code(_without_comments(text)))
+    else:
+        plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, text))))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -345,11 +355,25 @@ def _own_environments(macros: Mapping[str, Macro]) -> tuple[dict[str, str], dict
 
 
 def tag_of(latex: str, after: str) -> str:
-    """Return the number that an author gives a formula, by a tag or in brackets behind it; empty for none."""
-    if tag := _TAG.search(latex):
+    """Return the number that an author gives a formula: by a tag, or in brackets behind it; empty for none."""
+    if tag := _TAG.search(latex) or _SPACED.search(latex):
         return tag[1].strip()
     following = _FOLLOWING.match(after)
     return following[1] if following else ""
+
+
+def without_number(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    """Return the pieces of a row without a number in brackets that wide spaces set apart at its end."""
+    match = _SPACED.search("".join(piece.text for piece in pieces))
+    if match is None:
+        return pieces
+    rest, end = [], match.start()
+    for piece in pieces:
+        end -= len(piece.text)
+        if end < 0:
+            break
+        rest.append(piece)
+    return rest
 
 
 def label_of(latex: str) -> str:
@@ -360,7 +384,8 @@ def label_of(latex: str) -> str:
 
 def _notebook(path: Path, text: str) -> Document:
     try:
-        cells = json.loads(text)["cells"]
+        book = json.loads(text)
+        cells = book["cells"] if "cells" in book else [cell for sheet in book["worksheets"] for cell in sheet["cells"]]
         sources = [cell["source"] for cell in cells if cell["cell_type"] == "markdown"]
         parts = [part if isinstance(part, list) else part.splitlines(keepends=True) for part in sources]
         written = [line for part in parts for line in [*(str(each).rstrip("\n") for each in part), ""]]

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of
+from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of, without_number
 from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING, RELATIONS
 from algebroproj_sym.reading.lexing.pieces import Piece, outside_environments, split_pieces
 
@@ -21,7 +21,15 @@ _BEGINS = re.compile(r"\b(?:if|when|for|cases?|unless|provided|suppos\w+|assum\w
 """Words before an equation that are a condition of it."""
 _IF = re.compile(r"\b(?:if|when|for|unless)\s*$", re.IGNORECASE)
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
-_ARROWS = (r"\Rightarrow", r"\Longrightarrow", r"\implies", r"\Leftrightarrow", r"\Longleftrightarrow", r"\iff")
+_ARROWS = (
+    r"\Rightarrow",
+    r"\Longrightarrow",
+    r"\implies",
+    r"\therefore",
+    r"\Leftrightarrow",
+    r"\Longleftrightarrow",
+    r"\iff",
+)
 _SPACES = (r"\;", r"\:", r"\,", r"\ ", "~", *_WIDE)
 _MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
 _IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
@@ -123,7 +131,7 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
     if not display.pieces:
         yield [display.latex], [([], "")]
         return
-    rows = split_pieces(_flat(display.pieces), (r"\\",), brackets=False)
+    rows = [[*without_number(row)] for row in split_pieces(_flat(display.pieces), (r"\\",), brackets=False)]
     latex = [*_rows_of(display)]
     if display.environment in ("multline", "dmath"):
         rows = [[piece for row in rows for piece in row]]
@@ -191,7 +199,8 @@ def _behind_words(row: list[Piece], bare: Sequence[Piece]) -> list[Piece]:
     r"""Return a row without its first words if it goes on with a relation, as ``\text{or} &= a`` does."""
     end = _group_end(bare, 1)
     rest = _without_idle(bare[end:])
-    return row[row.index(rest[0]) :] if rest and _is_relation(rest[0].text) else row
+    begins = rest and _is_relation(rest[0].text) and not _names(_text_of(bare[1:end]))
+    return row[row.index(rest[0]) :] if begins else row
 
 
 def _goes_on(before: Sequence[Piece], row: Sequence[Piece]) -> bool:
@@ -232,6 +241,8 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
             if part and begun and not statements and _IF.search(begun[-1]):
                 begun.append(_text_of(part))
                 part = []
+            if part and _has_relation(part) and statements and statements[-1][1] == ["and"]:
+                statements[-1][1].clear()
             bracketed = part and part[0].text == "(" and part[-1].text == ")" and _has_relation(part)
             if part and statements and (bracketed or _OPENS.search(statements[-1][1][-1] if statements[-1][1] else "")):
                 statements[-1][1].append("".join(piece.text for piece in part))
@@ -330,12 +341,27 @@ def _is_script(before: Sequence[Piece]) -> bool:
     return last in ("^", "_")
 
 
+def _names(words: str) -> bool:
+    r"""Whether words before a relation name what is equal, as in ``\text{error} = a - b``, and do not lead to it."""
+    found = re.fullmatch(r"[a-zA-Z][\w.]*(?:[ ~-]+\w+){0,3}", words.strip(" {}~"))
+    return found is not None and _LEADS.search(words) is None
+
+
+_LEADS = re.compile(
+    r"\b(?:and|or|if|for|when|where|with|so|thus|hence|then|but|also|since|because|by|from|using|as|therefore|"
+    r"that|i\.?e|is|are|gives?|yields?|equals?|we|have|get|be|let|again|finally|now|to|of course|otherwise|else)\b",
+    re.IGNORECASE,
+)
+
+
 def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> bool:
     r"""Whether words stand in a formula, as in ``3 \text{ m} + 4 \text{ m}``."""
     last = next((piece.text for piece in reversed(before) if not piece.text.isspace()), "")
     if last in ("+", "-") or last in RELATIONS:
         return words not in _BETWEEN
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
+    if following in RELATIONS and not _without_idle(before) and _names(words):
+        return True
     goes_on = following in ("+", "-", "/", r"\cdot", r"\times") or following in RELATIONS
     return goes_on and any(not piece.text.isspace() for piece in before) and words not in _BETWEEN
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from algebroproj_sym.reading.lexing.commands import CLOSING, MAX_PIECES, OPENING, RELATIONS, SIGNS
+from algebroproj_sym.reading.lexing.commands import CLOSING, FUNCTIONS, MAX_PIECES, OPENING, RELATIONS, SIGNS
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, outside_environments, pieces_of, split_pieces
 
 _BOXES = frozenset((r"\mbox", r"\hbox", r"\textnormal", r"\textup", r"\textsf", r"\text", r"\textrm"))
@@ -28,6 +28,7 @@ _BAR = {
 _ROOM = frozenset((r"\hskip", r"\kern", r"\mskip", r"\mkern", r"\hspace", r"\hspace*"))
 _ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
 _LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
+_SKIP = re.compile(r"\*?\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
 _CONNECTIVES = re.compile(r"(?:if|for|and|or|where|when|with|otherwise|else|on|at|as|then|subject to|s\.t\.)\W*")
 _NAME = re.compile(r"[A-Z][a-zA-Z]{0,9}")
 """Words that name a function, as in ``\\text{Pr}(A)``."""
@@ -79,7 +80,9 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             out += waiting.group()
         elif text in _BOXES and waiting.next == "{":
             inside = waiting.group()
-            if _NAME.fullmatch("".join(each.text for each in inside)) and waiting.next in ("(", "["):
+            name = "".join(each.text for each in inside)
+            called = _NAME.fullmatch(name) and waiting.next in ("(", "[")
+            if called or (name in FUNCTIONS and waiting.next in ("(", "[", r"\{", r"\left")):
                 waiting.put([_as(piece, r"\mathrm"), *_braced(piece, inside)])
                 continue
             formulas = _formulas_in(inside)
@@ -120,6 +123,8 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             out.append(_as(piece, r"\ldots"))
         elif text != r"\_":
             out.append(piece)
+            if text == r"\\":
+                waiting.skip()
         if len(out) + len(waiting) > MAX_PIECES:
             raise UnreadableError(f"expected a formula of at most {MAX_PIECES} pieces, got more", piece.place)
     return _system(out)
@@ -224,6 +229,11 @@ class _Waiting(list[Piece]):
             place -= 1
             depth += (self[place].text == "{") - (self[place].text == "}")
         self.insert(place + 1 if depth < 0 else 0, _as(piece, "}"))
+
+    def skip(self) -> None:
+        r"""Go over the length behind ``\\``, as in ``\\[1ex]``."""
+        if match := _SKIP.match("".join(each.text for each in self[-1:-20:-1])):
+            del self[-len(pieces_of(match.group())) :]
 
     def length(self) -> None:
         r"""Go over a length, as behind ``\hskip`` and ``\hspace``."""

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
+from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
+    MOST_TOGETHER,
     Premise,
     applicable,
     cited_in,
@@ -29,6 +31,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_named,
     is_one_value,
     is_table,
+    is_update,
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -49,13 +52,13 @@ from algebroproj_sym.reading.judging.questions import (
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.words import (
     CASES,
-    CONDITIONAL,
-    DEFINES,
     SAYS,
     Beside,
     beside,
     has_ended,
+    is_given_within,
     last_sentence,
+    takes_back,
     words_of,
 )
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -164,17 +167,39 @@ class _Pass:
         display = statement.display
         same_part = self.beside.part == display.part
         if display is not self.display:
+            if self.display is not None and takes_back(display.before):
+                self._retract(self.display)
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         self.display = display
         self.beside = beside(statement, self.carried)
         self._stand_at(display)
+        for symbol in self.beside.changed:
+            self._forget(symbol)
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
 
+    def _retract(self, display: Display) -> None:
+        """Forget what a display said."""
+        self.premises = [each for each in self.premises if each.place != display.place]
+        self._drop(each.symbol for each in self.vocabulary.definitions.values() if each.place == display.place)
+
+    def _forget(self, symbol: str) -> None:
+        """Forget what was said of a letter, and with it."""
+        self.premises = [each for each in self.premises if symbol not in each.symbols]
+        self._drop(
+            each.symbol for each in self.vocabulary.definitions.values() if symbol in (each.symbol, *each.symbols)
+        )
+
+    def _drop(self, symbols: Iterable[str]) -> None:
+        for symbol in [*symbols]:
+            if symbol in self.vocabulary.definitions:
+                self.vocabulary.drop(symbol)
+
     def _stand_at(self, display: Display) -> None:
         """Take in where an equation holds: what one before it says goes on, up to the next heading."""
-        own = context_of(last_sentence(display.before))
+        behind = display.after if display.environment == "inline" else ""
+        own = context_of(last_sentence(display.before), behind)
         self.context = own if own.kind or self.part != display.part else self.context
         self.part = display.part
 
@@ -182,8 +207,11 @@ class _Pass:
         return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
+        if self.survey.meanings.reason(statement, formula):
+            return
         before, sentence = statement.display.before, last_sentence(statement.display.before)
-        says = DEFINES.search(before) and not CONDITIONAL.search(sentence)
+        number = not any(map(symbols_in, formula.sides[1:]))
+        says = is_given_within(before, number=number) and not beside(statement, "").is_denied
         self._stand_at(statement.display)
         if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
             definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
@@ -231,6 +259,10 @@ class _Pass:
         links: list[Link] = []
         asked: list[Asked] = []
         self._listen(statement)
+        if reason := self.survey.meanings.reason(statement, found):
+            self._note(statement, found)
+            links = [Link("not decided", reason)] * max(1, len(found.relations))
+            return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), []
         definition = self._definition(statement, found, explicit=False)
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None:
@@ -298,11 +330,16 @@ class _Pass:
             made = Definition(*given, place=self.beside.place, words=words, context=self.context)
             self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
 
+    def _is_of_one_index(self, formula: Parsed) -> bool:
+        """Whether an equation with an index holds for one value of it, which the words give."""
+        symbols = (symbol for side in formula.sides for symbol in symbols_in(side))
+        return bool(self.context.fixed) and any(self.context.fixed in letters_of_symbol(each) for each in symbols)
+
     def _assert(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
         """Keep an equation as a premise of what stands behind it."""
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
-        if self.beside.is_denied:
+        if self.beside.is_denied or is_update(*formula.sides[:2]) or self._is_of_one_index(formula):
             return
         sides = formula.sides[defines:]
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
@@ -326,6 +363,8 @@ class _Pass:
         left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
         symbol, parameters = defined_by(left)
         if not symbol or self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
+            return None
+        if self._is_of_one_index(formula):
             return None
         explicit = explicit or relation in (":=", "=:") or self._named(statement, self.given.definitions)
         table = is_table(symbol, right, self.vocabulary)
@@ -473,19 +512,31 @@ class _Pass:
     def _under_equations(
         self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
     ) -> Iterator[Way]:
-        """Yield a relation under the equations just above it, and cited ones, that speak of its letters alone."""
+        """Yield a relation under near or cited equations above it: those of its letters alone, or all tied to it.
+
+        All are taken together only where words, an arrow or a citation say that it follows.
+        """
+        if any(each.parameters for each in used_by(vocabulary, left, right)):
+            return
         letters = vocabulary.letters_of(left) | vocabulary.letters_of(right)
-        near = neighbours(self._serving, statement.display.part, self._cited)
-        under = tuple(
-            each
-            for each in near
-            if each.gives is None
-            and not (each.special or each.chained)
-            and (known := vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right))
-            and known <= letters
-        )
-        if under and not any(each.parameters for each in used_by(vocabulary, left, right)):
-            yield Way(left, right, vocabulary, under=under)
+        near = neighbours(self._serving, statement.display.part, self._cited, MOST_TOGETHER)
+        speaks = {each: vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right) for each in near}
+        asserted = [each for each in near if not each.special]
+        alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
+        if alone:
+            yield Way(left, right, vocabulary, under=alone)
+        tied = set(letters)
+        together: list[Premise] = []
+        while self._follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
+            tied = tied.union(*(speaks[each] for each in more))
+            together += more
+        if together and tuple(together) != alone:
+            yield Way(left, right, vocabulary, under=tuple(together))
+
+    @property
+    def _follows(self) -> bool:
+        """Whether an equation is said to follow from those above it: by words, an arrow or a citation."""
+        return self.beside.follows or bool(self._cited)
 
     def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
         """Yield a relation as it stands, of letters of which nothing is known but their sizes.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
@@ -159,6 +160,9 @@ def _with_signs(tree: Formula, upper: bool) -> Formula:
     return Tree(tree.data, parts)
 
 
+_UNASKED = (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError)
+
+
 def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question] | str:
     """Return the questions, or why there are none."""
     try:
@@ -176,22 +180,22 @@ def _with_values(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
     """Return the questions in which sums, integrals and values of functions are letters; none if there are vectors."""
     try:
         return questions_of(with_values(vocabulary), left, right)
-    except (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+    except _UNASKED:
         return []
 
 
 def _asked_under(way: Way) -> list[Question] | str:
     """Return the questions of a way, with the equations under which it is to hold as constraints."""
-    questions = asked_of(way.vocabulary, *way.sides)
-    if isinstance(questions, str) or not way.under:
-        return questions
-    constraints: list[str] = []
-    for each in way.under:
-        asked = asked_of(way.vocabulary, each.left, each.right)
-        if isinstance(asked, str) or not all(map(_is_rational, [*asked, *questions])):
-            return "what it may rest on is not rational"
-        constraints += [f"{one.lhs} = {one.rhs}" for one in asked]
-    return [replace(question, constraints=tuple(constraints)) for question in questions]
+    if not way.under:
+        return asked_of(way.vocabulary, *way.sides)
+    for known in (way.vocabulary, with_values(way.vocabulary)):
+        with suppress(*_UNASKED):
+            questions = questions_of(known, *way.sides)
+            given = [one for each in way.under for one in questions_of(known, each.left, each.right)]
+            if all(map(_is_rational, [*questions, *given])):
+                constraints = tuple(f"{one.lhs} = {one.rhs}" for one in given)
+                return [replace(question, constraints=constraints) for question in questions]
+    return "what it may rest on is not rational"
 
 
 def _is_rational(question: Question) -> bool:

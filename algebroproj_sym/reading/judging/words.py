@@ -6,6 +6,8 @@ import re
 from collections.abc import Collection
 from dataclasses import dataclass
 
+from algebroproj_sym.reading.defining.contexts import without_steps
+from algebroproj_sym.reading.defining.phrases import symbols_in_list
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 
@@ -28,10 +30,22 @@ CONDITIONAL = re.compile(
 )
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
 _DENIED = re.compile(
-    r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|"
-    r"not (?:true|equal|hold|follow|valid|correct|the case))\b",
+    r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|refuted|dispro\w+|absurd|"
+    r"(?:a|was) slip|typo|misprint\w*|erratum|errata|impossible|contradict\w*|invalid|untenable|neither|nor|no longer|"
+    r"naive\w*|tempt\w+|sign error|in error|ceases?|fails? (?:to hold|in general)|"
+    r"(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
+    r"if only|earlier (?:version|draft|edition)|(?<!one )(?:writes|claims|asserts|believes|claimed|believed|wrote)|"
+    r"not (?:true|equal|hold|follow|valid|correct|right|the case))\b",
     re.IGNORECASE,
 )
+"""Words by which an equation in their sentence is not asserted."""
+_OF_IT = re.compile(
+    r"\s*(?:(?:but|however|yet|and),? )?(?:this|that|it|which|the (?:claim|formula|equation|result)|ours?|erratum|"
+    r"corrig\w+|(?:in |equation )?\(\d+\)|(?:in |equation )?\\eqref\S+)\b",
+    re.IGNORECASE,
+)
+"""How a sentence begins that speaks of the equation before it."""
+_OTHERWISE = re.compile(r"\b(?:opposite|the other way round|read\s+\$[^$]*\$\s+for)\b|\bread\s+\$", re.IGNORECASE)
 _NOT_QUITE = re.compile(
     r"\b(?:approximat\w*|neglect\w*|limit\w*|setting|equilibrium|at rest|steady|stationary|extrem\w+|absence|ignor\w+|"
     r"drop\w*|false|without|except)\b",
@@ -50,15 +64,18 @@ _ASSERTS = re.compile(
 )
 _GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
 HENCE = re.compile(
-    r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|we (?:get|obtain|find|have|arrive)|gives?|"
-    r"giving|yields?|yielding|becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
-    r"resulting|leads? to|leading to|simplif\w+|that is|in other words|equivalent\w*|impl(?:y|ies|ying)|"
+    r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|gives?|"
+    r"(?:we|you|one) (?:gets?|obtains?|finds?|ha(?:ve|s)|arrives?)|giving|yields?|yielding|"
+    r"becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
+    r"resulting|leads? to|leading to|simplif\w+|that is|in other words|equivalent\w*|impl(?:y|ies|ying)|replacing|"
     r"differentiat\w+|expanding|rewrit\w+|reduces? to|turns into|as a result|be (?:written|expressed)|is expressed)\b",
     re.IGNORECASE,
 )
 """Words by which an equation is said to follow from what is above it."""
 DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is a definition."""
+_DIRECTLY = re.compile(r"\W*(?:where|with|here|and|let|put|set|define|denote)\b", re.IGNORECASE)
+_LETS = re.compile(r"\b(?:let|put|set|defin\w+|denot\w+)\W*$", re.IGNORECASE)
 SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is one, if nothing else in the document gives its letter."""
 
@@ -186,6 +203,11 @@ class Beside:
         """The formulas of which the words before say what they are."""
         return frozenset(re.sub(r"[{}\s]", "", each) for each in _RENAMED.findall(self.before))
 
+    @property
+    def changed(self) -> frozenset[str]:
+        """The letters that the words before give another meaning, as in "from here on $b$ is half of it"."""
+        return frozenset(symbol for each in _CHANGED.findall(self.before) for symbol in symbols_in_list(each))
+
     def strange(self, known: Collection[str]) -> str:
         """Return a word of the sentence that is none of a derivation, and that is not known; empty for none."""
         behind = "" if _NEW_SENTENCE.match(self.behind) else _CLAUSE.split(self.behind)[0]
@@ -198,8 +220,33 @@ def beside(statement: Statement, carried: str) -> Beside:
     last = last_sentence(display.before)
     sentence = f"{carried} {last}" if last == display.before.rstrip() else last
     behind, *rest = [""] if has_ended(display) else re.split(r"[.]\s", display.after)
-    words = sentence, display.before[-NEAR:], behind[:NEAR], statement.condition
-    return Beside(*words, statement.implied, display.part, display.place, bool(rest))
+    own, before, after = map(without_steps, (sentence, display.before[-NEAR:], behind[:NEAR]))
+    place = display.part, display.place, bool(rest)
+    return Beside(own, before, after, statement.condition, statement.implied, *place)
+
+
+def is_given_within(words: str, *, number: bool) -> bool:
+    """Whether words before an inline formula say that it is a definition.
+
+    Where it gives a number, they begin the sentence: "where $b = 0$", and not "lines with $b = 0$".
+    """
+    sentence = last_sentence(words)
+    if number and not (_DIRECTLY.match(sentence) or _LETS.search(words)):
+        return False
+    return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
+
+
+def takes_back(words: str) -> bool:
+    """Whether the words between two displays begin with a sentence by which the first one does not hold.
+
+    Examples
+    --------
+    >>> takes_back("This is wrong. We have"), takes_back("It cannot be that"), takes_back("This is $s$.")
+    (True, False, False)
+    """
+    remark = re.match(r"\W*([^.!]*)[.!](?=\s|$)", words.removeprefix("$"))
+    said = remark[1] if remark else ""
+    return bool(_OF_IT.match(said) and (_DENIED.search(said) or _OTHERWISE.search(said)))
 
 
 def has_ended(display: Display) -> bool:
@@ -269,6 +316,12 @@ _FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
+_CHANGED = re.compile(
+    r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
+    r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
+    r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b",
+    re.IGNORECASE,
+)
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")
 _WORD = re.compile(r"[^\W\d_]{2,}")

@@ -268,6 +268,8 @@ def _take_factorial(cursor: Cursor) -> None:
         while cursor.text != "!":
             cursor.index += 1
         cursor.index += 1
+        if cursor.peek() == "!":
+            raise cursor.fail("a double factorial is not read")
 
 
 def _take_bracket(cursor: Cursor) -> list[Piece]:

@@ -168,6 +168,8 @@ def _read_operator(cursor: Cursor) -> None:
         if cursor.text == "[":
             cursor.option()
         return
+    elif text == "!" and cursor.out and cursor.out[-1].type == "FACTORIAL":
+        raise cursor.fail("a double factorial is not read")
     elif text in kinds:
         cursor.emit(kinds[text], text)
     elif text in ELLIPSES and cursor.functions is not None:

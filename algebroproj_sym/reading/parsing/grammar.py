@@ -213,8 +213,8 @@ class Values(Protocol):
     def known(self, name: str, arguments: Sequence[Any]) -> Any:
         """Return the value of a function that is known, and not computed."""
 
-    def require_none(self, value: Any) -> None:
-        """Refuse an expression in which there is such a value."""
+    def slope(self, value: Any, variable: Any) -> Any:
+        """Return a derivative of an expression with such values."""
 
 
 def evaluated(tree: Formula, names: Names, values: Values | None = None) -> Expression:
@@ -352,9 +352,7 @@ class _Expressions(_Gathering):
         return _marked(base, str(mark))
 
     def slope(self, value: Any, variable: Any) -> Any:
-        if self.values is not None:
-            self.values.require_none(value)
-        return _slope(value, variable)
+        return slope_of(value, variable) if self.values is None else self.values.slope(value, variable)
 
     def factorial(self, base: Any) -> Any:
         if not isinstance(base, sympy.Integer) or not 0 <= base <= MOST_FACTORIAL:
@@ -520,7 +518,7 @@ def _short(number: Any) -> str:
 _SMOOTH = (sympy.sin, sympy.cos, sympy.tan, sympy.exp, sympy.log, sympy.sinh, sympy.cosh, sympy.atan, over)
 
 
-def _slope(value: Any, variable: Any) -> Any:
+def slope_of(value: Any, variable: Any) -> Any:
     """Return a derivative; every function in it has one wherever it is defined, a root wherever it is not zero."""
     for entry in entries(value):
         functions = all(isinstance(part, _SMOOTH) for part in entry.atoms(sympy.Function))

@@ -1,0 +1,227 @@
+r"""What words say of letters and signs by which an equation says something else than it looks like.
+
+``y = \sigma(w + b)`` is no product where the text calls σ an activation, and ``x = y`` is no equality of numbers where
+everything is modulo 4.  Such an equation is read, and not decided.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.defining.phrases import called, symbols_in_list
+from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+
+_SIGNS = (
+    (
+        r"\b(?:computations?|calculations?|arithmetic|operations?|integers|numbers|everything)\b[^.]{0,30}\bmodulo\b"
+        r"|\bmodulo \$?\d+\$?(?![\\\w])|\bmodular arithmetic",
+        r"",
+        "numbers may be equal modulo another one",
+    ),
+    (
+        r"\binteger division|\bdivision of integers|\bwithout (?:the )?remainder",
+        r"/|\\[dt]?frac",
+        "a remainder may be lost",
+    ),
+    (
+        r"\blogical (?:or|and|disjunction|conjunction)\b|\bboolean (?:algebra|or|and|sum|product)\b"
+        r"|\b(?:max|min)-plus\b|\btropical\b|\bMinkowski (?:sum|difference)"
+        r"|\bproduct\b[^.$]* is (?:the|their) composition"
+        r"|\$\s*(?:=|\+|/|\\cdot)\s*\$ (?:means|denotes|stands|is)\b",
+        r"",
+        "signs may mean something else than for numbers",
+    ),
+    (
+        r"\bnearest integer|\binteger part|\bfractional part",
+        r"\[|\\\{|\\lbrack|\\lbrace",
+        "a bracket may stand for an integer or a fractional part",
+    ),
+    (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
+    (
+        r"\b(?:repeated|double|twice[- ]occurring) (?:indices|index|subscripts)\b|\bsummation convention\b"
+        r"|\bEinstein(?:'s)? (?:summation|convention|notation)\b",
+        r"_\s*\{?[^}]*[a-z]",
+        "an index may be summed over silently",
+    ),
+    (
+        r"\bas (?:a |an |its |their )?(?:upper )?superscripts?\b|\bupper (?:index|indices)\b"
+        r"|\bsuperscripts? (?:is|are|denotes?|indicates?|labels?|refers?|stands?|numbers?|marks?|identif\w+)\b"
+        r"(?! (?:the )?(?:transpos|invers|conjug|adjoint|power|exponent))",
+        r"\^\s*\{?\s*(?:\d|[a-z])",
+        "what stands above a letter may be an index",
+    ),
+)
+"""What the text says, which LaTeX it concerns, and why an equation with it is not decided."""
+_CHANGES = re.compile(r"/|dot|'")
+_DEGREES = re.compile(r"\b(?:is|are|be|measured|given|expressed|angles?) in degrees\b", re.IGNORECASE)
+_BASES = re.compile(
+    r"\blogarithms? (?:is |are )?(?:taken )?(?:to|of|with) (?:the )?base|\b(?:decadic|common|binary) logarithm",
+    re.IGNORECASE,
+)
+_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
+_FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order-?(?:terms)?|noise|etc\.?")
+"""Names that stand for another thing each time."""
+_ORDER = re.compile(r"(?<![a-zA-Z\\])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\(")
+_DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
+_OPERATORS = r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|operators?|sets?|events?)"
+_FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?|signals?)"
+_NUMBER = re.compile(r"\b(?:ratio|circle|number|constant|half)\b|3\.14")
+_CALLED = re.compile(r"^\s*(?:is|are|be|denotes?|represents?)\b")
+_EACH_TIME = re.compile(
+    r"\$([^$=]*)\$[^.$]*\b(?:constants?)\b[^.$]*"
+    r"\b(?:each time|from (?:one )?(?:line|place|equation) to|not necessarily the same)",
+    re.IGNORECASE,
+)
+_INVERSE = re.compile(
+    r"\$([^$^]+)\^\{?-1\}?\$ (?:be|is|denotes) (?:the |its )?inverse (?:map|mapping|function|transform)\b"
+)
+_MATERIAL = re.compile(r"D|\\mathcal\{D\}")
+_DEPENDS = re.compile(
+    r"\$([^$]+)\$ (?:(?:is|are|be|being|as) (?:an? |the )?(?:\w+ ){0,2}functions? of"
+    r"|(?:depends?|varies|changes) (?:\w+ )?(?:on|with)) (?:the \w+ )?\$([^$]+)\$"
+)
+
+
+def functions_called(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the letters that words call functions: a bracket behind one is its argument."""
+    return called(statements, _FUNCTIONS)
+
+
+def dependences(statements: Iterable[Statement]) -> Iterator[tuple[str, str]]:
+    """Yield the pairs of letters of which the first is said to be a function of the second."""
+    for match in _DEPENDS.finditer(_prose(statements)):
+        yield from ((one, other) for one in symbols_in_list(match[1]) for other in symbols_in_list(match[2]))
+
+
+def _prose(statements: Iterable[Statement]) -> str:
+    displays: dict[int, Display] = {id(each.display): each.display for each in statements}
+    words: list[str] = []
+    for each in displays.values():
+        if each.environment != "inline":
+            words += [each.before]
+    last = [*displays.values()][-1:]
+    return " ".join(" ".join([*words, *(f"{each.before} {each.after}" for each in last)]).split())
+
+
+@dataclass(frozen=True)
+class Meanings:
+    """What the words of a document say of its letters and signs.
+
+    Attributes
+    ----------
+    statements : sequence of Statement
+        All statements of the document.
+    sides : sequence of Tree
+        The sides of those that were read.
+    """
+
+    statements: Sequence[Statement]
+    sides: Sequence[Formula]
+
+    @cached_property
+    def _words(self) -> str:
+        return _prose(self.statements)
+
+    @cached_property
+    def _signs(self) -> list[tuple[re.Pattern[str], str]]:
+        said = (each for each in _SIGNS if re.search(each[0], self._words, re.IGNORECASE))
+        return [(re.compile(latex), reason) for _, latex, reason in said]
+
+    @cached_property
+    def _letters(self) -> dict[str, str]:
+        """Letters that are no numbers, each with what it may be."""
+        found = dict.fromkeys(called(self.statements, _OPERATORS), "is no number")
+        for each in self.statements:
+            is_named = each.display.environment == "inline" and _CALLED.match(each.display.after)
+            if each.latex.strip() == r"\pi" and is_named and not _NUMBER.search(each.display.after[:60]):
+                found[r"\pi"] = "is called something else than the number"
+        for match in _EACH_TIME.finditer(self._words):
+            found |= dict.fromkeys(symbols_in_list(match[1]), "is another number each time")
+        return found
+
+    @cached_property
+    def _functions(self) -> frozenset[str]:
+        inverse = (symbol for each in _INVERSE.findall(self._words) for symbol in symbols_in_list(each))
+        called_so = (each for each in functions_called(self.statements) if not _CHANGES.search(each))
+        return frozenset((*inverse, *called_so))
+
+    @cached_property
+    def _labelled(self) -> frozenset[str]:
+        """The letters with a number or a letter above them that is said, or looks, to be an index."""
+        found = set[str]()
+        for side in self.sides:
+            if side.data == "power" and _text(side.children[1]) in ("0", "1"):
+                found.add(_text(side.children[0]))
+        for each in self.statements:
+            match = _NAMED.fullmatch(each.latex.strip())
+            power = re.search(r"\b(?:powers?|exponential|monomials?|square\w*|varianc\w+)\b", each.display.after[:60])
+            if match and each.display.environment == "inline" and _CALLED.match(each.display.after) and not power:
+                found |= {*symbols_in_list(match[1] or match[2])}
+        return frozenset(found)
+
+    def reason(self, statement: Statement, formula: Parsed) -> str:
+        """Return why an equation may say something else than it looks like; empty for no reason."""
+        latex = "".join(piece.text for piece in statement.pieces)
+        if found := next((reason for pattern, reason in self._signs if pattern.search(latex)), ""):
+            return found
+        if match := _ORDER.search(latex) or _DRAW.search(latex):
+            return f"{match[0].rstrip('( ')}(...) is another number each time"
+        symbols = {symbol for side in formula.sides for symbol in symbols_in(side)}
+        for symbol in sorted(symbols):
+            if _FILLER.fullmatch(symbol):
+                return f"{symbol} is another number each time"
+            if symbol in self._letters:
+                return f"{symbol} {self._letters[symbol]}"
+        return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
+
+    def _of_tree(self, tree: Formula, symbols: set[str]) -> str:
+        changes = any(map(_CHANGES.search, symbols)) or any(True for _ in tree.find_data("slope"))
+        for part in tree.iter_subtrees():
+            head = str(part.children[0]) if part.children and isinstance(part.children[0], Token) else ""
+            if part.data in ("function", "raised_function"):
+                if changes and head in _ANGLES and _DEGREES.search(self._words):
+                    return "angles are in degrees"
+                if head == "log" and _BASES.search(self._words):
+                    return "the base of logarithms is not e"
+            if part.data == "fraction" and all(_is_material(each) and not _text(each) for each in part.children):
+                return "D may be a derivative"
+            if part.data == "power" and _text(part.children[0]) in self._labelled:
+                return "what stands above a letter may be an index"
+            if part.data in ("run", "product", "power", "fraction", "quotient"):
+                factors = {_text(each) for each in part.children} & self._functions
+                if factors:
+                    return f"{min(factors)} is a function, and no factor"
+        return ""
+
+
+_NAMED = re.compile(
+    r"((?:[a-zA-Z]|\\[a-z]+)(?:_\{?\w+\}?)?)\s*\^\s*\{?\s*[a-zA-Z]\s*\}?"
+    r"|((?:[a-zA-Z]|\\[a-z]+)_\{?\w+\}?)\s*\^\s*\{?\s*\d\s*\}?"
+)
+
+
+def _text(tree: object) -> str:
+    """Return the symbol or the number that a tree is; empty for another one."""
+    if not isinstance(tree, Tree):
+        return ""
+    data, children = tree.data, tree.children
+    if data in ("group", "bracket", "items") and len(children) == 1:
+        return _text(children[0])
+    return str(children[0]) if data in ("symbol", "number") else ""
+
+
+def _is_material(tree: object) -> bool:
+    """Whether a product begins with a D, or with a power of D, as above and below in Dx/Dt."""
+    if not isinstance(tree, Tree) or not tree.children:
+        return False
+    if tree.data in ("run", "group", "power"):
+        return _is_material(tree.children[0])
+    return tree.data == "symbol" and _MATERIAL.fullmatch(split_symbol(str(tree.children[0]))[0]) is not None

@@ -1,0 +1,90 @@
+"""Letters side by side that are one name: SNR, jerk where the text speaks of a jerk, and sin without its backslash."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.lexing.commands import BIG, FUNCTIONS, RELATIONS, STYLES, UPRIGHT
+from algebroproj_sym.reading.lexing.pieces import Piece, pieces_of
+
+_SHORT = frozenset(["Re", "Pr", "Nu", "Fr", "We", "Sc", "Pe", "Gr", "Ra", "Kn", "Ec", "Bi", "Ro", "Sh"])
+"""Numbers without dimension that are named after people."""
+_LETTER = re.compile("[a-zA-Z]")
+_FILLERS = ("noise", "const")
+_WORD = re.compile(r"(?<![\\\w])[A-Za-z]{3,}(?!\w)")
+_SAYS_ITSELF = re.compile(r"[A-Z]{3,}|[a-z]{4,}")
+_TAKES = frozenset((*UPRIGHT, *STYLES, r"\text", r"\label", r"\tag", r"\ref", r"\begin", r"\end", "_", "^"))
+"""What stands before letters that are a name already."""
+
+
+def named(statements: Sequence[Statement]) -> list[Statement]:
+    """Return the statements with each name of several letters as one."""
+    words = {word for each in statements for word in _WORD.findall(re.sub(r"\$[^$]*\$", " ", each.display.before))}
+    names = {
+        run
+        for each in statements
+        for run, *_ in _runs(each.pieces)
+        if run in words or run in FUNCTIONS or run in _FILLERS
+    }
+    names |= {name for each in statements if (name := _alone_on_the_left(each.pieces))}
+    return (
+        [replace(each, pieces=tuple(_with_names(each.pieces, names))) for each in statements]
+        if names
+        else [*statements]
+    )
+
+
+def _runs(pieces: Sequence[Piece]) -> Iterator[tuple[str, int, int]]:
+    """Yield the letters that stand side by side, two or more, with where they begin and end."""
+    place = 0
+    while place < len(pieces):
+        text = pieces[place].text
+        if text in _TAKES or text in BIG:
+            place = _behind_argument(pieces, place + 1) if text not in BIG else place + 1
+            continue
+        end = place
+        while (
+            end < len(pieces)
+            and len(pieces[end].text) == 1
+            and pieces[end].text.isascii()
+            and pieces[end].text.isalpha()
+        ):
+            end += 1
+        if end - place > 1:
+            yield "".join(piece.text for piece in pieces[place:end]), place, end
+        place = max(end, place + 1)
+
+
+def _behind_argument(pieces: Sequence[Piece], place: int) -> int:
+    while place < len(pieces) and pieces[place].text.isspace():
+        place += 1
+    depth = 0
+    for end in range(place, len(pieces)):
+        depth += (pieces[end].text == "{") - (pieces[end].text == "}")
+        if depth == 0:
+            return end + 1
+    return len(pieces)
+
+
+def _alone_on_the_left(pieces: Sequence[Piece]) -> str:
+    """Return the letters that are a side of their own before the first relation, if they look like a name."""
+    end = next((place for place, piece in enumerate(pieces) if piece.text in RELATIONS), 0)
+    left = [piece for piece in pieces[:end] if not piece.text.isspace() and piece.text != "&"]
+    run = next((run for run, *_ in _runs(pieces[:end])), "")
+    if not run or run != "".join(piece.text for piece in left):
+        return ""
+    return run if run in _SHORT or _SAYS_ITSELF.fullmatch(run) else ""
+
+
+def _with_names(pieces: Sequence[Piece], names: Iterable[str]) -> Iterator[Piece]:
+    done = 0
+    for run, start, end in _runs(pieces):
+        if run in names:
+            yield from pieces[done:start]
+            command = rf"\{run}" if run in FUNCTIONS else rf"\mathrm{{{run}}}"
+            yield from (Piece(each.text, pieces[start].place) for each in pieces_of(command))
+            done = end
+    yield from pieces[done:]

@@ -1,0 +1,87 @@
+r"""Equations that follow from several others together, sums and their derivatives, and the words beside them."""
+
+import pytest
+
+from algebroproj_sym.reading import Reading, document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+NORMAL = r"Let \[ n a + b s = t \] \[ a s + b q = p \] "
+LINE = r"\[ S = \sum_{i=1}^n (y_i - a_0 - a_1 x_i)^2 \] "
+
+
+def last(latex: str) -> Reading:
+    return read_document(document_of(latex))[-1]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        NORMAL + r"Hence \[ b (q n - s^2) = p n - s t \]",
+        r"\[ a s + b t = 0 \] \[ a = y - b x \] Substituting gives \[ (y - b x) s + b t = 0 \]",
+        r"\[ u v = w \tag{1} \] \[ v = u + c \tag{2} \] \[ z = 7 \] If we put (2) into (1), \[ u^2 + c u = w \]",
+        r"\[ v \sum_{i=1}^n x_i = w \] \[ \sum_{i=1}^n x_i + c = u \] Therefore \[ v (u - c) = w \]",
+        r"\[ p q = r \] \begin{align} q &= s + t \\ \therefore\; p s + p t &= r \end{align}",
+    ],
+)
+def test_what_several_equations_say_together_follows(latex: str) -> None:
+    assert last(latex).verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        NORMAL + r"Hence \[ b (q n + s^2) = p n - s t \]",
+        r"\[ u v = w \] \[ u v = w + 1 \] Hence \[ w = c u \]",
+        r"At the top \[ u v = w \] At the bottom \[ u + v = c \] Hence at the bottom \[ u (c - u) = w \]",
+        r"If the beam is clamped, \[ u v = w \] In general \[ u + v = c \] Hence \[ u (c - u) = w \]",
+        r"\[ u v = w \tag{1} \] If we put $v = 0$ into (1), \[ w = 0 \] In general \[ u v = 0 \]",
+        r"\[ v \sum_{i=1}^n x_i = w \] \[ \sum_{j=1}^m x_j + c = u \] Therefore \[ v (u - c) = w \]",
+    ],
+)
+def test_what_they_do_not_say_together_does_not_follow(latex: str) -> None:
+    assert last(latex).verdict in ("independent", "not decided")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        LINE + r"\[ \frac{\partial S}{\partial a_0} = -2 \sum_{i=1}^n (y_i - a_0 - a_1 x_i) \]",
+        LINE + r"\[ \frac{\partial S}{\partial a_1} = 2 a_0 \sum_{i=1}^n x_i + 2 a_1 \sum_{i=1}^n x_i^2"
+        r"- 2 \sum_{i=1}^n x_i y_i \]",
+        r"\[ f(t) = \sum_{k=1}^n c_k (t + k)^2 \] \[ \frac{df}{dt} = 2 \sum_{k=1}^n c_k (t + k) \]",
+        r"\[ S = \sum_{i=1}^n x_i \sum_{j=1}^n a x_j \] "
+        r"\[ \frac{\partial S}{\partial a} = \sum_{i=1}^n x_i \sum_{j=1}^n x_j \]",
+        r"\[ \bar x = \frac1n \sum_{i=1}^n x_i \] \[ s = \sum_{i=1}^n (x_i - \bar x) \] \[ s = 0 \]",
+    ],
+)
+def test_a_sum_has_the_derivatives_of_its_terms(latex: str) -> None:
+    assert last(latex).verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        LINE + r"\[ \frac{\partial S}{\partial a_0} = 2 \sum_{i=1}^n (y_i - a_0 - a_1 x_i) \]",
+        # The letter is one of those that are summed, or changes with the index, or stands in the limits.
+        r"\[ S = \sum_{i=1}^n x_i^2 \] \[ \frac{\partial S}{\partial x_j} = 0 \]",
+        r"\[ S = \sum_{i=1}^n x_i^2 \] \[ \frac{\partial S}{\partial x_1} = 0 \]",
+        r"\[ S = \sum_{i=1}^n x_i^2 \] \[ \frac{\partial S}{\partial x_i} = 2 \sum_{i=1}^n x_i \]",
+        r"\[ S = \sum_{i=1}^n a x_i \] \[ \frac{\partial S}{\partial n} = 0 \]",
+        r"\[ f_i = a x_i \] \[ S = \sum_{i=1}^n (y_i - f_i)^2 \] \[ \frac{\partial S}{\partial a} = 0 \]",
+        r"\[ S = \sum_{i=1}^n (y_i - f(x_i))^2 \] \[ \frac{\partial S}{\partial a} = 0 \]",
+        # What is summed depends on its terms, and on what they depend on.
+        r"\[ m = \frac1n \sum_{i=1}^n x_i \] \[ q = m x_1 \] \[ \frac{dq}{dx_1} = m \]",
+        r"\[ x_i = a + b_i \] \[ m = \frac1n \sum_{i=1}^n x_i \] \[ q = m a \] \[ \frac{dq}{da} = m \]",
+        r"\[ a = \sum_{j=1}^n x_{ij} \] \[ s = \sum_{i=1}^n a x_i \] \[ s = a \sum_{i=1}^n x_i \]",
+    ],
+)
+def test_no_other_derivative_of_a_sum_follows(latex: str) -> None:
+    assert last(latex).verdict != "follows"
+
+
+@pytest.mark.parametrize("space", ["~~~~", r"\qquad ", r"\hfill"])
+def test_a_number_behind_a_wide_space_is_that_of_the_equation(space: str) -> None:
+    (first, second) = read_document(document_of(rf"\[ a = b c {space}(4) \] By (4) \[ 2 a = 2 b c {space}(5) \]"))
+    assert (first.read, first.number, second.number) == ("a = b*c", "4", "5")
+    assert (second.verdict, second.links[0].rests_on) == ("follows", ("(4), line 1",))

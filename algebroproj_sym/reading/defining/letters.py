@@ -17,6 +17,7 @@ from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
+from algebroproj_sym.reading.defining.kinds import MEAN
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
@@ -27,9 +28,10 @@ MOST_PARTS = 1_000
 _STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 _COLUMN = re.compile(rf"{_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
 _LATIN = re.compile(rf"{_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{_STYLE}[a-z]")
+_BARE = re.compile(rf"{_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
 _ZERO = r"\mathbf{0}"
 _TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
-_SIZES = "nmklpqrstuvw"
+_SIZES = "nmklpqrstuvwhijabcdgoyz"
 _OF_LETTERS = ("sin", "cos", "norm")
 """Functions that the prover takes as they are."""
 FREE = "free"
@@ -157,7 +159,7 @@ def _asked(reader: _Reader, left: Formula, right: Formula) -> Question:
 class _Reader:
     def __init__(self, vocabulary: Vocabulary, column: re.Pattern[str], of_rotations: _Size | None = None) -> None:
         self._vocabulary = vocabulary
-        self.column = column
+        self._column = column
         self._of_rotations = of_rotations
         self._letters: dict[str, Shape] = {}
         self._known: dict[str, _Part] = {}
@@ -208,7 +210,7 @@ class _Reader:
         if size is None and not properties and not vocabulary.is_matrix(symbol):
             return _number(name)
         rows, columns = (_Size(), _Size()) if size is None else (_Size(size[0]), _Size(size[1]))
-        if "unit" in properties or (size is None and self.column.search(symbol)):
+        if "unit" in properties or (size is None and self.is_column(symbol)):
             columns.unite(_Size(1))
         elif properties:
             rows.unite(columns)
@@ -245,6 +247,17 @@ class _Reader:
         """Whether a part may depend on the index of a sum."""
         related = self._vocabulary.dependence.related(index)
         return any(each in related or not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in part.symbols)
+
+    def is_column(self, symbol: str) -> bool:
+        """Whether a symbol is written as a vector; a derivative by a vector may be a row, or a matrix."""
+        above, _, below = symbol.partition("/")
+        written = _BARE.search(above) and not _BARE.search(below) if below else self._column.search(symbol)
+        return bool(written) or symbol in self._vocabulary.kinds.columns
+
+    def _is_jacobian(self, symbol: str) -> bool:
+        """Whether a symbol is the derivative of a vector by a vector."""
+        above, _, below = symbol.partition("/")
+        return _BARE.search(above) is not None and _BARE.search(below) is not None
 
     def is_letter(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix."""
@@ -302,6 +315,10 @@ class _Reader:
         for symbol, shape in self._letters.items():
             listed = ", ".join(sorted(self._vocabulary.properties_of(symbol)))
             text = f"{self.size(shape[0])}x{self.size(shape[1])}"
+            if symbol in self._vocabulary.kinds.oblong and shape[0].root is shape[1].root:
+                raise UnreadableError(f"{self._vocabulary.name(symbol)} may not be square")
+            if self._is_jacobian(symbol) and "1" in text.split("x"):
+                raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is no matrix")
             if text != "1x1":
                 letters[self._vocabulary.name(symbol)] = f"{text} {listed}".strip()
             elif self._vocabulary.size_of(symbol) is None and self._vocabulary.is_no_number(symbol):
@@ -421,8 +438,10 @@ class _Parts(_Gathering):
         name = str(token)
         if name in self.reader.definitions:
             return self.reader.applied(name, arguments)
-        columns = (_Size(), _Size(1)) if self.reader.column.search(name) else (_Size(), _Size())
+        columns = (_Size(), _Size(1)) if self.reader.is_column(name) else (_Size(), _Size())
         shape = columns if self.reader.is_letter(name) else (_Size(1), _Size(1))
+        if MEAN.fullmatch(name) and len(arguments) == 1:
+            shape = arguments[0].shape
         part = self.reader.whole(name, arguments, shape, is_call=True)
         part.is_table = _TABLE.search(name) is not None
         part.symbols |= {name}
@@ -465,9 +484,15 @@ class _Parts(_Gathering):
         return self.reader.whole("factorial", [_scalar(base, "a factorial")], base.shape)
 
     def function(self, name: Token, arguments: list[_Part]) -> _Part:
+        if name == "diag" and len(arguments) > 1:
+            zero = _number("0")
+            rows = [[each if i == j else zero for j in range(len(arguments))] for i, each in enumerate(arguments)]
+            return self.matrix(Token("BEGIN", "("), *rows)
         if len(arguments) != 1:
             return self.reader.whole(str(name), arguments, (_Size(1), _Size(1)))
         (argument,) = arguments
+        if name == "diag" and not argument.is_number:
+            raise _refused("a diagonal matrix of a vector")
         if name in ("det", "tr", "Tr", "trace"):
             argument.shape[0].unite(argument.shape[1])
             kind = "det" if name == "det" else "trace"

@@ -61,6 +61,10 @@ _OF_IT = re.compile(
     r"\bof(?: the| an?)?(?: (?:matrix|matrices|vectors?|tensors?))?\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$"
 )
 """What is said of the square of a letter is not said of the letter."""
+_SET = re.compile(r"(?:\bSet|\b(?:we|us|and|to|then|now|can|may|let|if|[Bb]y) set) ?$")
+"""How an order or a choice ends, as in "Set x = 2": it speaks of no set."""
+_THE = r"(?:^|[.;:,] ?|\b(?:where|and|with|let|that|so) )(?:the|an?|our|its) (?:(?!of |in |to |from )[\w-]+ ){0,3}"
+_VECTORS = r"matri(?:x|ces)|vectors?|tensors?"
 Value = TypeVar("Value")
 _SPACE_OF = re.compile(
     r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
@@ -83,10 +87,12 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
 
 def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
-    return called(
-        statements,
-        r"(?:matri(?:x|ces)|vectors?|tensors?|quaternions?|operators?|rotations?|sets?|events?|groups?|maps?)",
-    )
+    return called(statements, rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|sets?|events?|groups?|maps?)")
+
+
+def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the symbols that are said to be vectors or matrices: what is added to them is one, too."""
+    return called(statements, rf"(?:{_VECTORS})")
 
 
 def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
@@ -100,7 +106,9 @@ def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
 
 def called(statements: Iterable[Statement], things: str) -> frozenset[str]:
     """Return the symbols that words before or behind them call by a name."""
-    is_before = re.compile(rf"\b{things}\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE)
+    is_before = re.compile(
+        rf"(?:\b{things}|{_THE}{things} (?:is|are|be))\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE
+    )
     is_behind = re.compile(
         r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*"
         rf"(?:is|are|denotes?|be|represents?)\s+(?:(?:[a-zA-Z-]+|\$[^$]*\$) ){{0,3}}{things}\b",
@@ -110,6 +118,8 @@ def called(statements: Iterable[Statement], things: str) -> frozenset[str]:
     for each in statements:
         if each.display.environment == "inline" and not each.latex.lstrip().startswith(r"\{"):
             before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
+            if "=" in each.latex and _SET.search(before):
+                continue
             if is_before.search(before[-200:]) or is_behind.match(after):
                 found |= {*symbols_in_list(each.latex.partition("=")[0])}
     return frozenset(found)

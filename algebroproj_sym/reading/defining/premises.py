@@ -19,6 +19,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
 from algebroproj_sym.reading.defining.contexts import Context
+from algebroproj_sym.reading.defining.rates import ONE, rate_of
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
@@ -43,6 +44,11 @@ _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
 _DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
 _OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
+
+_FIXED = re.compile(
+    r"_\{?0|\\(?:mathbf|vec|hat|overrightarrow)\{?(?:\\mathbf\{?)?(?:[ijkxyz]\}*$|e\}*_\{?[xyz123]\}?$)"
+)
+"""The vectors that may be fixed though nothing says so: those of the axes, and those at the start."""
 
 
 @dataclass(frozen=True)
@@ -89,9 +95,11 @@ class Premise:
 
     @cached_property
     def gives(self) -> Definition | None:
-        """What it says of a letter that stands alone; None if none does."""
+        """What it says of a letter, or of a derivative, that stands alone; None if none does."""
         for side, other in ((self.left, self.right), (self.right, self.left)):
             symbol, parameters = defined_by(side)
+            if side.data == "opaque" and symbols_in(other):
+                symbol = str(side.children[0])
             if symbol and not is_one_value(parameters, other):
                 return self._of(symbol, parameters, other)
         return None
@@ -334,12 +342,71 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
 def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
     if "/" in symbol:
         match = _DERIVATIVE.fullmatch(symbol)
-        return None if match is None else _of_quotient(symbol, match, vocabulary) or _as_dots(symbol, match, occurring)
+        if match is None:
+            return None
+        factors = _of_factors(symbol, _function_of(match), match[4], vocabulary, occurring)
+        found = _of_quotient(symbol, match, vocabulary) or _as_dots(symbol, match, occurring)
+        return factors if found is None or (factors and match[3].endswith(")")) else found
     if "'" in symbol:
         return _of_prime(symbol, vocabulary)
     bare = _without_dot(symbol)
     function = _by_bare(vocabulary.definitions).get(bare) if bare else None
-    return None if function is None else _rate(symbol, function, vocabulary, occurring)
+    if function is None:
+        return None
+    is_computed = vocabulary.is_computed(vocabulary.definitions[function].tree)
+    found = None if is_computed else _of_factors(symbol, bare, "t", vocabulary, occurring)
+    return found or _rate(symbol, function, vocabulary, occurring)
+
+
+def _function_of(match: re.Match[str]) -> str:
+    r"""Return the bare letter of which a quotient is the first derivative: ``d^2r/dt^2`` that of ``dr/dt``."""
+    sign, order, above, below = match.groups()
+    return {None: re.sub(r"\(.*\)$", "", above), "^2": f"d{above}/d{below}"}.get(order, "") if sign == "d" else ""
+
+
+def _of_factors(
+    symbol: str, function: str, variable: str, vocabulary: Vocabulary, occurring: frozenset[str]
+) -> Definition | None:
+    """Return the derivative of what a letter stands for, factor by factor; a letter without a rate does not change."""
+    definition = vocabulary.definitions.get(_by_bare(vocabulary.definitions).get(function, ""))
+    if definition is None or not definition.usable or definition.role == "case":
+        return None
+    if definition.parameters not in ((), (variable,)):
+        return None
+    tree = definition.tree
+    rates = _rates_in(occurring, variable)
+    letters = [each for each in symbols_in(tree) if each != variable]
+    if any(each not in rates and vocabulary.gives_letters(each) for each in letters):
+        return None
+    constant = [each for each in letters if each not in rates and f"{each}({variable})" not in rates]
+    if any(" " in each or "/" in each for each in constant) or vocabulary.depends(constant, variable):
+        return None
+    changing = [each for each in constant if vocabulary.is_matrix(each) and not _FIXED.search(each)]
+    if changing and variable not in symbols_in(tree):
+        return None
+    try:
+        rate = rate_of(tree, {**rates, variable: ONE})
+    except UnreadableError:
+        return None
+    if rate is None or symbol in symbols_in(rate):
+        return None
+    return _made(symbol, rate, definition, constant, vocabulary)
+
+
+def _rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:
+    """Return the letters, and values such as x(t), whose derivatives by a variable stand in a document, with these."""
+    found: dict[str, Formula] = {}
+    bare = _by_bare(sorted(occurring))
+    for each in sorted(occurring):
+        name, value = _bare(each), f"{_bare(each)}({variable})"
+        second = re.fullmatch(rf"d([^/^]+)/d{re.escape(variable)}", name)
+        rate = bare.get(f"d^2{second[1]}/d{variable}^2") if second else bare.get(f"d{name}/d{variable}")
+        rate = rate or (bare.get(_with_dot(each)) if variable == "t" else None)
+        if rate is not None:
+            found[each] = letter_of(rate)
+        if (whole := bare.get(f"d{value}/d{variable}")) is not None:
+            found[f"{each}({variable})"] = found[each] = letter_of(whole)
+    return found
 
 
 def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Definition | None:

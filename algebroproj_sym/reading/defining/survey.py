@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
+from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
 from algebroproj_sym.reading.defining.meanings import Meanings, dependences, functions_called
-from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in
+from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in, vectors_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -214,7 +215,7 @@ class Survey:
         found = Vocabulary(
             self.given.whole,
             sizes,
-            self._matrices(),
+            self.kinds,
             properties,
             dependence=self.dependence,
             euler=self._has_euler(),
@@ -226,19 +227,13 @@ class Survey:
             found.define(definition)
         return found
 
-    def _matrices(self) -> frozenset[str]:
-        """Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace."""
-        found = set[str]()
-        for side in _sides(self.formulas):
-            for tree in side.iter_subtrees():
-                head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
-                if tree.data == "marked" and not head.startswith("_"):
-                    found |= {*_factors(tree.children[0])}
-                elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
-                    found |= {*_factors(tree.children[1])}
-        daggers = {symbol for symbol in self.occurring if r"\dagger" in symbol}
-        found |= daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
-        return frozenset(found) | matrices_in(self.statements)
+    @cached_property
+    def kinds(self) -> Kinds:
+        """Which letters are vectors or matrices."""
+        formulas = [each for each in self.formulas.values() if isinstance(each, Parsed)]
+        words = " ".join(f"{each.before} {each.after}" for each in self.document.formulas)
+        found = kinds_of(formulas, vectors_in(self.statements), words)
+        return replace(found, no_numbers=found.no_numbers | matrices_in(self.statements))
 
     def _has_euler(self) -> bool:
         """Whether e is Euler's number: the base of powers with letters, and nothing else."""
@@ -303,15 +298,3 @@ def _not_raised(tree: Any) -> Iterator[str]:
 def _split(symbol: str) -> tuple[str, int, str]:
     letter, primes, below, _ = split_symbol(symbol)
     return letter, primes, below
-
-
-def _factors(tree: Any) -> Iterator[str]:
-    """Yield the letters of a sum or product of letters alone."""
-    if tree.data == "symbol":
-        yield str(tree.children[0])
-    elif tree.data in ("run", "product", "sum", "group") or (
-        tree.data in ("bracket", "items") and len(tree.children) == 1
-    ):
-        for part in tree.children:
-            if isinstance(part, Tree):
-                yield from _factors(part)

@@ -9,11 +9,12 @@ from functools import cached_property
 from typing import Any, Literal
 
 import sympy
-from lark import Token
+from lark import Token, Tree
 
 from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
 from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free_symbols, is_among
+from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -91,7 +92,7 @@ class Vocabulary:
         self,
         given: Table,
         sizes: Mapping[str, tuple[int, int]],
-        matrices: frozenset[str],
+        kinds: Kinds,
         properties: Mapping[str, tuple[str, ...]],
         *,
         dependence: Dependence,
@@ -108,7 +109,7 @@ class Vocabulary:
         self.uncomputed: Values | None = None
         self.definitions: dict[str, Definition] = {}
         self._sizes = {**sizes, **given.sizes}
-        self._matrices = matrices
+        self.kinds = kinds
         self._properties = {**properties, **given.properties}
         self._names: dict[str, str] = {}
         self._taken: dict[str, str] = {}
@@ -117,7 +118,7 @@ class Vocabulary:
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
-        given = self.given, self._sizes, self._matrices, self._properties
+        given = self.given, self._sizes, self.kinds, self._properties
         copied = Vocabulary(
             *given,
             dependence=self.dependence,
@@ -134,7 +135,7 @@ class Vocabulary:
         """Return the vocabulary in which a lone I is the identity matrix; None if there is none, or if it is given."""
         letters = {symbol for tree in trees for symbol in self.letters_of(tree) if _LIKE_IDENTITY.fullmatch(symbol)}
         given = {*self.definitions, *self._properties, *self._sizes}
-        if not letters or letters & given:
+        if not letters or letters & given or any(map(self._multiplies_identity, trees)):
             return None
         found = self.copied()
         found.forget()
@@ -143,6 +144,19 @@ class Vocabulary:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         found._properties = found._properties | dict.fromkeys(letters, ("identity",))
         return found
+
+    def _multiplies_identity(self, tree: Formula) -> bool:
+        """Whether a lone I stands beside a vector or a matrix in a product: nobody writes the identity there."""
+        trees = [tree, *(each.tree for each in self.used_in(tree))]
+        for run in (run for each in trees for run in each.find_data("run")):
+            factors = [each for each in run.children if isinstance(each, Tree)]
+            lone = [
+                each for each in factors if each.data == "symbol" and _LIKE_IDENTITY.fullmatch(str(each.children[0]))
+            ]
+            others = [symbol for each in factors if each not in lone for symbol in symbols_in(each)]
+            if lone and any(map(self.is_no_number, others)):
+                return True
+        return False
 
     def with_complex_numbers(self, numbers: Numbers) -> Vocabulary:
         """Return the vocabulary in which i is the imaginary unit, and other letters stand for complex numbers."""
@@ -155,6 +169,15 @@ class Vocabulary:
         """Return the symbols that are the imaginary unit, said to be complex, or given by what is."""
         units = self.complexes | {self.imaginary} - {""}
         return frozenset(each for each in symbols if units and units & self.behind(each))
+
+    def gives_letters(self, symbol: str) -> bool:
+        """Whether a symbol has a definition with letters in it."""
+        known = self.definitions.get(symbol)
+        return known is not None and bool(self.letters_of(known.tree))
+
+    def is_computed(self, tree: Formula) -> bool:
+        """Whether a formula is a number that is computed, and none of vectors, matrices or values as letters."""
+        return self._shape_of(tree) == ()
 
     def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:
         """Return the shape of what a formula stands for; None if it has no entries."""
@@ -254,12 +277,12 @@ class Vocabulary:
         return sympy.Symbol(self.name(symbol))
 
     def is_matrix(self, symbol: str) -> bool:
-        """Whether a symbol is written as a vector or a matrix; one with an accent may still be a number."""
-        return _is_accented(symbol) or self.is_no_number(symbol)
+        """Whether a symbol is a vector or a matrix, or may be one."""
+        return _is_accented(symbol) or symbol in self.kinds.open or self.is_no_number(symbol)
 
     def is_no_number(self, symbol: str) -> bool:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
-        return _BOLD.search(symbol) is not None or symbol in self._matrices or symbol in self._properties
+        return _BOLD.search(symbol) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""

@@ -86,7 +86,7 @@ MARKS = {**dict.fromkeys(TRANSPOSED, "T"), r"\wedge": "hat", r"\times": "hat", r
 PART_OF_NAME = re.compile(
     r"\(.*\)|\\math(?:cal|scr|frak|bb)\W.*|[-+*]|\\(?:pm|mp|star|ast|dagger|circ|perp|parallel|prime)|\[.*\]"
 )
-MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?matrix\*?|smallmatrix|array)\}")
+MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?(?:small)?matrix\*?|array)\}")
 OPENING = {"(": "LP", "[": "LS", r"\{": "LB", r"\lbrace": "LB", r"\lbrack": "LS", r"\langle": "ANGLE_OPEN"}
 CLOSING = {")": "RP", "]": "RS", r"\}": "RB", r"\rbrace": "RB", r"\rbrack": "RS", r"\rangle": "ANGLE_CLOSE"}
 CLOSING_BARS = {r"\lvert": r"\rvert", r"\lVert": r"\rVert", "|": "|", r"\|": r"\|"}

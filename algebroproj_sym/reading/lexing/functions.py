@@ -12,6 +12,7 @@ from algebroproj_sym.reading.lexing.commands import (
     ARGUMENT,
     BARS,
     BIG,
+    BOLD,
     CLOSING,
     CLOSING_BARS,
     DROPPED,
@@ -34,6 +35,9 @@ from algebroproj_sym.reading.lexing.names import (
 )
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, says_more
 
+_SIGNS = (r"\partial", "d", r"\delta")
+r"""How derivatives begin; ``\frac{\delta x}{\delta t}`` is a quotient of small numbers, unless of second order."""
+
 
 def _derivative(above: str, below: str) -> str | None:
     r"""Return the text of a derivative, empty for d/dx before what it is of; None if a fraction is none.
@@ -43,7 +47,9 @@ def _derivative(above: str, below: str) -> str | None:
     >>> _derivative("dy", "dx"), _derivative("\\partial", "\\partialx"), _derivative("d", "2")
     ('dy/dx', '', None)
     """
-    sign = next((each for each in (r"\partial", "d") if above.startswith(each) and below.startswith(each)), None)
+    sign = next((each for each in _SIGNS if above.startswith(each) and below.startswith(each)), None)
+    if sign == r"\delta" and above[len(sign) :] and not re.match(r"\^\{?[2-9]", above[len(sign) :]):
+        return None
     if sign is None or len(below) == len(sign) or not re.match(r"[A-Za-z\\(]", below[len(sign) :]):
         return None
     rest = re.sub(r"^\^?\d*", "", above[len(sign) :])
@@ -178,6 +184,10 @@ def read_function(cursor: Cursor) -> None:
     read_after(cursor)
 
 
+_VECTORS = {*BOLD, r"\mathbf", r"\vec", r"\hat", r"\overrightarrow"}
+r"""How a vector begins, or a unit vector: no argument goes on over one, as in ``\cos\theta \mathbf{i}``."""
+
+
 def _choose_raised(cursor: Cursor, begin: int, mark: int) -> None:
     r"""Choose what is raised in ``\ln(x)^2``: the value of the function, or its argument."""
     cursor.chose = ARGUMENT
@@ -219,7 +229,7 @@ def _read_argument(cursor: Cursor) -> None:
             if cursor.index > start and cursor.peek() in ("(", "["):
                 cursor.chose = ARGUMENT
             break
-        if values and not cursor.wide:
+        if values and (not cursor.wide or cursor.text in _VECTORS):
             cursor.chose = ARGUMENT
             break
         if values:

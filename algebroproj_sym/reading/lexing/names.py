@@ -217,12 +217,18 @@ def _has_indices(cursor: Cursor, letter: str, below: str, above: str) -> bool:
 
 
 def _at_factor(cursor: Cursor) -> bool:
-    here = cursor.text
+    here = cursor.peek(1) if _at_letter_in_braces(cursor) else cursor.text
     return bool(here) and (here.isalpha() or here in LETTERS or here in STYLES or here in BOLD or here == r"\mathrm")
 
 
+def _at_letter_in_braces(cursor: Cursor) -> bool:
+    r"""Whether a lone letter in braces comes next, as in ``\Delta{x}``."""
+    one, two, three = ([piece.text for piece in cursor.pieces[cursor.index : cursor.index + 3]] + ["", "", ""])[:3]
+    return (one, three) == ("{", "}") and (two.isalpha() or two in LETTERS)
+
+
 def _read_differential(cursor: Cursor, letter: str, start: int) -> None:
-    inner = take_letter(cursor)
+    inner = bare(cursor.group()) if _at_letter_in_braces(cursor) else take_letter(cursor)
     primes, below, above = take_scripts(cursor)
     emit_name(cursor, f"{letter} {written(inner, primes, below, '')}", start)
     if above:

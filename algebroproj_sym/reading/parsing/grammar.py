@@ -572,8 +572,9 @@ def _applied(name: str, arguments: list[Any]) -> Any:
         if not shape(matrix) or matrix.rows != matrix.cols:
             raise UnreadableError(f"{name} is of a square matrix, got shape {shape(matrix)}")
         return _OF_MATRICES[name](matrix)
-    if name == "diag" and all(not shape(each) for each in arguments):
-        return Matrix(len(arguments), len(arguments), lambda i, j: arguments[i] if i == j else 0)
+    if name == "diag" and (len(arguments) > 1 or not shape(arguments[0])):
+        places = range(len(arguments))
+        return _assembled([[arguments[i] if i == j else sympy.S.Zero for j in places] for i in places])
     if name == "binom" and all(isinstance(each, sympy.Integer) and 0 <= each <= MOST_FACTORIAL for each in arguments):
         return sympy.binomial(*arguments)
     base, _, index = name.partition("_")

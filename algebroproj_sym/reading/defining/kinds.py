@@ -1,0 +1,380 @@
+r"""Which letters are vectors or matrices, by all equations of a document: their order matters.
+
+One is, if it has a mark of matrices, if words say so, or if it is added to one or equal to one.  In ``y = z - c`` all
+of c, y, z are vectors if one is.  A thin capital beside a vector may be a matrix, as X in
+``\mathbf{y} = X \mathbf{b}``.
+
+An accent is that of vectors if letters that have it are multiplied with a cross, as in ``\bar\omega \times \bar r``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+
+Sides = Sequence[Formula]
+_CAPITAL = re.compile(
+    r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
+    r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
+)
+_SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")
+_BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
+_ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?![a-z]{2})")
+_SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
+_RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
+_QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
+_OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
+MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
+_SAME = {"=", ":=", "=:", "≡", "≈"}
+"""The relations whose sides are both numbers, or both none."""
+_SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
+_SPOKEN = re.compile(r"\b(?:vectors?|vectorial|cross[- ]products?)\b", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Kinds:
+    """What the letters of a document are.
+
+    Attributes
+    ----------
+    no_numbers : frozenset of str
+        The symbols that are vectors or matrices.
+    columns : frozenset of str
+        Those of them that have the accent of vectors.
+    open : frozenset of str
+        The symbols that may be matrices, or numbers.
+    oblong : frozenset of str
+        Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
+    """
+
+    no_numbers: frozenset[str] = frozenset()
+    columns: frozenset[str] = frozenset()
+    open: frozenset[str] = frozenset()
+    oblong: frozenset[str] = frozenset()
+
+
+def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Kinds:
+    """Return what letters are by all equations of a document, and by what its words say of some.
+
+    Parameters
+    ----------
+    formulas : iterable of Parsed
+        What was read of the equations.
+    said : frozenset of str
+        The symbols that words call vectors or matrices.
+    words : str
+        The words of the document.
+    """
+    equations = [formula.sides for formula in formulas if {*formula.relations} <= _SAME]
+    sides = [side for each in equations for side in each]
+    occurring = sorted({symbol for side in sides for symbol in symbols_in(side)})
+    accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
+    columns = frozenset(each for each in occurring if accents & _accents_of_vectors(each))
+    known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
+    closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
+    while closure.grows():
+        pass
+    oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong)
+
+
+class _Closure:
+    """The letters that are no numbers, and those that may be none, while more and more are found."""
+
+    def __init__(self, known: set[str], equations: Sequence[Sides], occurring: Sequence[str]) -> None:
+        self.known = known
+        self.open = set[str]()
+        self._equations = equations
+        self._occurring = occurring
+        sides = [side for each in equations for side in each]
+        self._numbers = {symbol for side in sides for symbol in _numbers_in(side)} - known
+        self._scales = {symbol for side in sides for symbol in _above_lines(side)}
+
+    def grows(self) -> bool:
+        """Take in what the equations say; whether that was more than was known."""
+        before = len(self.known), len(self.open)
+        for sides in self._equations:
+            for terms in _sums_in(sides):
+                if any(map(self._is_no_number, terms)) and not any(map(_is_printed_number, terms)):
+                    self.known |= {_head(each) for each in terms} - {""} - self._numbers
+            for side in sides:
+                for kind in ("run", "product"):
+                    for product in side.find_data(kind):
+                        self._take_beside(product)
+        self.known |= {each for each in self._occurring if self._is_like_known(each)} - self._numbers
+        self.open -= self.known
+        return (len(self.known), len(self.open)) != before
+
+    def _take_beside(self, product: Formula) -> None:
+        """Take what may be a matrix, or a vector behind one, unless it is a number elsewhere.
+
+        It is a thin capital beside what is no number; or a small letter at the end of a product, behind a matrix or
+        what is transposed; or before what is transposed, as in ``x y^T``.
+        """
+        factors = _trees(product)
+        inside = {letter for each in factors for letter in _factors(each)}
+        if inside & (self.known | self.open):
+            self.open |= {each for each in inside if _CAPITAL.match(each)} - self._numbers - self._scales
+        behind, before = _lone(factors[-1]), factors[-2]
+        first, other = _lone(factors[0]), factors[1]
+        if before.data != "marked" and not self._is_matrix(_base(before)):
+            behind = ""
+        if len(factors) > 2 or other.data != "marked":
+            first = ""
+        self.open |= {each for each in (behind, first) if _SMALL.fullmatch(each)} - self._numbers - self._scales
+
+    def _is_matrix(self, letter: str) -> bool:
+        return letter in self.known and _CAPITAL.match(letter) is not None
+
+    def _is_like_known(self, symbol: str) -> bool:
+        r"""Whether a letter is one that is no number with another index, or the rate at which one changes."""
+        if match := _QUOTIENT.fullmatch(symbol):
+            return _bare(match[1]) in {*map(_bare, self.known)} and _bare(match[2]) not in {*map(_bare, self.known)}
+        if match := _RATE.fullmatch(symbol):
+            return f"{match[1]}{match[2]}" in self.known or (match[3] or match[4]) in self.known
+        return any(_family(symbol)) and any(_family(symbol) == _family(each) for each in self.known)
+
+    def _is_no_number(self, term: Any) -> bool:
+        """Whether a term is a vector or a matrix, whatever the letters are of which nothing is known."""
+        if is_mean(term):
+            return self._is_no_number(_trees(term)[0])
+        if term.data in ("symbol", "opaque", "call"):
+            return str(term.children[0]) in self.known
+        if term.data == "matrix":
+            return _is_table(term)
+        if term.data == "sum" or (term.data in ("group", "bracket", "items") and len(term.children) == 1):
+            return any(map(self._is_no_number, _trees(term)))
+        if term.data in ("marked", "fraction", "quotient", "big"):
+            return self._is_no_number(_trees(term)[0])
+        if term.data == "power":
+            return _CAPITAL.match(_base(term)) is not None and self._is_no_number(term.children[0])
+        if term.data == "product":
+            return _is_cross(term) and all(map(self._is_no_number, _trees(term)))
+        if term.data == "run" and len(term.children) == 2 and self._is_matrix(_lone(term.children[0])):
+            return _lone(term.children[1]) != ""
+        if term.data == "run":
+            inside = [each for each in _trees(term) if {*symbols_in(each)} & (self.known | self.open)]
+            alone = len(inside) == 1 or all(_CAPITAL.match(_base(each)) for each in inside)
+            return alone and any(map(self._is_no_number, inside))
+        return False
+
+
+def _trees(tree: Formula) -> list[Formula]:
+    return [each for each in tree.children if isinstance(each, Tree)]
+
+
+def _base(factor: Any) -> str:
+    """Return the letter that a factor is, without its marks and powers; empty if it is more."""
+    while isinstance(factor, Tree) and factor.data in ("marked", "power", "group"):
+        factor = factor.children[0]
+    return str(factor.children[0]) if isinstance(factor, Tree) and factor.data == "symbol" else ""
+
+
+def _lone(factor: Any) -> str:
+    """Return the letter that a factor is; empty if it is more."""
+    return str(factor.children[0]) if factor.data == "symbol" else ""
+
+
+def _head(term: Any) -> str:
+    """Return the letter, or the function, of which a term is a multiple by a number; empty if it is more."""
+    while term.data in ("group", "bracket", "items") and len(term.children) == 1:
+        (term,) = term.children
+    if term.data == "run" and all(each.data == "number" for each in term.children[:-1]):
+        term = term.children[-1]
+    return str(term.children[0]) if term.data in ("symbol", "opaque", "call") and not is_mean(term) else ""
+
+
+def is_mean(term: Formula) -> bool:
+    """Whether a formula is an expected value: it has the shape of what stands within it."""
+    name = str(term.children[0]) if term.data == "call" else ""
+    return MEAN.fullmatch(name) is not None and len(_trees(term)[0].children) == 1
+
+
+def _is_printed_number(term: Any) -> bool:
+    return term.data == "number" and str(term.children[0]) != "0"
+
+
+def _is_cross(tree: Formula) -> bool:
+    signs = [each for each in tree.children if isinstance(each, Token)]
+    return tree.data == "product" and any(sign.type == "CROSS" for sign in signs)
+
+
+def _sums_in(sides: Sides) -> Iterator[list[Any]]:
+    """Yield the terms that are added or equal: those of the sides, and those of sums within them."""
+    yield [term for side in sides for term in _terms(side)]
+    for side in sides:
+        yield from map(_terms, side.find_data("sum"))
+
+
+def _terms(side: Any) -> list[Any]:
+    if side.data in ("group", "bracket", "items") and len(side.children) == 1:
+        return _terms(side.children[0])
+    return [term for each in _trees(side) for term in _terms(each)] if side.data == "sum" else [side]
+
+
+def _family(symbol: str) -> tuple[str, str]:
+    r"""Return what letters of one kind have in common: ``x_{t-1}`` is what ``x_t`` is, and no component of it.
+
+    With an accent, letters are of one kind whatever their index is; without one, if they have the same letter below.
+    """
+    if " " in symbol or "/" in symbol:
+        return "", ""
+    letter, _, below, _ = split_symbol(symbol)
+    if _ACCENT.match(letter):
+        return letter, ""
+    indices = {*re.findall(r"[a-z]", below)}
+    return (letter, indices.pop()) if len(indices) == 1 else ("", "")
+
+
+def _bare(symbol: str) -> str:
+    return re.sub(r"[{}\s]", "", symbol)
+
+
+def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
+    """Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace."""
+    found = set[str]()
+    for side in sides:
+        for tree in side.iter_subtrees():
+            head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
+            if tree.data == "marked" and not head.startswith("_"):
+                found |= {*_factors(tree.children[0], deep=False)}
+            elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
+                found |= {*_factors(tree.children[1], deep=False)}
+    daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
+    return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
+
+
+def _tables_in(equations: Iterable[Sides]) -> Iterator[str]:
+    """Yield the letters that are equal to a printed matrix."""
+    for sides in equations:
+        if any(map(_is_table, sides)):
+            yield from {_head(side) for side in sides} - {""}
+
+
+def _is_table(side: Any) -> bool:
+    """Whether a side is a printed matrix with more than one entry."""
+    while side.data in ("marked", "group"):
+        side = side.children[0]
+    if side.data != "matrix" or "vmatrix" in side.children[0]:
+        return False
+    rows = _trees(side)
+    return len(rows) > 1 or len(rows[0].children) > 1
+
+
+def _factors(tree: Any, *, deep: bool = True) -> Iterator[str]:
+    """Yield the letters of a sum or product of letters, and of their powers if deep."""
+    if tree.data == "symbol":
+        yield str(tree.children[0])
+    elif tree.data in ("marked", "power") and deep:
+        yield from _factors(tree.children[0], deep=deep)
+    elif tree.data in ("run", "product", "sum", "group") or (
+        tree.data in ("bracket", "items") and len(tree.children) == 1
+    ):
+        for part in _trees(tree):
+            yield from _factors(part, deep=deep)
+
+
+def _numbers_in(side: Formula) -> Iterator[str]:
+    """Yield the symbols that are numbers by where they stand: below a line, in a function, a root or an exponent."""
+    for tree in side.iter_subtrees():
+        if tree.data in ("fraction", "quotient", "power"):
+            inside = _trees(tree)[1:]
+        elif tree.data in ("root", "nth_root", "factorial"):
+            inside = _trees(tree)
+        else:
+            named = tree.data == "function" and tree.children[0] not in _OF_MATRICES
+            inside = _trees(tree) if named else []
+        for each in inside:
+            yield from _factors(each)
+
+
+def _above_lines(side: Formula) -> Iterator[str]:
+    r"""Yield the symbols above a line with letters below it, and before such a fraction, as in ``G \frac{M}{r^2}``."""
+    for tree in side.iter_subtrees():
+        if _is_quotient(tree):
+            yield from _factors(tree.children[0])
+        elif tree.data == "run":
+            for one, other in pairwise(_trees(tree)):
+                if _is_quotient(other):
+                    yield from _factors(one)
+
+
+def _is_quotient(tree: Formula) -> bool:
+    return tree.data in ("fraction", "quotient") and all(map(symbols_in, _trees(tree)))
+
+
+def _oblong_in(equations: Iterable[Sides], sides: Iterable[Formula]) -> Iterator[str]:
+    r"""Yield the letters of which a square is inverted, as X in ``(X^T X)^{-1}``, or in ``S = X^T X``, ``S^{-1}``."""
+    bases = [power.children[0] for side in sides for power in side.find_data("power") if _is_inverse(power)]
+    inverted = {_base(each) for each in bases if isinstance(each, Tree)} - {""}
+    for each in bases:
+        yield from _squared_in(each)
+    for both in equations:
+        if inverted & {_head(side) for side in both}:
+            for side in both:
+                yield from _squared_in(side)
+
+
+def _is_inverse(power: Formula) -> bool:
+    exponent = power.children[1]
+    tokens = [str(each) for each in exponent.scan_values(lambda each: True)] if isinstance(exponent, Tree) else []
+    return tokens == ["-", "1"]
+
+
+def _squared_in(tree: Any) -> Iterator[str]:
+    """Yield the letter that a product has at one end, and transposed at the other."""
+    if not isinstance(tree, Tree):
+        return
+    for term in _terms(tree):
+        first, last = (_trees(term)[0], _trees(term)[-1]) if term.data == "run" else (term, term)
+        if _base(first) == _base(last) and (first.data == "marked") != (last.data == "marked"):
+            yield _base(first)
+
+
+# -- the accent of vectors
+
+
+def _accents_in(equations: Iterable[Sides], *, spoken: bool) -> frozenset[str]:
+    r"""Return the accents that letters on both sides of a cross have, and that no number has.
+
+    Where no words speak of vectors, a cross must stand within another one.  A line below a letter says enough.
+    """
+    found, others = set[str](), set[str]()
+    for sides in equations:
+        for side in sides:
+            for product in filter(_is_cross, side.iter_subtrees()):
+                accents = frozenset.intersection(*map(_accents_of, _trees(product)))
+                nested = any(map(_is_cross, (each for part in _trees(product) for each in part.iter_subtrees())))
+                found |= accents if spoken or nested else accents & {"underline"}
+            for symbol in _numbers_in(side):
+                others |= _accents_of_vectors(symbol)
+            alone = [other for other in sides if other is not side]
+            if alone and not any(_accents_of(each) or _may_be_vector(each) for each in alone):
+                others |= _accents_of_vectors(_head(side))
+    return frozenset(found - others)
+
+
+def _accents_of(tree: Formula) -> frozenset[str]:
+    return frozenset().union(*map(_accents_of_vectors, symbols_in(tree)))
+
+
+def _accents_of_vectors(symbol: str) -> frozenset[str]:
+    r"""Return the accents of a letter, or of the one of which it is the derivative by a number."""
+    quotient = _QUOTIENT.fullmatch(symbol)
+    above, below = quotient.groups() if quotient else (symbol, "")
+    return frozenset(_ACCENT.findall(_SCRIPT.sub("", above)) if not _ACCENT.search(below) else ())
+
+
+def _may_be_vector(tree: Formula) -> bool:
+    """Whether a side may be a vector though it has no letter with an accent."""
+    zero = tree.data == "number" and str(tree.children[0]) == "0"
+    bold = any(_BOLD.search(each) for each in symbols_in(tree))
+    return zero or bold or any(each.data in ("matrix", "bracket", "call") for each in tree.iter_subtrees())

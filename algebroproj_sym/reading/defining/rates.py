@@ -1,0 +1,137 @@
+r"""The rate at which a formula changes, factor by factor, as ``\dot a \times b + a \times \dot b`` of ``a \times b``.
+
+No factor changes its place, so this holds of vectors and matrices as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, Formula, symbols_in
+
+ONE: Formula = Tree("number", [Token("NUMBER", "1")])
+_ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
+_LINEAR = ("group", "bracket", "items", "cell")
+
+
+def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
+    r"""Return the derivative of a formula; None if nothing in it changes.
+
+    Parameters
+    ----------
+    tree : Tree
+        The formula.
+    rates : mapping of str to Tree
+        The derivatives of the letters that change, and of values such as ``x(t)``.
+
+    Raises
+    ------
+    UnreadableError
+        If something changes within what has no rule here.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed, text_of
+    >>> (side,) = parsed(r"\frac12 m x^2 + A y").sides
+    >>> rate = {"x": parsed("v").sides[0], "y": parsed("w").sides[0]}
+    >>> text_of(rate_of(side, rate), str)
+    '(1/2*m*(v*x + x*v)) + (A*w)'
+    """
+    if tree.data in ("symbol", "opaque"):
+        return rates.get(str(tree.children[0]))
+    if tree.data == "call" and (known := rates.get(_written(tree))) is not None:
+        return known
+    if not any(each in rates for each in (*symbols_in(tree), *map(_written, tree.find_data("call")))):
+        return None
+    if tree.data == "sum":
+        return _sum_of(tree, rates)
+    if tree.data in ("run", "product"):
+        places = [(place, each) for place, each in enumerate(tree.children) if isinstance(each, Tree)]
+        rated = [_with(tree, place, rate_of(each, rates)) for place, each in places]
+        return _sum([("+", each) for each in rated if each is not None])
+    if tree.data == "fraction" or (tree.data == "quotient" and len(tree.children) == 2):
+        above, below = _trees(tree)
+        return _of_fraction(above, below, rates)
+    if tree.data == "power":
+        base, exponent = _trees(tree)
+        return _of_power(base, exponent, rates)
+    if tree.data == "function" and tree.children[0] in ("sin", "cos", "exp"):
+        return _of_function(tree, rates)
+    if tree.data == "marked" and tree.children[1] in ("T", "hat", "vee"):
+        return _with(tree, 0, rate_of(_trees(tree)[0], rates))
+    if tree.data in _LINEAR and len(tree.children) == 1:
+        return _with(tree, 0, rate_of(_trees(tree)[0], rates))
+    if tree.data in ("matrix", "row") and "vmatrix" not in str(tree.children[0]):
+        parts: list[Any] = [each if isinstance(each, Token) else _or_zero(each, rates) for each in tree.children]
+        return Tree(tree.data, parts)
+    raise UnreadableError("the derivative of something in it is not computed")
+
+
+def _trees(tree: Formula) -> list[Formula]:
+    return [each for each in tree.children if isinstance(each, Tree)]
+
+
+def _written(call: Formula) -> str:
+    r"""Return a value such as ``x(t)`` as text; empty if it is more."""
+    name, *rest = (str(each) for each in call.scan_values(lambda each: True))
+    return f"{name}({rest[0]})" if len(rest) == 1 else ""
+
+
+def _with(tree: Formula, place: int, part: Any) -> Formula | None:
+    parts: list[Any] = [*tree.children[:place], part, *tree.children[place + 1 :]]
+    return None if part is None else Tree(tree.data, parts)
+
+
+def _or_zero(tree: Formula, rates: Mapping[str, Formula]) -> Formula:
+    """Return the rate of an entry, or of each entry of a row; zero if it does not change."""
+    if tree.data in ("row", "cell"):
+        parts: list[Any] = [_or_zero(each, rates) for each in _trees(tree)]
+        return Tree(tree.data, parts)
+    return rate_of(tree, rates) or _ZERO
+
+
+def _sum(terms: list[tuple[str, Formula]]) -> Formula | None:
+    signed: list[Any] = [part for sign, term in terms for part in (Token("SIGN", sign), term)]
+    return Tree("sum", signed) if terms else None
+
+
+def _sum_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
+    parts = tree.children if isinstance(tree.children[0], Token) else [Token("SIGN", "+"), *tree.children]
+    pairs = [(str(sign), rate_of(term, rates)) for sign, term in zip(parts[::2], parts[1::2], strict=True)]  # type: ignore[arg-type]  # signs and trees take turns
+    return _sum([(sign, rate) for sign, rate in pairs if rate is not None])
+
+
+def _of_fraction(above: Formula, below: Formula, rates: Mapping[str, Formula]) -> Formula | None:
+    first, second = rate_of(above, rates), rate_of(below, rates)
+    terms: list[tuple[str, Formula]] = [] if first is None else [("+", Tree("fraction", [first, below]))]
+    if second is not None:
+        square: Formula = Tree("run", [below, below])
+        product: Formula = Tree("run", [second, above])
+        terms.append(("-", Tree("fraction", [product, square])))
+    return _sum(terms)
+
+
+def _of_power(base: Formula, exponent: Formula, rates: Mapping[str, Formula]) -> Formula | None:
+    """Return the rate of a power with a small whole exponent: that of a product of so many factors."""
+    while exponent.data == "group":
+        (exponent,) = _trees(exponent)
+    times = str(exponent.children[0]) if exponent.data == "number" else ""
+    if not (times.isdigit() and 1 < int(times) <= MOST_MATRIX_POWER):
+        raise UnreadableError("the derivative of a power in it is not computed")
+    return rate_of(Tree("run", [base] * int(times)), rates)
+
+
+def _of_function(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
+    name, inside = str(tree.children[0]), _trees(tree)[0]
+    rate = rate_of(inside, rates)
+    if rate is None:
+        return None
+    other: Formula = Tree("function", [Token("FUNCTION", {"sin": "cos", "cos": "sin"}.get(name, name)), inside])
+    if rate.data == "items":
+        (rate,) = _trees(rate)
+    sign = "-" if name == "cos" else "+"
+    return _sum([(sign, Tree("run", [other, rate]))])

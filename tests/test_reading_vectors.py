@@ -1,0 +1,198 @@
+"""Which letters are vectors and matrices: what is so for numbers alone does not follow of them."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+from algebroproj_sym.reading.defining.survey import Survey
+from algebroproj_sym.reading.defining.symbols import SymbolsFile
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+
+def last_verdict(latex: str) -> str:
+    return read_document(document_of(latex))[-1].verdict
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] "
+        r"\[ B = \begin{bmatrix} 0 & 1 \\ 1 & 0 \end{bmatrix} \] \[ A B = B A \]",
+        r"\[ A = \begin{bmatrix} a & b \\ c & d \end{bmatrix} \] \[ x = \begin{bmatrix} p \\ q \end{bmatrix} \] "
+        r"\[ A^2 x = x A^2 \]",
+        r"\[ \mathbf{y} = X \mathbf{b} \] \[ \mathbf{b} = \mathbf{y} X^{-1} \]",
+        r"\[ \mathbf{y} = A B \mathbf{x} \] \[ \mathbf{y} = B A \mathbf{x} \]",
+        r"\[ \mathbf{u} = A \mathbf{v} + B \mathbf{w} \] \[ C \mathbf{u} = A C \mathbf{v} + B C \mathbf{w} \]",
+        r"\[ \mathbf{x}^T A \mathbf{y} = \mathbf{y}^T A \mathbf{x} \]",
+        r"\[ \mathbf{r} = P H^T S^{-1} \mathbf{y} \] \[ \mathbf{r} = H^T P S^{-1} \mathbf{y} \]",
+        r"\[ P = A P_0 A^T + Q \] \[ P = A A^T P_0 + Q \]",
+        r"\[ S = H P H^T + R \] \[ K = P H^T S^{-1} \] \[ K S = S K \]",
+        r"\[ S = H P H^T + R \] \[ K = P H^T S^{-1} \] \[ K = S^{-1} P H^T \]",
+        r"\[ y = z - c \] Here $y$ is a vector. \[ K = P H^T S^{-1} \] \[ x = K y \] \[ x = H^T P S^{-1} y \]",
+        r"\[ x_{k+1} = A x_k + B u_k \] where $x_k$ is the state vector. \[ A x_k = x_k A \]",
+        r"The vectors are \[ \bar c = \bar a \times \bar b \] \[ \bar c = \bar b \times \bar a \]",
+        r"The velocity vector is \[ \bar v = \bar\omega \times \bar r \] "
+        r"\[ \bar\omega \times \bar v = \bar\omega^2 \bar r \]",
+        r"\[ \underline v = \underline w \times \underline r \] \[ \underline v = \underline r \times \underline w \]",
+        r"\[ \tilde a = \tilde\omega \times (\tilde\omega \times \tilde r) \] "
+        r"\[ \tilde a = (\tilde\omega \times \tilde\omega) \times \tilde r \]",
+        r"The velocity vector is \[ \frac{d\bar r}{dt} = \frac{\delta\bar r}{\delta t} + \bar\omega \times \bar r \] "
+        r"\[ \bar\omega \times \frac{d\bar r}{dt} = \bar\omega\times\frac{\delta\bar r}{\delta t} "
+        r"+ \bar r \times (\bar\omega \times \bar\omega) \]",
+        r"The vector \[ \bar r_{12} = \bar r_2 - \bar r_1 \] "
+        r"\[ \bar r_1 \times \bar r_{12} = \bar r_2 \times \bar r_1 \]",
+        r"\[ \mathbf{F} = \frac{d\mathbf{p}}{dt} \] "
+        r"\[ \mathbf{r} \times \mathbf{F} = \frac{d\mathbf{p}}{dt} \times \mathbf{r} \]",
+        r"Here $A$ is a matrix. \[ b = A x \] \[ c = A b \] \[ c = x A A \]",
+        r"Here $A$ and $B$ are matrices. \[ y = A x + B u \] \[ y = x A + u B \]",
+        r"The Jacobian matrix is $J$. \[ d = J^{-1} e \] \[ d = e J^{-1} \]",
+        r"\[ f = k^T x \] \[ f = x k^T \]",
+        r"\[ S = x y^T \] \[ S = y^T x \]",
+        r"\[ (X^T X)^{-1} X^T = X^{-1} \]",
+        r"\[ \mathbf{x} = (A^T A)^{-1} A^T \mathbf{b} \] \[ \mathbf{x} = A^{-1} \mathbf{b} \]",
+        r"\[ S = X^T X \] \[ \mathbf{b} = S^{-1} X^T \mathbf{y} \] \[ \mathbf{b} = X^{-1} \mathbf{y} \]",
+        r"\[ \mathbf{L} = I \boldsymbol\omega \] "
+        r"\[ \boldsymbol\omega \times \mathbf{L} = I \boldsymbol\omega \times \boldsymbol\omega \]",
+        r"\[ \left(\frac{\partial\mathbf{f}}{\partial\mathbf{x}}\right)^T \mathbf{v} "
+        r"= \mathbf{v}^T \frac{\partial\mathbf{f}}{\partial\mathbf{x}} \]",
+        r"\[ \mathrm{diag}(\mathbf{A}, \mathbf{B})^T = \mathrm{diag}(\mathbf{A}, \mathbf{B}) \]",
+        r"\[ \mathrm{diag}(\mathbf{x})^T = \mathrm{diag}(\mathbf{x}) \]",
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] "
+        r"\[ \mathrm{diag}(5, A) = \begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 0 \\ 0 & 0 & 5 \end{bmatrix} \]",
+        r"The means are \[ \bar x = \frac1n\sum_{i=1}^n x_i \] \[ \bar y = \frac1n\sum_{i=1}^n y_i \] "
+        r"They are no vectors: \[ \bar x \times \bar x = 0 \]",
+    ],
+)
+def test_what_holds_of_numbers_alone_does_not_follow_of_vectors_and_matrices(latex):
+    assert last_verdict(latex) != "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{y} = X \mathbf{b} \] \[ \mathbf{b} = X^{-1} \mathbf{y} \]",
+        r"\[ \mathbf{y} = P Q \mathbf{b} \] \[ \mathbf{c} = Q \mathbf{b} \] \[ \mathbf{y} = P \mathbf{c} \]",
+        r"\[ S = H P H^T + R \] \[ K = P H^T S^{-1} \] \[ K S = P H^T \]",
+        r"\[ x = u + P H^T S^{-1} y \] where $y$ is the residual vector. \[ K = P H^T S^{-1} \] \[ x = u + K y \]",
+        r"\[ \mathbf{F} = G \frac{M m}{r^3} \mathbf{r} \] "
+        r"\[ \mathbf{p} \times \mathbf{F} = G M m \frac{\mathbf{p} \times \mathbf{r}}{r^3} \]",
+        r"The velocity vector is \[ \frac{d\bar r}{dt} = \frac{\delta\bar r}{\delta t} + \bar\omega \times \bar r \] "
+        r"\[ \bar\omega \times \frac{d\bar r}{dt} = \bar\omega\times\frac{\delta\bar r}{\delta t} "
+        r"+ \bar\omega \times (\bar\omega \times \bar r) \]",
+        r"The vectors \[ \frac{\delta^2\bar r}{\delta t^2} = \bar g - \bar\omega \times \bar v \] "
+        r"\[ \frac{\delta^2\bar r}{\delta t^2} = \bar v \times \bar\omega + \bar g \]",
+        r"\[ \hat{x}_t = \bar{x}_t + \Delta{x}_t \] \[ \Delta{x}_t = P H^T y y^T \] "
+        r"\[ \hat{x}_t = \bar{x}_t + P H^T y y^T \]",
+        r"Here $A$ is a matrix. \[ b = A x \] \[ c = A b \] \[ c = A A x \]",
+        r"The system matrix is $A$. \[ \dot x = A x + B u \] \[ y = C \dot x \] \[ y = C A x + C B u \]",
+        r"\[ (X^T X)^{-1} X^T = X^{-1} \] where $X$ is square.",
+        r"\[ g = J^T r \] \[ H = J^T J \] \[ d = -H^{-1} g \] \[ d = -(J^T J)^{-1} J^T r \]",
+        r"\[ \mathbf{K} = (I - \mathbf{A})^{-1} \] \[ \mathbf{K}^{-1} = I - \mathbf{A} \]",
+        r"Let $A = \begin{bsmallmatrix} 1 & 2 \\ 3 & 4 \end{bsmallmatrix}$ and $B = 5$. \[ \mathrm{diag}(A, B) = "
+        r"\begin{bmatrix} A & 0 \\ 0 & B \end{bmatrix} = "
+        r"\begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 0 \\ 0 & 0 & 5 \end{bmatrix} \]",
+        r"\[ \mathbf{v} = \frac{d\mathbf{r}}{dt} \] "
+        r"\[ \mathbf{v}\cdot\mathbf{w} = \mathbf{w}\cdot\frac{d\mathbf{r}}{dt} \]",
+        r"\[ p = \bar x \times 0.5 \] \[ p = 0.5 \times \bar x \]",
+        r"\[ p = a \times b \] \[ p = b \times a \]",
+        r"\[ \bar x = \frac1n\sum_{i=1}^n x_i \] \[ p = \bar x \times \bar y \] \[ p = \bar y \times \bar x \]",
+    ],
+)
+def test_what_holds_of_vectors_and_matrices_follows(latex):
+    assert last_verdict(latex) == "follows"
+
+
+def test_letters_are_of_one_kind_where_they_are_added_or_equal():
+    kinds = Survey(
+        document_of(r"Let $y$ be a vector. \[ y = z - h(x) \] \[ z = w + 2 v \] \[ n = 3 k \]"), SymbolsFile()
+    ).kinds
+    assert kinds.no_numbers == {"y", "z", "h", "w", "v"}
+
+
+def test_the_accent_of_vectors_holds_for_all_letters_that_have_it_but_for_no_index():
+    latex = r"\[ \bar v = \bar\omega \times (\bar\omega \times \bar r_{ij}) \] \[ m_{\bar a} = \hat m \]"
+    kinds = Survey(document_of(latex), SymbolsFile()).kinds
+    assert kinds.columns == {r"\bar{v}", r"\bar{\omega}", r"\bar{r}_{ij}"}
+
+
+@pytest.mark.parametrize(
+    ("latex", "found"),
+    [
+        (r"\[ \mathbf{y} = X \mathbf{b} \]", {"X"}),
+        (r"\[ \mathbf{y} = (A + 2 B) (\mathbf{b} + \mathbf{c}) \]", {"A", "B"}),
+        (r"\[ \mathbf{F} = \frac{M \mathbf{a}}{c} \]", set()),
+        (r"\[ \mathbf{F} = M \mathbf{a} + \frac{\mathbf{c}}{M} \]", set()),
+        (r"\[ \mathbf{F} = G \frac{M}{r^3} \mathbf{r} \]", set()),
+        (r"\[ \mathbf{F} = m \mathbf{a} \]", set()),
+    ],
+)
+def test_a_thin_capital_beside_a_vector_may_be_a_matrix_unless_it_is_a_number_elsewhere(latex, found):
+    assert Survey(document_of(latex), SymbolsFile()).kinds.open == found
+
+
+@pytest.mark.parametrize(
+    ("latex", "found"),
+    [
+        (r"Set $\omega = 2$. \[ a = b \]", set()),
+        (r"The set $A = B$. \[ a = b \]", {"A"}),
+        (r"The numbers $\{x_i\}$ are a set. \[ a = b \]", set()),
+        (r"The state vector is $x$. The rank of the matrix is $n$. \[ a = b \]", {"x"}),
+    ],
+)
+def test_words_call_a_letter_a_vector_or_a_set(latex, found):
+    assert Survey(document_of(latex), SymbolsFile()).kinds.no_numbers == found
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{L} = \mathbf{r} \times \mathbf{p} \] "
+        r"\[ \dot{\mathbf{L}} = \dot{\mathbf{r}} \times \mathbf{p} + \mathbf{r} \times \dot{\mathbf{p}} \]",
+        r"\[ \mathbf{L} = \mathbf{r} \times \mathbf{p} \] \[ \frac{d\mathbf{L}}{dt} = "
+        r"\frac{d\mathbf{r}}{dt} \times \mathbf{p} + \mathbf{r} \times \frac{d\mathbf{p}}{dt} \]",
+        r"\[ \mathbf{r} = r \mathbf{e}_r \] \[ \dot{\mathbf{r}} = \dot r \mathbf{e}_r + r \dot{\mathbf{e}}_r \]",
+        r"\[ \mathbf{e}_r = \cos\theta \mathbf{i} + \sin\theta \mathbf{j} \] "
+        r"\[ \dot{\mathbf{e}}_r = \dot\theta (-\sin\theta \mathbf{i} + \cos\theta\mathbf{j}) \]",
+        r"\[ \mathbf{v} = \frac{\mathbf{p}}{m} \] "
+        r"\[ \dot{\mathbf{v}} = \frac{\dot{\mathbf{p}}}{m} - \frac{\dot m \mathbf{p}}{m^2} \]",
+        r"\[ \mathbf{A} = \mathbf{B}^2 \] "
+        r"\[ \dot{\mathbf{A}} = \dot{\mathbf{B}} \mathbf{B} + \mathbf{B} \dot{\mathbf{B}} \]",
+        r"\[ \mathbf{r} = \mathbf{r}_0 + \mathbf{v} t + \frac12 \mathbf{a} t^2 \] "
+        r"\[ \dot{\mathbf{r}} = \mathbf{v} + \mathbf{a} t \]",
+        r"\[ \mathbf{r}(t) = x(t) \mathbf{e}_1 + y(t) \mathbf{e}_2 \] "
+        r"\[ \frac{d\mathbf{r}(t)}{dt} = \frac{dx(t)}{dt} \mathbf{e}_1 + \frac{dy(t)}{dt} \mathbf{e}_2 \]",
+        r"\[ E = \frac12 m v^2 + m g y \] \[ \frac{dE}{dt} = m v \frac{dv}{dt} + m g \frac{dy}{dt} \]",
+    ],
+)
+def test_the_derivative_of_vectors_is_taken_factor_by_factor(latex):
+    assert last_verdict(latex) == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{L} = \mathbf{r} \times \mathbf{p} \] "
+        r"\[ \dot{\mathbf{L}} = \dot{\mathbf{r}} \times \mathbf{p} + \dot{\mathbf{p}} \times \mathbf{r} \]",
+        r"\[ \mathbf{L} = \mathbf{r} \times \mathbf{p} \] "
+        r"\[ \dot{\mathbf{L}} = \dot{\mathbf{r}} \times \dot{\mathbf{p}} \]",
+        r"\[ \mathbf{r} = r \mathbf{e}_r \] \[ \dot{\mathbf{r}} = \dot r \mathbf{e}_r \]",
+        r"\[ \mathbf{r} = r \hat{\mathbf{r}} \] \[ \dot{\mathbf{r}} = \dot r \hat{\mathbf{r}} \]",
+        r"\[ \mathbf{p} = \mathbf{R} \mathbf{q} \] \[ \dot{\mathbf{p}} = \mathbf{R} \dot{\mathbf{q}} \]",
+        r"\[ \mathbf{p} = R \mathbf{q} \] \[ \dot{\mathbf{p}} = R \dot{\mathbf{q}} \]",
+        r"\[ \mathbf{v} = \boldsymbol\omega \times \mathbf{r} \] "
+        r"\[ \dot{\mathbf{v}} = \boldsymbol\omega \times \dot{\mathbf{r}} \]",
+        r"\[ \mathbf{A} = \mathbf{B}^2 \] \[ \dot{\mathbf{A}} = 2 \mathbf{B} \dot{\mathbf{B}} \]",
+        r"\[ \mathbf{A} = \mathbf{B} \mathbf{C} \] "
+        r"\[ \dot{\mathbf{A}} = \dot{\mathbf{B}} \mathbf{C} + \dot{\mathbf{C}} \mathbf{B} \]",
+        r"At the start, \[ \mathbf{r} = \mathbf{r}_0 \] Later \[ \dot{\mathbf{r}} = 0 \]",
+        r"\[ \mathbf{r} = x \mathbf{i} + y \mathbf{j} \] "
+        r"\[ \ddot{\mathbf{r}} = \dot x \mathbf{i} + \dot y \mathbf{j} \]",
+        r"\[ \mathbf{v} = \frac{\mathbf{p}}{m} \] "
+        r"\[ \dot{\mathbf{v}} = \frac{\dot{\mathbf{p}}}{m} - \frac{\dot m \mathbf{p}}{m} \]",
+        r"\[ \mathbf{y} = f(\mathbf{x}) \mathbf{x} \] \[ \dot{\mathbf{y}} = f(\mathbf{x}) \dot{\mathbf{x}} \]",
+        r"\[ E = \frac12 m v^2 \] \[ \frac{dE}{dt} = m v \frac{dv}{dt} + v^2 \frac{dm}{dt} \]",
+        r"\[ y = a x \] \[ a = x \] \[ \frac{dy}{dt} = a \frac{dx}{dt} \]",
+    ],
+)
+def test_what_is_not_the_derivative_of_vectors_does_not_follow(latex):
+    assert last_verdict(latex) != "follows"

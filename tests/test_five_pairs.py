@@ -1,5 +1,6 @@
 """Five pairs of calibrated images: all real essential matrices, or none are told; the truth is exact arithmetic."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -7,8 +8,9 @@ import mpmath
 import numpy as np
 import pytest
 
+from algebroproj import a_priori, isolating, minimal, plain
 from algebroproj import five_pairs as module
-from algebroproj import isolating, minimal
+from algebroproj._runtime.evaluation import parts_of
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "benchmarks"))
 from exact_counts import count_of_five as oracle
@@ -38,18 +40,63 @@ def test_integers_and_floating_point_numbers_agree_and_enclose_each_other():
             assert apart.max(axis=(2, 3)).min() <= 0
 
 
-def test_derivatives_are_those_of_the_matrix():
+def test_what_rounding_changes_in_the_conditions_is_no_more_than_what_is_known_beforehand():
+    """Of base and quaternion of length 1, no term, as a share of the lengths of the rays, is above that of ones."""
+    sizes = {"abs": lambda _: 1}
+    bounds = a_priori(minimal.conditions)
+
+    def at_ones(text):
+        return eval(re.sub(r"\|\w+\|", "1", text), {}, sizes)
+
+    for name, text in bounds[0].where.items():
+        if name.startswith("m"):
+            sizes[name] = at_ones(text)
+    assert all(bound.roundings == 1 and len(bound.terms) == 1 for bound in bounds)
+    for ((coefficient, kappa),) in (bound.terms for bound in bounds[18:]):
+        assert coefficient * at_ones(kappa.split("/|s")[0]) * 2.0**-106 <= module.RESIDUAL
+
+
+class Size:
+    """The sum of the absolute values of terms, and how often one of them is rounded at most."""
+
+    def __init__(self, total, roundings=0):
+        self.total, self.roundings = total, roundings
+
+    def __add__(self, other):
+        return Size(self.total + other.total, max(self.roundings, other.roundings) + 1)
+
+    def __mul__(self, other):
+        other = other if isinstance(other, Size) else Size(other)
+        return Size(self.total * other.total, self.roundings + other.roundings + 1)
+
+    def __neg__(self):
+        return self
+
+    __sub__, __rmul__ = __add__, __mul__
+
+
+@pytest.mark.parametrize("moved", ["base", "quaternion"])
+def test_what_rounding_changes_in_derivatives_is_no_more_than_what_is_assumed(moved):
+    """Entries of numbers of length 1 are at most 1; a direction is rounded less than 32 times."""
+    body = parts_of(plain(minimal.differential), "test")[1]
+    changes = [Size(size, 32) for size in [int(moved == "base")] * 6 + [int(moved == "quaternion")] * 8]
+    elements = body(*[Size(1)] * 14, *changes)
+    by_pairs = np.linalg.norm([element.total for element in elements])
+    roundings = max(element.roundings for element in elements) + 9
+    of_five = np.sqrt(25 * 2) * by_pairs * roundings
+    of_product = 32 * np.sqrt(5) * 8
+    assert of_five + of_product < module.DERIVATIVES / module.ROUNDOFF
+
+
+def test_directions_are_at_right_angles():
     generator = np.random.default_rng(8)
-    base, quaternion = (generator.integers(-9, 10, (20, n)).astype(float) for n in (3, 4))
-    doubled = [
-        minimal.essential_matrix(base + unit, quaternion) - minimal.essential_matrix(base - unit, quaternion)
-        for unit in np.eye(3)
-    ]
-    doubled += [
-        minimal.essential_matrix(base, quaternion + unit) - minimal.essential_matrix(base, quaternion - unit)
-        for unit in np.eye(4)
-    ]
-    assert (np.stack(doubled, axis=-1).reshape(20, 9, 7) == 2 * module._derivatives(base, quaternion)).all()
+    for size in (3, 4):
+        units = module._unit(generator.normal(size=(99, size)) + 1j * generator.normal(size=(99, size)))
+        units[0] = np.eye(size)[1]
+        units[1] = np.eye(size)[0]
+        whole = np.concatenate([units[:, None], module._at_right_angles(units)], axis=1)
+        assert np.abs(whole @ whole.conj().swapaxes(1, 2) - np.eye(size)).max() < 16 * module.ROUNDOFF
+    assert not module._at_right_angles(units.real + 0j).imag.any()
 
 
 def cross_matrix(b):
@@ -329,22 +376,3 @@ def test_what_is_no_problem_is_refused_by_name():
     with pytest.raises(ValueError, match="five_pairs: expected leading shapes that broadcast"):
         minimal.five_pairs(np.zeros((2, 5, 2)), np.zeros((3, 5, 2)))
     assert minimal.five_pairs(np.zeros((0, 5, 2)), np.zeros((0, 5, 2))).E.shape == (0, 10, 3, 3)
-
-
-def test_rounding_constants_hold_for_more_operations_than_there_are():
-    """The bounds allow 32 operations on the way to an equation, of which ten are a sum of nine products."""
-
-    class Depth:
-        def __init__(self, depth=0):
-            self.depth = depth
-
-        def _after(self, other):
-            return Depth(1 + max(self.depth, getattr(other, "depth", 0)))
-
-        __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = _after
-
-        def __neg__(self):
-            return self
-
-    elements = module._elements([Depth() for _ in range(7)])
-    assert max(each.depth for each in elements) <= 32 - 10

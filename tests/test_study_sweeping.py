@@ -249,6 +249,28 @@ def test_a_damaged_manifest_is_refused_by_name(tmp_path, text):
         swept(tmp_path)
 
 
+@pytest.mark.parametrize(
+    "place", ["chunks/00000001.nc", "chunks/00000001.nc.seal", "chunks/unsealed-00000001.nc", "manifest.json"]
+)
+def test_a_folder_in_the_place_of_a_file_is_refused_by_name(tmp_path, place):
+    for _ in zip(range(4), run(swept(tmp_path)), strict=False):
+        pass
+    (tmp_path / place).unlink(missing_ok=True)
+    (tmp_path / place / "inner").mkdir(parents=True)
+    with pytest.raises(OtherSweepError, match=f"{re.escape(place)}: expected a file, found a folder"):
+        swept(tmp_path)
+    assert (tmp_path / place / "inner").exists()
+
+
+@pytest.mark.parametrize("place", ["lengths.nc", "lengths.nc.seal"])
+def test_a_folder_in_the_place_of_the_result_is_refused_by_name(tmp_path, place):
+    finished(swept(tmp_path))
+    (tmp_path / place).unlink()
+    (tmp_path / place).mkdir()
+    with pytest.raises(OtherSweepError, match=r"lengths\.nc: this is not what the study has written here"):
+        swept(tmp_path)
+
+
 def test_a_folder_has_one_run_at_a_time(tmp_path):
     with held(tmp_path), pytest.raises(BusyFolderError, match="another run writes to this folder"), held(tmp_path):
         pass

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from math import inf, isfinite, nextafter
+from operator import sub
 from typing import Any
 
 import flint
@@ -87,7 +89,7 @@ def mpmath_digits(digits: int) -> Arithmetic:
         dtype=object,
         lift=lambda values, off: _objects(mpmath.mpf, values),
         split=_of_kind(mpmath.mpf),
-        nearest=_nearest_to(float, lambda number, high: number - high),
+        nearest=_nearest_to(float, sub),
         meanings=MPMATH,
         context=lambda: mpmath.workdps(digits),
     )
@@ -102,7 +104,7 @@ def arb(bits: int) -> Arithmetic:
         dtype=object,
         lift=_balls,
         split=_of_kind(flint.arb),
-        nearest=_nearest_to(_middle, lambda ball, high: ball.mid() - high),
+        nearest=_nearest_to(float, sub),
         radius=_radius_of_balls,
         meanings=ARB,
         context=lambda: flint.ctx.workprec(bits),
@@ -133,19 +135,14 @@ def _of_kind(kind: Callable[[int], Any]) -> Callable[[Any], tuple[Any, ...]]:
     return lambda value: (kind(value) if isinstance(value, int) else value,)
 
 
-def _objects(kind: Callable[[float], Any], values: NDArray[np.float64]) -> Numbers:
-    objects = np.empty((1, *values.shape), dtype=object)
-    for place in np.ndindex(values.shape):
-        objects[(0, *place)] = kind(float(values[place]))
+def _objects(kind: Callable[..., Any], *values: NDArray[np.float64]) -> Numbers:
+    objects = np.empty((1, *values[0].shape), dtype=object)
+    objects[0] = np.frompyfunc(kind, len(values), 1)(*values)
     return objects
 
 
 def _balls(values: NDArray[np.float64], off: NDArray[np.float64]) -> Numbers:
-    balls = _objects(flint.arb, values)
-    for place in np.ndindex(off.shape):
-        if off[place] > 0:
-            balls[(0, *place)] = flint.arb(float(values[place]), float(off[place]))
-    return balls
+    return _objects(lambda value, radius: flint.arb(value, radius) if radius > 0 else flint.arb(value), values, off)
 
 
 def _nearest_to(
@@ -153,20 +150,17 @@ def _nearest_to(
 ) -> Callable[[Numbers], tuple[NDArray[np.float64], NDArray[np.float64]]]:
     """Return the function that rounds objects to the sum of two machine numbers."""
 
+    def words(number: Any) -> tuple[float, float]:
+        high = rounded(number)
+        return high, rounded(rest(number, high)) if isfinite(high) else 0.0
+
+    split = np.frompyfunc(words, 1, 2)
+
     def nearest(numbers: Numbers) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        words = np.zeros((2, *numbers.shape[1:]))
-        for place in np.ndindex(numbers.shape[1:]):
-            number = numbers[(0, *place)]
-            high = rounded(number)
-            words[(0, *place)] = high
-            words[(1, *place)] = rounded(rest(number, high)) if np.isfinite(high) else 0.0
-        return words[0], words[1]
+        high, low = split(numbers[0])
+        return np.asarray(high, float), np.asarray(low, float)
 
     return nearest
-
-
-def _middle(ball: Any) -> float:
-    return float(ball.mid())
 
 
 def _rounded(number: Any) -> float:
@@ -175,12 +169,14 @@ def _rounded(number: Any) -> float:
 
 def _radius_of_balls(numbers: Numbers) -> NDArray[np.float64]:
     """Return upper bounds of how far the exact value is from the nearest double-double number."""
-    radii = np.zeros(numbers.shape[1:])
-    for place, ball in zip(np.ndindex(radii.shape), numbers.reshape(-1), strict=True):
-        if not ball.is_finite():
-            radii[place] = np.inf
-            continue
-        high = _middle(ball)
-        low = _middle(ball.mid() - high)
-        radii[place] = np.nextafter(float((ball - high - low).abs_upper()), np.inf)
-    return radii
+    return np.asarray(_RADIUS_OF(numbers[0]), float)
+
+
+def _radius_of(ball: Any) -> float:
+    if not ball.is_finite():
+        return inf
+    rest = ball - float(ball)
+    return nextafter(float((rest - float(rest)).abs_upper()), inf)
+
+
+_RADIUS_OF = np.frompyfunc(_radius_of, 1, 1)

@@ -137,7 +137,7 @@ def nearest(arithmetic: Arithmetic, numbers: Numbers) -> DoubleDouble:
     >>> float(nearest(mpmath_digits(50), third).lo)
     1.850371707708594e-17
     """
-    with arithmetic.context():
+    with arithmetic.context(), np.errstate(all="ignore"):
         return DoubleDouble(*arithmetic.nearest(numbers))
 
 

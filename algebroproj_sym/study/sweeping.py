@@ -140,12 +140,16 @@ def prepare(sweep: Sweep) -> None:
     Raises
     ------
     OtherSweepError
-        If the folder holds a sweep with other arguments, one of another version of the program, or another result.
+        If the folder holds a sweep with other arguments, one of another version of the program, another result, or
+        a folder in the place of a file.
     OSError
         If the folder cannot be written to.
     """
     (sweep.folder / CHUNKS).mkdir(parents=True, exist_ok=True)
     path = sweep.folder / MANIFEST
+    for file in (path, *sorted((sweep.folder / CHUNKS).iterdir())):
+        if file.is_dir():
+            raise OtherSweepError(f"{file}: expected a file, found a folder. Choose another folder, or remove it")
     if path.exists():
         _require_equal(path, sweep.manifest)
     if sweep.result.exists() and not _is_sealed(sweep.manifest, sweep.result, range(sweep.members)):
@@ -270,7 +274,7 @@ def _put(sweep: Sweep, written: Path, path: Path, members: Sequence[int] | Indic
 
 def _is_sealed(manifest: Mapping[str, Any], path: Path, members: Sequence[int] | Indices) -> bool:
     seal = path.with_name(path.name + SEAL)
-    return path.exists() and seal.exists() and seal.read_bytes() == _seal(manifest, path, members).encode()
+    return path.exists() and seal.is_file() and seal.read_bytes() == _seal(manifest, path, members).encode()
 
 
 def _seal(manifest: Mapping[str, Any], path: Path, members: Sequence[int] | Indices) -> str:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from itertools import combinations_with_replacement
+from itertools import combinations_with_replacement, permutations
 from math import prod
 from typing import Any, NamedTuple
 
@@ -30,33 +30,47 @@ Complex = NDArray[np.complex128]
 SOLUTIONS = 10
 """How many solutions there are, real or complex, if they are different and isolated."""
 
-BLOCK = 512
+UNKNOWNS = 5
+"""The directions in which base and rotation change."""
+
+BLOCK = 256
 """How many problems are solved at once."""
 
 ATTEMPTS = 5
 """How often floating-point numbers try a problem, each time with other unknowns."""
 
-MISSED = 2.0**-45
-"""By how much complex numbers of float64 miss an equation at most, as a share of the lengths of its two vectors."""
+RESIDUAL = 2.0**-88
+"""By how much rounding changes a part of an equation at most, beside one unit roundoff of what it is, as a share of the
+lengths of the two vectors: `a_priori` of `conditions` tells it."""
 
-RESIDUAL = 2.0**-89
-"""By how much double-double numbers miss an equation at most, as a share of the lengths of its two vectors."""
+DERIVATIVES = 2.0**20 * ROUNDOFF
+"""By how much rounding changes the derivatives of five equations at most, and their product with an inverse."""
 
 PRECISE = 2.0**-46
-"""How far a solution may be from an exact one, in base and quaternion of length 1."""
+"""How far a real solution may be from an exact one, in base and quaternion of length 1."""
+
+STEPS = 4
+"""How many steps of Newton's method a solution takes at most, until it passes the test."""
 
 CUBICS = list(combinations_with_replacement(range(4), 3))
 """Products of three of the four unknowns."""
 
-LEADING = [each for each in CUBICS if 3 not in each]
-ORDER = LEADING + [each for each in CUBICS if 3 in each]
+ORDER = [each for each in CUBICS if 3 not in each] + [each for each in CUBICS if 3 in each]
 """The products without the last unknown, and then the others."""
 
+FACTORS = np.transpose(ORDER)
+"""The first, the second and the third factor of each product."""
 
-SQUARES = list(combinations_with_replacement(range(4), 2))
-TO_SQUARES = np.array([[float(tuple(sorted(each)) == square) for each in np.ndindex(4, 4)] for square in SQUARES])
-TO_CUBICS = np.array([[float(tuple(sorted((*two, k))) == each) for k in range(4) for two in SQUARES] for each in ORDER])
-"""Sums of the products of two unknowns in any order, and of those by a third one."""
+SHARES = np.array([[len({*permutations(each)})] for each in ORDER]) / 6
+"""How often a product occurs in the cube of a sum of unknowns, as a share of that of different ones."""
+
+TIMES = np.array([ORDER.index(tuple(sorted((0, *each[:2])))) for each in ORDER[10:]])
+UNKNOWN = np.flatnonzero(TIMES < 10)
+KNOWN = np.eye(20)[TIMES, 10:]
+"""The products of x and those with w, w left out: which are without w, and the others by those with w."""
+
+LINEAR = [ORDER.index((k, 3, 3)) - 10 for k in range(4)]
+"""The products of each unknown by the square of w."""
 
 
 class FivePairs(NamedTuple):
@@ -163,19 +177,16 @@ def _solve(left: Numbers, right: Numbers, attempt: int, places: NDArray[Any], fo
     with np.errstate(all="ignore"):
         left, right = (np.concatenate([points, np.ones_like(points[..., :1])], axis=2) for points in (left, right))
         starts, sides = _eliminated(left, right, attempt)
-        usable = np.isfinite(starts).all(axis=(1, 2, 3))
-        starts = np.where(usable[:, None, None, None], starts, np.eye(3))
         tested = _all_tested(starts, sides, left, right)
         real = sides == 0
-        decided = usable & _are_different(tested)
-        values, errors = _real_parts(tested)
-    order = np.argsort(~real, axis=1, kind="stable")[..., None, None]
-    kept = np.take_along_axis(real[..., None, None], order, axis=1)
+        decided = _are_different(tested)
+    problem, solution = np.nonzero(real & decided[:, None])
+    place = places[problem], (np.cumsum(real, axis=1) - 1)[problem, solution]
     found.count[places[decided]] = real[decided].sum(axis=1)
-    found.multiplicity[places[decided]] = kept[decided, :, 0, 0]
     found.case[places[decided]] = "counted"
-    for part, numbers in ((found.E, values), (found.error, errors)):
-        part[places[decided]] = np.where(kept, np.take_along_axis(numbers, order, axis=1), np.nan)[decided]
+    found.multiplicity[place] = 1
+    values, errors = _of_norm_1(tested.E[problem, solution].real, tested.radius[problem, solution])
+    found.E[place], found.error[place] = values, errors[:, None, None]
 
 
 def _solve_by_integers(left: Numbers, right: Numbers, found: FivePairs) -> None:
@@ -209,58 +220,58 @@ def _eliminated(left: Numbers, right: Numbers, attempt: int) -> tuple[Complex, N
     eigenvectors are the products with w of the solutions.  Each attempt has another reflection of the unknowns.
     """
     rows = _rows(left, right)
-    rows = rows / np.linalg.norm(rows, axis=2, keepdims=True)
+    rows = rows / _norms(rows.reshape(-1, 9)).reshape(-1, 5, 1)
     span = np.linalg.qr(rows.swapaxes(1, 2), mode="complete")[0][:, :, 5:].swapaxes(1, 2)
-    mirror = np.cos(attempt * np.arange(1, 5))
-    reflection = np.eye(4) - 2 * np.outer(mirror, mirror) / (mirror @ mirror)
-    span = reflection @ span
-    stacked, forms = span.reshape(-1, 12, 3), span.reshape(-1, 4, 3, 3)
-    every = (stacked @ stacked.swapaxes(1, 2)).reshape(-1, 4, 3, 4, 3).swapaxes(2, 3).reshape(-1, 16, 9)
-    factors = TO_SQUARES @ every
-    factors[:, :, ::4] -= factors[:, :, ::4].sum(axis=2, keepdims=True) / 2
-    crosses = TO_SQUARES @ np.cross(forms[:, :, None, 1], forms[:, None, :, 2]).reshape(-1, 16, 3)
-    equations = np.empty((len(span), 20, 10))
-    equations[..., :9] = TO_CUBICS @ (factors.reshape(-1, 1, 30, 3) @ forms).reshape(-1, 40, 9)
-    equations[..., 9] = (forms[:, :, 0] @ crosses.swapaxes(1, 2)).reshape(-1, 40) @ TO_CUBICS.T
+    span = _reflection(attempt) @ span
+    factors = span.reshape(-1, 4, 3, 3)[:, FACTORS]
+    equations = _plain("cubic_terms")(*(factors[:, k] for k in range(3))) * SHARES
     products = -equations[:, 10:] @ _inverse(equations[:, :10])
-    regular = (np.abs(products) < 1 / RESIDUAL).all(axis=(1, 2))
-    products = np.where(regular[:, None, None], products, np.eye(10))
-    times = [ORDER.index(tuple(sorted((0, *each[:2])))) for each in ORDER[10:]]
-    known = np.broadcast_to(np.eye(10), products.shape)
-    values, vectors = np.linalg.eig(np.concatenate([products.swapaxes(1, 2), known], axis=1)[:, times])
-    unknowns = vectors[:, [ORDER.index((k, 3, 3)) - 10 for k in range(4)]]
-    unknowns = unknowns / np.linalg.norm(unknowns, axis=1, keepdims=True)
-    unknowns = np.where(regular[:, None, None], unknowns, np.nan)
-    solutions = unknowns.swapaxes(1, 2) @ span
-    return solutions.reshape(-1, SOLUTIONS, 3, 3).astype(np.complex128), np.sign(values.imag).astype(np.int64)
+    products[~(np.abs(products) < 1 / RESIDUAL).all(axis=(1, 2))] = 0
+    matrices = np.broadcast_to(KNOWN, products.shape).copy()
+    matrices[:, UNKNOWN] = products.swapaxes(1, 2)[:, TIMES[UNKNOWN]]
+    values, vectors = np.linalg.eig(matrices)
+    solutions = vectors[:, LINEAR].swapaxes(1, 2).astype(complex) @ span
+    units = _unit(solutions.reshape(-1, 9)).reshape(-1, SOLUTIONS, 3, 3)
+    return units, np.sign(values.imag).astype(np.int64)
 
 
-def _base_and_rotation(essential: Complex) -> tuple[Complex, Complex]:
-    """Return base and quaternion of essential matrices, each of norm 1: bridges 9/base, 9/rotation and 9/quaternion."""
-    square = essential @ essential.swapaxes(-1, -2)
-    half = np.trace(square, axis1=-2, axis2=-1)[..., None, None] / 2
-    column, element = _largest_column(half * np.eye(3) - square)
-    base = column / np.sqrt(element)
-    rows = [essential[..., k, :] for k in range(3)]
-    cofactors = np.stack([np.cross(rows[k - 2], rows[k - 1]) for k in range(3)], axis=-2)
-    turned = np.cross(base[..., None, :], essential.swapaxes(-1, -2)).swapaxes(-1, -2)
-    (a, b, c), (d, e, f), (g, h, i) = np.moveaxis((cofactors - turned) / half, (-2, -1), (0, 1))
-    one = np.ones_like(a)
-    squares = [
-        [one + a + e + i, h - f, c - g, d - b],
-        [h - f, one + a - e - i, b + d, c + g],
-        [c - g, b + d, one - a + e - i, f + h],
-        [d - b, c + g, f + h, one - a - e + i],
-    ]
-    quaternion, _ = _largest_column(np.moveaxis(np.array(squares), (0, 1), (-2, -1)))
+@cache
+def _reflection(attempt: int) -> Numbers:
+    """Return a matrix that changes the unknowns to other ones."""
+    mirror = np.cos(attempt * np.arange(1, 5))
+    return np.eye(4) - 2 * np.outer(mirror, mirror) / (mirror @ mirror)
+
+
+@cache
+def _plain(name: str) -> Any:
+    """Return a generated function without compensation."""
+    from . import minimal, plain
+
+    return plain(getattr(minimal, name))
+
+
+def _base_and_quaternion(essential: Complex) -> tuple[Complex, Complex]:
+    """Return base and quaternion of essential matrices, each of norm 1."""
+    from . import minimal
+
+    base, element = _largest_column(_quadratic(minimal.base_products, essential))
+    base = base / np.sqrt(element)
+    quaternion, _ = _largest_column(_quadratic(minimal.quaternion_products, essential, base))
     return _unit(base), _unit(quaternion)
 
 
-def _largest_column(matrix: Complex) -> tuple[Complex, Complex]:
-    """Return the column of the largest element of the diagonal, and this element."""
-    place = np.abs(np.diagonal(matrix, axis1=-2, axis2=-1)).argmax(axis=-1)[..., None, None]
-    column = np.take_along_axis(matrix, place, axis=-1)[..., 0]
-    return column, np.take_along_axis(column, place[..., 0], axis=-1)
+def _quadratic(function: Any, *arguments: Complex) -> Complex:
+    """Return a quadratic function of complex numbers by its values for real ones."""
+    real, imaginary, both = function(*(np.array([z.real, z.imag, z.real + z.imag]) for z in arguments))
+    return np.asarray(real - imaginary + 1j * (both - real - imaginary))
+
+
+def _largest_column(matrices: Complex) -> tuple[Complex, Complex]:
+    """Return the column of the largest element of the diagonal of each matrix, and this element."""
+    each, places = np.arange(len(matrices)), range(matrices.shape[1])
+    largest = np.abs(matrices[:, places, places]).argmax(axis=1)
+    columns = matrices[each, :, largest]
+    return columns, columns[each, largest][:, None]
 
 
 def _inverse(matrices: NDArray[Any]) -> NDArray[Any]:
@@ -279,7 +290,7 @@ def _norms(arrays: NDArray[Any]) -> Numbers:
 
 
 def _unit(vectors: Complex) -> Complex:
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
+    return np.asarray(vectors / _norms(vectors)[:, None])
 
 
 # The test.
@@ -301,185 +312,91 @@ class _Tested:
 
 
 def _all_tested(starts: Complex, sides: NDArray[np.int64], left: Numbers, right: Numbers) -> _Tested:
-    """Return all solutions: real ones in real numbers, one of two conjugate ones, and the other as its conjugate."""
-    flat, rows = starts.reshape(-1, 3, 3), _rows(left, right)
-    matrices, radii = np.empty_like(flat), np.empty(len(flat))
-    for side in (0, 1):
-        of_side = np.flatnonzero(sides == side)
-        start, problem = flat[of_side], of_side // SOLUTIONS
-        place = (*_base_and_rotation(start if side else start.real), rows[problem])
-        one = _tested(*place) if side else _tested_precisely(*place, left[problem], right[problem])
-        matrices[of_side], radii[of_side] = one.E, one.radius
-        if side:
-            matrices[of_side + 1], radii[of_side + 1] = one.E.conj(), one.radius
+    """Return all solutions: one of two conjugate ones, and the other as its conjugate."""
+    chosen = np.flatnonzero(sides >= 0)
+    problem, real = chosen // SOLUTIONS, sides.flat[chosen] == 0
+    place = (
+        np.where(real[:, None], part.real, part) for part in _base_and_quaternion(starts.reshape(-1, 3, 3)[chosen])
+    )
+    one = _tested(*place, left[problem], right[problem])
+    matrices, radii = np.empty((sides.size, 3, 3), complex), np.empty(sides.size)
+    matrices[chosen], radii[chosen] = one.E, one.radius
+    others = chosen[~real] + 1
+    matrices[others], radii[others] = one.E[~real].conj(), one.radius[~real]
     return _Tested(matrices.reshape(starts.shape), radii.reshape(sides.shape))
 
 
-def _tested(base: Complex, quaternion: Complex, rows: Numbers, again: bool = True) -> _Tested:
-    """Return how far exact solutions are from approximate ones; where that fails, after a step of Newton's method.
+def _tested(base: Complex, quaternion: Complex, left: Numbers, right: Numbers, steps: int = STEPS) -> _Tested:
+    """Return solutions after steps of Newton's method, and how far exact ones are.
 
-    What is rounded.  The terms of the nine elements have absolute values whose sums, as a vector, have a norm of at
-    most 7/2, and there are at most 32 operations on the way from base and quaternion to an equation.  A complex number
-    of float64 is rounded by 9/4 u; this makes 252 u, less than 2**8 u: see MISSED.
+    The unknowns are the changes p of base and quaternion, both of length 1, along five directions at right angles to
+    them and to each other.  With the Jacobian J at p = 0 and Y, nearly its inverse,
+    ``p - Y F(p) = -Y F(0) + (1 - Y J) p - Y Q(p)``.  For ``|p| <= r``, r below 1, an element of Q is at most 5 r**2
+    times the lengths of its two vectors (bridges 9/expansion: a product of complex quaternions is at most sqrt(2) times
+    that of their lengths).  With ``h = |Y F(0)|``, ``|1 - Y J| <= 1/5`` and ``12 |Y| h <= 1/10`` the ball of radius 2 h
+    is taken into itself, and distances in it are at least halved: there is just one solution in it.  If base and
+    quaternion are real, so is the solution: its conjugate is in the ball, too.
+
+    The solution differs from the step by at most ``2 h |1 - Y J| + 48 |Y| h**2``, and by what rounding changes.  The
+    step changes the matrix by its derivative times the step, and by less than 9 times the square of the step.  Any
+    other change of base and quaternion changes the matrix by less than 8 times that change.
+
+    Of what is rounded, the constants RESIDUAL and DERIVATIVES tell.
     """
-    essential = _essential(base, quaternion)
-    residual = (rows @ essential.reshape(-1, 9, 1))[..., 0]
-    ball = _ball(base, quaternion, rows, _derivatives(base, quaternion), residual, MISSED)
-    found = _Tested(essential, 16 * ball.reach)
-    if again:
-        _test_again(_tested, found, ball.step, base, quaternion, rows)
-    return found
+    from . import minimal
 
-
-def _tested_precisely(
-    base: Numbers, quaternion: Numbers, rows: Numbers, left: Numbers, right: Numbers, again: bool = True
-) -> _Tested:
-    """Return real solutions after a step of Newton's method with twice the digits, and how far exact ones are.
-
-    The exact change p satisfies ``p + Y F(0) = (1 - Y J) p - Y Q(p)`` with ``|p| <= 2 h``, see `_ball`.  So it differs
-    from the step by at most ``2 h |1 - Y J| + 48 |Y| h**2``, and by what rounding changes.  In double-double numbers
-    each operation rounds at most 16 u**2, which makes less than 2**13 u**2: see RESIDUAL.  The step changes the matrix
-    by its derivative times the step, and by less than 9 times the square of the step.
-    """
-    from ._runtime.pairs import DoubleDouble
-
-    derivatives = _derivatives(base, quaternion)
-    numbers = (*np.moveaxis(base, -1, 0), *np.moveaxis(quaternion, -1, 0))
-    elements = _elements([DoubleDouble(part) for part in numbers])
-    ball = _ball(base, quaternion, rows, derivatives, _precise_residuals(elements, left, right), RESIDUAL)
-    high, low = (np.stack([getattr(each, part) for each in elements], axis=-1) for part in ("hi", "lo"))
-    essential = high + (low + (derivatives @ ball.step[..., None])[..., 0])
-    apart = ball.reach * (2 * ball.off + 48 * ball.weight * ball.reach) + ball.rounded
-    radius = 16 * (apart + ball.reach**2) + 2.0**-40 * ball.reach
-    found = _Tested(essential.reshape(-1, 3, 3), np.where(radius < 16 * PRECISE, radius, np.inf))
-    if again:
-        _test_again(_tested_precisely, found, ball.step, base, quaternion, rows, left, right)
-    return found
-
-
-def _test_again(
-    test: Any, found: _Tested, step: NDArray[Any], base: NDArray[Any], quaternion: NDArray[Any], *others: Numbers
-) -> None:
-    """Write what a test finds after a step where it has failed before."""
-    rest = np.flatnonzero(np.isinf(found.radius) & np.isfinite(step).all(axis=1))
-    if len(rest):
-        moved = np.concatenate([base, quaternion], axis=1)[rest] + step[rest]
-        one = test(_unit(moved[:, :3]), _unit(moved[:, 3:]), *(each[rest] for each in others), again=False)
-        found.E[rest], found.radius[rest] = one.E, one.radius
-
-
-@dataclass(frozen=True)
-class _Ball:
-    """Where there is one exact solution, as a change of base and quaternion.
-
-    Attributes
-    ----------
-    step : array, shape (n, 7)
-        A step of Newton's method, ``-Y F(0)`` but for rounding.
-    reach : array, shape (n,)
-        Half the radius of a ball with just one solution, h; infinite where the test has failed.
-    rounded : array, shape (n,)
-        Bound of what rounding changes in the step.
-    off, weight : array, shape (n,)
-        Bounds of ``|1 - Y J|``, and of ``|Y|`` with the lengths of the vectors of each equation.
-    """
-
-    step: NDArray[Any]
-    reach: Numbers
-    rounded: Numbers
-    off: Numbers
-    weight: Numbers
-
-
-def _ball(
-    base: NDArray[Any],
-    quaternion: NDArray[Any],
-    rows: Numbers,
-    derivatives: NDArray[Any],
-    residual: NDArray[Any],
-    rounding: float,
-) -> _Ball:
-    """Return where there is just one solution.
-
-    The unknowns are the changes p of base and quaternion, both of length 1, and at right angles to them.  With the
-    Jacobian J at p = 0 and Y, nearly its inverse, ``p - Y F(p) = -Y F(0) + (1 - Y J) p - Y Q(p)``.  For ``|p| <= r``,
-    r below 1, an element of Q is at most 5 r**2 times the lengths of its two vectors (bridges 9/expansion: a product
-    of complex quaternions is at most sqrt(2) times that of their lengths).  With ``h = |Y F(0)|``,
-    ``|1 - Y J| <= 1/5`` and ``12 |Y| h <= 1/10`` the ball of radius 2 h is taken into itself, and distances in it are
-    at least halved: there is just one solution in it.  If all numbers are real, so is the solution.  A solution changes
-    the matrix by less than 8 times its own change.
-
-    What is rounded.  The residual has the error of its rounding, and the terms of an element's derivative have absolute
-    values that add up to at most 4, in sums of at most 16 products of three: 35 derivatives of equations make less than
-    2**15 u.
-    """
-    jacobian = np.zeros((len(base), 7, 7), derivatives.dtype)
-    jacobian[:, :5] = rows @ derivatives
-    jacobian[:, 5, :3], jacobian[:, 6, 3:] = base.conj(), quaternion.conj()
-    inverse = _inverse(jacobian)
-    lengths = _norms(rows.reshape(-1, 9)).reshape(-1, 5)
-    weight = _norms(inverse[..., :5] * lengths[:, None, :])
-    missed = _norms(residual / lengths)
-    step = -(inverse[..., :5] @ residual[..., None])[..., 0]
-    rounded = weight * (64 * ROUNDOFF * missed + 3 * rounding)
+    directions = np.zeros((len(base), UNKNOWNS, 7), complex)
+    directions[:, :2, :3], directions[:, 2:, 3:] = _at_right_angles(base), _at_right_angles(quaternion)
+    essential, residual = minimal.conditions(*map(_parts, (base, quaternion)), left[..., :2], right[..., :2])
+    at = (_parts(part[:, None]) for part in (base, quaternion))
+    derivatives = _plain("differential")(*at, *map(_parts, (directions[..., :3], directions[..., 3:])))
+    rows = _rows(left, right)
+    jacobian = _joined(rows[:, None] @ derivatives).swapaxes(1, 2)
+    inverse, lengths = _inverse(jacobian), _norms(rows.reshape(-1, 9)).reshape(-1, UNKNOWNS)
+    weight, missed = _norms(inverse * lengths[:, None]), _norms(_joined(residual) / lengths)
+    step = (inverse @ -_joined(residual)[..., None]).swapaxes(1, 2)
+    real = ~(base.imag.any(axis=1) | quaternion.imag.any(axis=1))
+    step = np.where(real[:, None, None], step.real, step)
+    rounded = weight * (64 * ROUNDOFF * missed + 4 * RESIDUAL)
     reach = _norms(step) * (1 + 2.0**-20) + rounded
-    off = _norms(inverse @ jacobian - np.eye(7)) * (1 + 2.0**-20)
-    off = off + ROUNDOFF * (2.0**15 * weight + 64 * _norms(inverse[..., 5:]) + 64)
+    off = _norms(inverse @ jacobian - np.eye(UNKNOWNS)) * (1 + 2.0**-20) + DERIVATIVES * weight + 64 * ROUNDOFF
     isotropic = np.minimum(*(np.abs((part**2).sum(axis=-1)) for part in (base, quaternion)))
     passed = (off <= 0.2) & (12 * weight * reach <= 0.1) & (isotropic > 8 * reach + 2.0**-40)
-    return _Ball(step, np.where(passed, reach, np.inf), rounded, off, weight)
+    radius = 16 * (reach * (2 * off + 48 * weight * reach) + rounded + reach**2) + 2.0**-40 * reach
+    passed &= (radius < 16 * PRECISE) | ~real
+    moved = _joined(essential) + (step @ _joined(derivatives))[:, 0]
+    found = _Tested(moved.reshape(-1, 3, 3), np.where(passed, radius, np.inf))
+    rest = np.flatnonzero(~passed & np.isfinite(step).all(axis=(1, 2)))
+    if steps > 1 and len(rest):
+        change = (step @ directions)[rest, 0]
+        nearer = (_unit(base[rest] + change[:, :3]), _unit(quaternion[rest] + change[:, 3:]))
+        one = _tested(*nearer, left[rest], right[rest], steps - 1)
+        found.E[rest], found.radius[rest] = one.E, one.radius
+    return found
 
 
-def _elements(numbers: list[Any]) -> list[Any]:
-    """Return the nine elements of the essential matrix of a base and a quaternion."""
-    from . import minimal
-    from ._runtime.evaluation import parts_of
-
-    return list(parts_of(minimal.essential_matrix, "five_pairs")[1](*numbers))
+def _parts(numbers: Complex) -> Numbers:
+    """Return the real and the imaginary part of each number."""
+    return np.ascontiguousarray(numbers).view(np.float64).reshape(*numbers.shape, 2)
 
 
-def _essential(base: NDArray[Any], quaternion: NDArray[Any]) -> NDArray[Any]:
-    from . import minimal, plain
+def _joined(parts: Numbers) -> Complex:
+    """Return the complex numbers of real and imaginary parts."""
+    return np.ascontiguousarray(parts).view(np.complex128)[..., 0]
 
-    function = plain(minimal.essential_matrix) if base.dtype.kind == "c" else minimal.essential_matrix
-    return np.asarray(function(base, quaternion))
+
+def _at_right_angles(units: Complex) -> Complex:
+    """Return unit vectors at right angles to one of length 1, and to each other: the other columns of a reflection."""
+    first, mirror = units[:, :1], units.copy()
+    size, missing = np.abs(first), first == 0
+    mirror[:, :1] += (first + missing) / (size + missing)
+    others = mirror[:, 1:].conj() / (1 + size)
+    return np.asarray(np.eye(units.shape[1])[1:] - others[..., None] * mirror[:, None])
 
 
 def _rows(left: Numbers, right: Numbers) -> Numbers:
     """Return the equations of five pairs for the nine elements, shape (n, 5, 9)."""
     return (left[..., None] * right[:, :, None, :]).reshape(-1, 5, 9)
-
-
-def _precise_residuals(elements: list[Any], left: Numbers, right: Numbers) -> Numbers:
-    """Return what five pairs leave of the equation, shape (n, 5), computed with twice the digits."""
-    u, v = ([points[..., k] for k in range(3)] for points in (left, right))
-    spread = [number[..., None] for number in elements]
-    lines = [(spread[3 * i] * v[0] + spread[3 * i + 1] * v[1]) + spread[3 * i + 2] for i in range(3)]
-    return np.asarray(((lines[0] * u[0] + lines[1] * u[1]) + lines[2]).hi)
-
-
-def _derivatives(base: NDArray[Any], quaternion: NDArray[Any]) -> NDArray[Any]:
-    """Return the derivatives of the nine elements by base and quaternion, shape (n, 9, 7)."""
-    by_base, by_quaternion = _coefficients()
-    squares = (quaternion[:, :, None] * quaternion[:, None, :]).reshape(-1, 16)
-    products = (base[:, :, None] * quaternion[:, None, :]).reshape(-1, 12)
-    found = np.empty((len(base), 9, 7), base.dtype)
-    found[..., :3] = (squares @ by_base).reshape(-1, 9, 3)
-    found[..., 3:] = (products @ by_quaternion).reshape(-1, 9, 4)
-    return found
-
-
-@cache
-def _coefficients() -> tuple[Numbers, Numbers]:
-    """Return the coefficients of the derivatives, by the base and by the quaternion.
-
-    The matrix is linear in the base and quadratic in the quaternion: its values for units give all of them.
-    """
-    base, first, second = np.ogrid[:3, :4, :4]
-    unit, units = np.eye(3)[base], np.eye(4)
-    sums = _essential(unit, units[first] + units[second])
-    mixed = (sums - _essential(unit, units[first]) - _essential(unit, units[second])).reshape(3, 4, 4, 9)
-    return mixed.transpose(1, 2, 3, 0).reshape(16, 27) / 2, mixed.transpose(0, 1, 3, 2).reshape(12, 36)
 
 
 # Which solutions are different.
@@ -490,12 +407,11 @@ def _are_different(tested: _Tested) -> NDArray[np.bool_]:
 
     Then those that were found as real ones are real, and the others are not: each is another one than its conjugate.
     """
-    size = np.linalg.norm(tested.E, axis=(2, 3))
-    units = (tested.E / size[..., None, None]).reshape(-1, SOLUTIONS, 9)
+    size = _norms(tested.E.reshape(-1, 9)).reshape(-1, SOLUTIONS)
+    units = tested.E.reshape(-1, SOLUTIONS, 9) / size[..., None]
     radius = tested.radius / size
     limit = 4 * (radius[:, :, None] + radius[:, None, :]) + 2.0**-40
-    different = _apart(units) > limit
-    return np.asarray((radius < 2.0**-10).all(axis=1) & different.all(axis=(1, 2)))
+    return np.asarray((radius < 2.0**-10).all(axis=1) & (_apart(units) > limit).all(axis=(1, 2)))
 
 
 def _apart(units: Complex) -> Numbers:
@@ -504,17 +420,13 @@ def _apart(units: Complex) -> Numbers:
     distance = np.sqrt(np.maximum(1 - np.abs(along) ** 2, 0))
     distance[:, range(SOLUTIONS), range(SOLUTIONS)] = np.inf
     n, i, j = near = np.nonzero(~(distance > 2.0**-10))
-    distance[near] = np.linalg.norm(units[n, i] - along[near][:, None] * units[n, j], axis=1)
+    distance[near] = _norms(units[n, i] - along[near][:, None] * units[n, j])
     return np.asarray(distance)
 
 
-def _real_parts(tested: _Tested) -> tuple[Numbers, Numbers]:
-    """Return elements of real multiples, of norm 1 and with a positive largest element, and bounds of their errors."""
-    flat = tested.E.reshape(-1, SOLUTIONS, 9)
-    largest = np.take_along_axis(flat, np.abs(flat).argmax(axis=2)[..., None], axis=2)
-    ratios = (flat / largest).real
-    norm = np.linalg.norm(ratios, axis=2, keepdims=True)
-    values = ratios / norm
-    errors = 2.2 * tested.radius[..., None] / np.abs(largest) / norm + 16 * ROUNDOFF
-    shape = tested.E.shape
-    return values.reshape(shape), np.broadcast_to(errors, flat.shape).reshape(shape)
+def _of_norm_1(matrices: Numbers, radius: Numbers) -> tuple[Numbers, Numbers]:
+    """Return real matrices of norm 1 and with a positive largest element, and bounds of the errors of elements."""
+    flat = matrices.reshape(-1, 9)
+    size = _norms(flat)
+    signs = np.sign(flat[np.arange(len(flat)), np.abs(flat).argmax(axis=1)])
+    return matrices * (signs / size)[:, None, None], 2.2 * radius / size + 16 * ROUNDOFF

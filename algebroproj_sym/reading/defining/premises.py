@@ -110,6 +110,10 @@ class Premise:
         pairs = ((self.left, self.right), (self.right, self.left))
         return tuple((side, other) for side, other in pairs if side.data in _VALUES)
 
+    def said(self, symbol: str, value: Formula) -> Definition:
+        """Return that it says of a symbol what its value is."""
+        return self._of(symbol, (), value)
+
     def _of(self, symbol: str, parameters: tuple[str, ...], value: Formula) -> Definition:
         role: Role = "case" if self.special else "premise"
         given = symbol, parameters, value, self.where, self.part
@@ -254,7 +258,7 @@ def _within(tree: Formula) -> Iterator[Formula]:
 def with_given(tree: Formula, given: Mapping[Formula, Definition]) -> Formula:
     """Return a formula in which letters stand for the values that are given."""
     if tree in given:
-        return _letter(given[tree].symbol)
+        return letter_of(given[tree].symbol)
     if tree.data in ("big", "slope"):
         return tree
     return Tree(tree.data, [with_given(each, given) if isinstance(each, Tree) else each for each in tree.children])
@@ -296,7 +300,7 @@ def crosses_in(symbols: Iterable[str], words: Iterable[str]) -> Iterator[Definit
     if any(_TILDE_MATRIX.search(each) for each in words):
         for symbol in symbols:
             if match := _TILDE.fullmatch(symbol):
-                vector = _letter(rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")
+                vector = letter_of(rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")
                 cross: Formula = Tree("marked", [vector, Token("MARK", "hat")])
                 yield Definition(symbol, (), cross, 'the words "tilde matrix"', 0, True)
 
@@ -332,7 +336,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
     where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
     made.append(Definition(symbol, (), _slope(body, variable, order), where, -1, True))
-    return _letter(symbol), made
+    return letter_of(symbol), made
 
 
 def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
@@ -411,9 +415,9 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     definition = vocabulary.definitions.get(function)
     if definition is None or not definition.usable:
         return None
-    value = _letter(definition.symbol)
+    value = letter_of(definition.symbol)
     if definition.parameters:
-        arguments: list[Any] = [*map(_letter, definition.parameters)]
+        arguments: list[Any] = [*map(letter_of, definition.parameters)]
         value = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", arguments)])
     letters = vocabulary.letters_of(definition.tree) | {*definition.parameters}
     variable = _by_bare(sorted(letters)).get(below)
@@ -433,7 +437,7 @@ def _as_dots(symbol: str, match: re.Match[str], occurring: frozenset[str]) -> De
     sign, order, above, below = match.groups()
     dotted = {None: _with_dot(above), "^2": _with_dot(_with_dot(above))}.get(order, "")
     rate = _by_bare(sorted(occurring)).get(dotted) if (sign, below) == ("d", "t") else None
-    return Definition(symbol, (), _letter(rate), "a dot as the derivative by t", -1, True) if rate else None
+    return Definition(symbol, (), letter_of(rate), "a dot as the derivative by t", -1, True) if rate else None
 
 
 def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
@@ -445,7 +449,7 @@ def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
     (variable,) = definition.parameters
     if any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(definition.tree)):
         return None
-    value: Formula = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", [_letter(variable)])])
+    value: Formula = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", [letter_of(variable)])])
     for _ in range(primes):
         value = _slope(value, variable)
     try:
@@ -472,7 +476,7 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
         if rate is None:
             constant.append(letter)
         else:
-            terms.append(Tree("run", [_slope(_letter(function), letter), _letter(rate)]))
+            terms.append(Tree("run", [_slope(letter_of(function), letter), letter_of(rate)]))
     if not terms or vocabulary.depends(constant, "t"):
         return None
     signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]
@@ -493,11 +497,12 @@ def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
 
 def _slope(value: Formula, variable: str, order: str | None = None) -> Formula:
     for _ in range(int((order or "^1")[1:])):
-        value = Tree("slope", [value, _letter(variable)])
+        value = Tree("slope", [value, letter_of(variable)])
     return value
 
 
-def _letter(symbol: str) -> Formula:
+def letter_of(symbol: str) -> Formula:
+    """Return a symbol as a formula."""
     return Tree("symbol", [Token("SYMBOL", symbol)])
 
 

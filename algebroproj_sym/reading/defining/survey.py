@@ -63,13 +63,25 @@ class Survey:
             found |= {str(token) for token in tokens if token.type == "CALLEE"}
         return functions_called(self.statements).union(found)
 
+    def has_one_argument(self, function: str) -> bool:
+        """Whether a function is taken at one argument in the whole document, and stands nowhere without it."""
+        return len(self._arguments.get(function, ())) == 1 and function not in self.occurring
+
+    @cached_property
+    def _arguments(self) -> dict[str, set[Formula]]:
+        found: dict[str, set[Formula]] = {}
+        for side in _sides(self.formulas):
+            for call in side.find_data("call"):
+                found.setdefault(str(call.children[0]), set()).add(call)
+        return found
+
     @cached_property
     def _first(self) -> dict[int, Parsed | UnreadableError]:
         return {id(each): self._parsed(each, frozenset()) for each in self.statements}
 
     @cached_property
     def labels(self) -> frozenset[str]:
-        r"""The letters with a label above them, as in ``p^h``: a letter that stands nowhere else in the document."""
+        r"""The letters with a label above: ``p^h`` with one that stands nowhere else, and iterates ``x^{k+1}``."""
         above: dict[str, set[str]] = {}
         elsewhere = set[str]()
         for side in _sides(self._first):
@@ -83,7 +95,26 @@ class Survey:
                 ):
                     above.setdefault(label, set()).add(str(base.children[0]))
             elsewhere |= {*_not_raised(side)}
-        return frozenset(written(*_split(base), label) for label in above.keys() - elsewhere for base in above[label])
+        alone = {written(*_split(base), label) for label in above.keys() - elsewhere for base in above[label]}
+        return self._iterates.union(alone)
+
+    @property
+    def _iterates(self) -> frozenset[str]:
+        """The letters that are given by what they were one step before, with the number of the step above them."""
+        given = set[tuple[str, str]]()
+        for formula in self._first.values():
+            if isinstance(formula, Parsed) and len(formula.sides) > 1:
+                letter, index, step = _raised(formula.sides[0])
+                within = {_raised(power)[:2] for side in formula.sides[1:] for power in side.find_data("power")}
+                alone = {symbol for side in formula.sides[1:] for symbol in _not_raised(side)}
+                if step == "+1" and (letter, index) in within and letter not in alone:
+                    given.add((_split(letter)[0], index))
+        found = (_raised(power) for side in _sides(self._first) for power in side.find_data("power"))
+        return frozenset(
+            written(*_split(letter), index + step)
+            for letter, index, step in found
+            if (_split(letter)[0], index) in given
+        )
 
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
@@ -229,6 +260,19 @@ def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula
 
 def _is_exponential(tree: Formula) -> bool:
     return tree.children[:1] == [_E] if tree.data == "power" else tree.data == "function" and tree.children[0] == "exp"
+
+
+def _raised(tree: Any) -> tuple[str, str, str]:
+    """Return the letter, and what stands above it: a letter, and what is added to it; empty for another formula."""
+    base, exponent = tree.children if tree.data == "power" else (tree, tree)
+    while isinstance(exponent, Tree) and exponent.data in ("group", "items") and len(exponent.children) == 1:
+        (exponent,) = exponent.children
+    if not (isinstance(base, Tree) and base.data == "symbol" and base != _E and isinstance(exponent, Tree)):
+        return "", "", ""
+    parts = exponent.children if exponent.data == "sum" else [exponent]
+    index = _lone_letter(parts[0])
+    step = "".join(str(each.children[0]) if isinstance(each, Tree) else str(each) for each in parts[1:])
+    return (str(base.children[0]), index, step) if index and len(step) in (0, 2) else ("", "", "")
 
 
 def _lone_letter(tree: Any) -> str:

@@ -18,6 +18,7 @@ from algebroproj_sym.reading.defining.premises import (
     derivatives_in,
     extended,
     given_values,
+    letter_of,
     neighbours,
     with_given,
 )
@@ -139,6 +140,7 @@ class _Pass:
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
         self.alone: dict[str, int] = {}
+        self.given_at: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
         self.part = 0
@@ -240,6 +242,8 @@ class _Pass:
 
     def _note(self, statement: Statement, formula: Parsed) -> None:
         for side in formula.sides:
+            if formula.relations:
+                self.given_at[defined_by(side)[0]] = statement.display.place
             for symbol in symbols_in(side):
                 self.asserted.setdefault(symbol, statement.display.place)
 
@@ -279,6 +283,7 @@ class _Pass:
         if definition is not None:
             self.vocabulary.define(definition)
             self.asserted.setdefault(definition.symbol, display.place)
+            self.given_at[definition.symbol] = display.place
         else:
             self._note(statement, found)
             self._renew(statement, found)
@@ -394,7 +399,9 @@ class _Pass:
         base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
         symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
         part = statement.display.part
-        if not symbol or not symbols_in(right) or is_one_value(parameters, right):
+        if not symbol or not symbols_in(right):
+            return False
+        if is_one_value(parameters, right) and (symbol in self.asserted or not self.survey.has_one_argument(symbol)):
             return False
         if self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
             return False
@@ -438,6 +445,7 @@ class _Pass:
                 for each in self._with_premises(statement, formula, index, vocabulary)
             ),
             *self._under_equations(statement, left, right, vocabulary),
+            *self._said_before(statement, left, right, vocabulary),
             *self._without_definitions(left, right, vocabulary),
         ]
         ways += [
@@ -447,7 +455,8 @@ class _Pass:
         ]
         ways += [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
         chained = len(formula.sides) > 2
-        gives = index == 0 and self._gives(statement, left, right)
+        first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
+        gives = first and self._gives(statement, left, right)
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
         return asked.link, asked
 
@@ -537,6 +546,18 @@ class _Pass:
     def _follows(self) -> bool:
         """Whether an equation is said to follow from those above it: by words, an arrow or a citation."""
         return self.beside.follows or bool(self._cited)
+
+    def _said_before(
+        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
+    ) -> Iterator[Way]:
+        """Yield a relation as one that stands in the same section, if none of its letters was given since then."""
+        for each in self._serving:
+            if each.part != statement.display.part or any(self.given_at.get(x, -1) > each.place for x in each.symbols):
+                continue
+            if {left, right} == {each.left, each.right} and left != right:
+                said = each.said(f"{vocabulary.text(left)} ", right)
+                yield Way(letter_of(said.symbol), right, extended(vocabulary, [said]), A_VALUE)
+                return
 
     def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
         """Yield a relation as it stands, of letters of which nothing is known but their sizes.

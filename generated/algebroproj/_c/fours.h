@@ -566,6 +566,21 @@ static FUSED_TUNED int metric_to_normal_jacobian_fours(double *const *data, cons
     return in_range(range[0]);
 }
 
+static FUSED_TUNED int minimal_base_products_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[9], out[9], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        minimal_base_products_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[1] + i * steps[1], 9);
+        write_four(out + 4, data[1] + i * steps[1] + 4, 9);
+        write_one(out + 8, data[1] + i * steps[1] + 8, 9);
+    }
+    return in_range(range[0]);
+}
+
 static FUSED_TUNED int minimal_cubic_fours(double *const *data, const npy_intp *steps, const npy_intp points)
 {
     four in[18], out[4], range[1] = {most_headroom};
@@ -653,6 +668,23 @@ static FUSED_TUNED int minimal_photographs_fours(double *const *data, const npy_
         write_four(out + 11, data[4] + i * steps[4], 11);
         write_four(out + 15, data[4] + i * steps[4] + 4, 11);
         write_four(out + 18, data[4] + i * steps[4] + 7, 11);
+    }
+    return in_range(range[0]);
+}
+
+static FUSED_TUNED int minimal_quaternion_products_fours(double *const *data, const npy_intp *steps, const npy_intp points)
+{
+    four in[12], out[16], range[1] = {most_headroom};
+    for (npy_intp i = 0; i < points / 4; i++) {
+        read_four(in + 0, data[0] + i * steps[0], 9);
+        read_four(in + 4, data[0] + i * steps[0] + 4, 9);
+        read_one(in + 8, data[0] + i * steps[0] + 8, 9);
+        read_3(in + 9, data[1] + i * steps[1]);
+        minimal_quaternion_products_four((const four (*)[1])in, (four (*)[1])out, range, 1);
+        write_four(out + 0, data[2] + i * steps[2], 16);
+        write_four(out + 4, data[2] + i * steps[2] + 4, 16);
+        write_four(out + 8, data[2] + i * steps[2] + 8, 16);
+        write_four(out + 12, data[2] + i * steps[2] + 12, 16);
     }
     return in_range(range[0]);
 }

@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "exceeded", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "a356cc9d1fd1a690"
+DIGEST = "589cb04c58c9d0d8"
 """What identifies the C source that belongs to this package."""
 
 

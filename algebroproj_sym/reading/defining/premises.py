@@ -403,9 +403,9 @@ def _rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:
         rate = bare.get(f"d^2{second[1]}/d{variable}^2") if second else bare.get(f"d{name}/d{variable}")
         rate = rate or (bare.get(_with_dot(each)) if variable == "t" else None)
         if rate is not None:
-            found[each] = _letter(rate)
+            found[each] = letter_of(rate)
         if (whole := bare.get(f"d{value}/d{variable}")) is not None:
-            found[f"{each}({variable})"] = found[each] = _letter(whole)
+            found[f"{each}({variable})"] = found[each] = letter_of(whole)
     return found
 
 

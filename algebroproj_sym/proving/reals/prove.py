@@ -244,8 +244,13 @@ def often_agree(lhs: str, rhs: str) -> bool:
 
 
 def _places(lhs: str, rhs: str) -> Iterator[Place]:
+    """Return the points of an equation; none of one that is not about real numbers as it stands."""
     without = dict.fromkeys(("assumptions", "constraints", "nonzero"), ())
-    return places(statement_of({"lhs": lhs, "rhs": rhs, "relation": "=", **without}), FIRST_TRIES)
+    try:
+        statement = statement_of({"lhs": lhs, "rhs": rhs, "relation": "=", **without})
+    except Rejected:
+        return iter(())
+    return places(statement, FIRST_TRIES)
 
 
 def _proved(

@@ -22,7 +22,7 @@ DOCUMENTS = {
         True,
     ),
     "iterates as superscripts": (
-        r"The iterates carry their number as a superscript. \[ x^1 = b \] The next one is \[ x^2 = b^2. \]",
+        r"The iterates carry their number as a superscript. \[ x^1 = b \] The next one is \[ x^2 - b^2 = 0. \]",
         True,
     ),
     "the first iterate": (
@@ -266,6 +266,10 @@ DOCUMENTS = {
     "one index of a sum": (r"\[ y = \sum_{i} x_i \] At $i = 1$ \[ x_i = 0 \] Hence \[ y = 0 \]", True),
     "two frames": (
         r"The velocity in frame A is \[ v = u. \] The velocity in frame B is \[ v = u - w. \] Hence \[ w + 1 = 1. \]",
+        True,
+    ),
+    "samples in square brackets": (
+        r"\[ x[n] = a n \] \[ x[n-k] = b \] Hence \[ x (n - k) = b \]",
         True,
     ),
 }

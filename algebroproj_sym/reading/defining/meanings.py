@@ -51,15 +51,14 @@ _SIGNS = (
         r"_\s*\{?[^}]*[a-z]",
         "an index may be summed over silently",
     ),
-    (
-        r"\bas (?:a |an |its |their )?(?:upper )?superscripts?\b|\bupper (?:index|indices)\b"
-        r"|\bsuperscripts? (?:is|are|denotes?|indicates?|labels?|refers?|stands?|numbers?|marks?|identif\w+)\b"
-        r"(?! (?:the )?(?:transpos|invers|conjug|adjoint|power|exponent))",
-        r"\^\s*\{?\s*(?:\d|[a-z])",
-        "what stands above a letter may be an index",
-    ),
 )
 """What the text says, which LaTeX it concerns, and why an equation with it is not decided."""
+_SUPERSCRIPTS = re.compile(
+    r"\bas (?:a |an |its |their )?(?:upper )?superscripts?\b|\bupper (?:index|indices)\b"
+    r"|\bsuperscripts? (?:is|are|denotes?|indicates?|labels?|refers?|stands?|numbers?|marks?|identif\w+)\b"
+    r"(?! (?:the )?(?:transpos|invers|conjug|adjoint|power|exponent))",
+    re.IGNORECASE,
+)
 _CHANGES = re.compile(r"/|dot|'")
 _DEGREES = re.compile(r"\b(?:is|are|be|measured|given|expressed|angles?) in degrees\b", re.IGNORECASE)
 _BASES = re.compile(
@@ -71,8 +70,11 @@ _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order
 """Names that stand for another thing each time."""
 _ORDER = re.compile(r"(?<![a-zA-Z\\])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\(")
 _DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
-_OPERATORS = r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|operators?|sets?|events?)"
-_FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?|signals?)"
+_OPERATORS = (
+    r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|operators?|(?<=the )set|(?<=a )set|sets|events?)"
+)
+_FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?)"
+_SIGNALS = r"(?:signals?)"
 _NUMBER = re.compile(r"\b(?:ratio|circle|number|constant|half)\b|3\.14")
 _CALLED = re.compile(r"^\s*(?:is|are|be|denotes?|represents?)\b")
 _EACH_TIME = re.compile(
@@ -92,7 +94,13 @@ _DEPENDS = re.compile(
 
 def functions_called(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the letters that words call functions: a bracket behind one is its argument."""
-    return called(statements, _FUNCTIONS)
+    every = tuple(statements)
+    return called(every, _FUNCTIONS) | called(every, _SIGNALS)
+
+
+def has_superscripts(statements: Iterable[Statement]) -> bool:
+    """Whether the text says that what stands above a letter is an index."""
+    return _SUPERSCRIPTS.search(_prose(statements)) is not None
 
 
 def dependences(statements: Iterable[Statement]) -> Iterator[tuple[str, str]]:
@@ -121,10 +129,13 @@ class Meanings:
         All statements of the document.
     sides : sequence of Tree
         The sides of those that were read.
+    given : frozenset of str
+        The symbols that are alone on the left somewhere.
     """
 
     statements: Sequence[Statement]
     sides: Sequence[Formula]
+    given: frozenset[str]
 
     @cached_property
     def _words(self) -> str:
@@ -150,21 +161,21 @@ class Meanings:
     @cached_property
     def _functions(self) -> frozenset[str]:
         inverse = (symbol for each in _INVERSE.findall(self._words) for symbol in symbols_in_list(each))
-        called_so = (each for each in functions_called(self.statements) if not _CHANGES.search(each))
+        called_so = (each for each in called(self.statements, _FUNCTIONS) if not _CHANGES.search(each))
         return frozenset((*inverse, *called_so))
 
     @cached_property
-    def _labelled(self) -> frozenset[str]:
-        """The letters with a number or a letter above them that is said, or looks, to be an index."""
-        found = set[str]()
+    def _labelled(self) -> frozenset[tuple[str, bool]]:
+        """The letters with a number, or a letter, above them that is said, or looks, to be an index."""
+        found = set[tuple[str, bool]]()
         for side in self.sides:
             if side.data == "power" and _text(side.children[1]) in ("0", "1"):
-                found.add(_text(side.children[0]))
+                found.add((_text(side.children[0]), True))
         for each in self.statements:
             match = _NAMED.fullmatch(each.latex.strip())
             power = re.search(r"\b(?:powers?|exponential|monomials?|square\w*|varianc\w+)\b", each.display.after[:60])
             if match and each.display.environment == "inline" and _CALLED.match(each.display.after) and not power:
-                found |= {*symbols_in_list(match[1] or match[2])}
+                found |= {(symbol, not match[1]) for symbol in symbols_in_list(match[1] or match[2])}
         return frozenset(found)
 
     def reason(self, statement: Statement, formula: Parsed) -> str:
@@ -176,7 +187,7 @@ class Meanings:
             return f"{match[0].rstrip('( ')}(...) is another number each time"
         symbols = {symbol for side in formula.sides for symbol in symbols_in(side)}
         for symbol in sorted(symbols):
-            if _FILLER.fullmatch(symbol):
+            if _FILLER.fullmatch(symbol) and symbol not in self.given:
                 return f"{symbol} is another number each time"
             if symbol in self._letters:
                 return f"{symbol} {self._letters[symbol]}"
@@ -193,8 +204,10 @@ class Meanings:
                     return "the base of logarithms is not e"
             if part.data == "fraction" and all(_is_material(each) and not _text(each) for each in part.children):
                 return "D may be a derivative"
-            if part.data == "power" and _text(part.children[0]) in self._labelled:
-                return "what stands above a letter may be an index"
+            if part.data == "power":
+                base, exponent = map(_text, part.children)
+                if (base, exponent.isdigit()) in self._labelled:
+                    return "what stands above a letter may be an index"
             if part.data in ("run", "product", "power", "fraction", "quotient"):
                 factors = {_text(each) for each in part.children} & self._functions
                 if factors:

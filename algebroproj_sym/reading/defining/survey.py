@@ -6,13 +6,14 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
-from algebroproj_sym.reading.defining.meanings import Meanings, dependences, functions_called
+from algebroproj_sym.reading.defining.meanings import Meanings, dependences, functions_called, has_superscripts
 from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in, vectors_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
@@ -21,6 +22,7 @@ from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
+from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
 from algebroproj_sym.reading.lexing.tokens import tokens_of
@@ -53,15 +55,36 @@ class Survey:
 
     @cached_property
     def functions(self) -> frozenset[str]:
-        """The letters that stand before a bracket with one letter, a zero, or several values."""
-        found = set[str]()
+        """The letters that stand before a bracket with one letter, a zero, or several values.
+
+        Where ``x[n]`` or ``x[0]`` has an index in square brackets, all letters before these brackets are among them.
+        """
+        found, before, indexed = set[str](), set[str](), False
         for each in self.statements:
             try:
                 tokens, _ = tokens_of(each.pieces, lambda name: False, frozenset()) if each.pieces else ([], False)
             except UnreadableError:
                 continue
             found |= {str(token) for token in tokens if token.type == "CALLEE"}
-        return functions_called(self.statements).union(found)
+            squared = [(one.type, str(one)) for one, other in pairwise(tokens) if other.type == "LS"]
+            before |= {letter for kind, letter in squared if kind in ("SYMBOL", "CALLEE")}
+            indexed = indexed or any(kind == "CALLEE" and letter not in "EPV" for kind, letter in squared)
+        return functions_called(self.statements).union(found, before if indexed else ())
+
+    def is_parameter(self, statement: Statement) -> bool:
+        """Whether a statement gives a letter a number, as others of its display do: a list of parameters."""
+        return self._numbers.get(id(statement.display), 0) > 1 and not statement.condition
+
+    @cached_property
+    def _numbers(self) -> dict[int, int]:
+        found: dict[int, int] = {}
+        for each in self.statements:
+            formula = self.formulas[id(each)]
+            if isinstance(formula, Parsed) and formula.relations == ("=",):
+                one, other = formula.sides
+                if defined_by(one)[0] and not defined_by(one)[1] and not [*symbols_in(other)]:
+                    found[id(each.display)] = found.get(id(each.display), 0) + 1
+        return found
 
     def has_one_argument(self, function: str) -> bool:
         """Whether a function is taken at one argument in the whole document, and stands nowhere without it."""
@@ -141,7 +164,13 @@ class Survey:
         """
         own = self.labels if labels is None else labels
         known = self.given.whole.symbols
-        return parsed(statement.pieces, lambda name: name in known or name in own, self.functions, wide)
+        named = self._has_superscripts
+        is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
+        return parsed(statement.pieces, is_name, self.functions, wide)
+
+    @cached_property
+    def _has_superscripts(self) -> bool:
+        return has_superscripts(self.statements)
 
     @cached_property
     def occurring(self) -> frozenset[str]:
@@ -170,7 +199,8 @@ class Survey:
     @cached_property
     def meanings(self) -> Meanings:
         """What words say of letters and signs."""
-        return Meanings(self.statements, tuple(_sides(self.formulas)))
+        given = frozenset(tie.given for tie in self.dependence.ties)
+        return Meanings(self.statements, tuple(_sides(self.formulas)), given)
 
     @cached_property
     def restricted(self) -> frozenset[str]:
@@ -260,6 +290,12 @@ def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula
 
 def _is_exponential(tree: Formula) -> bool:
     return tree.children[:1] == [_E] if tree.data == "power" else tree.data == "function" and tree.children[0] == "exp"
+
+
+def _has_index(name: str) -> bool:
+    """Whether what stands above a letter may be an index: no mark of matrices, and no inverse."""
+    above = split_symbol(name)[3]
+    return bool(above) and above not in MARKS and not above.startswith(("-1", "*", r"\dagger", r"\circ"))
 
 
 def _raised(tree: Any) -> tuple[str, str, str]:

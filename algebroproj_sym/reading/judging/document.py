@@ -399,7 +399,7 @@ class _Pass:
         base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
         symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
         part = statement.display.part
-        if not symbol or not symbols_in(right):
+        if not symbol or not (symbols_in(right) or self.survey.is_parameter(statement)):
             return False
         if is_one_value(parameters, right) and (symbol in self.asserted or not self.survey.has_one_argument(symbol)):
             return False

@@ -245,7 +245,14 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
         cursor.out.append(Token("SYMBOL", f"{whole} {text}", start_pos=start))
         return
     bracket = cursor.peek() if cursor.functions is not None and not raised else ""
-    called = bracket == "(" and (whole in (cursor.functions or ()) or _at_argument(cursor))
+    if bracket == "[" and whole in (cursor.functions or ()) and (index := _INDEX.fullmatch(_inside_of(cursor))):
+        letter, primes, below, above = split_symbol(whole)
+        cursor.index += len(bracket_ahead(cursor))
+        indexed = written(letter, primes, f"{below},{index[0]}" if below else index[0], above)
+        cursor.out.append(Token("SYMBOL", indexed, start_pos=start))
+        return
+    called = bracket == "[" and _ONE_INDEX.fullmatch(_inside_of(cursor)) is not None
+    called = called or (bracket == "(" and (whole in (cursor.functions or ()) or _at_argument(cursor)))
     called = called or (bracket in ("(", "[") and _FUNCTION.fullmatch(whole) is not None)
     called = called or (bracket == "[" and _EXPECTATION.fullmatch(whole) is not None)
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
@@ -255,6 +262,16 @@ _FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|delta|Delta|Pr)|\\math(?:bb|
 """What is a function before a bracket, whatever stands in it."""
 _EXPECTATION = re.compile(r"[EPV](?:_.*)?")
 """What is a function before a square bracket."""
+
+
+_ONE_INDEX = re.compile(r"[a-zA-Z]|0")
+_INDEX = re.compile(r"[a-zA-Z](?:[+-](?:\d+|[a-zA-Z]))?|\d+")
+"""What stands in square brackets behind a letter of which one value is ``x[n]`` or ``x[0]``: an index."""
+
+
+def _inside_of(cursor: Cursor) -> str:
+    """Return what stands in the bracket that comes next, without spaces."""
+    return "".join(piece.text for piece in bracket_ahead(cursor)[1:-1] if not piece.text.isspace())
 
 
 def bracket_ahead(cursor: Cursor) -> list[Piece]:

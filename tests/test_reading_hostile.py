@@ -26,7 +26,7 @@ DOCUMENTS = {
         True,
     ),
     "the first iterate": (
-        r"The number of the iterate is written as a superscript. We start from \[ x^0 = 1. "
+        r"The number of the iterate is written as a superscript. We start from \[ x^0 - 1 = 0. "
         r"\]",
         True,
     ),

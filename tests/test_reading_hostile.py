@@ -280,3 +280,26 @@ def test_what_only_looks_like_a_consequence_does_not_follow(name: str) -> None:
     text, latex = DOCUMENTS[name]
     found = read_document(document_of(text, latex=latex))
     assert found[-1].verdict in ("independent", "not decided", "not read")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"In a tropical climate \[ q = a b. \] Hence \[ q c = a b c. \]",
+        r"The superscript $T$ denotes the transpose. \[ s = r^2 \] Hence \[ s^2 = r^4. \]",
+        r"The values of $u$ are set. \[ s = u + v \] Hence \[ s^2 = u^2 + 2 u v + v^2. \]",
+        r"Let $m$ be a function of the mass. \[ p = m v \] Hence \[ p w = m v w. \]",
+        r"The angles are modulo $2\pi$. \[ s = a + b \] Hence \[ 2 s = 2 a + 2 b. \]",
+        r"\[ noise = a b \] Hence \[ 2 noise = 2 a b. \]",
+        r"The error of the clock is \[ e = a - b. \] This is small. Hence \[ e + b = a. \]",
+        r"\[ s = a + b \] This is what we need. Hence \[ s - a = b. \]",
+        r"\[ E = M + e \sin E \] Hence \[ E - e \sin E = M. \]",
+        r"If we put the values in, \[ s = a + b. \] Then \[ s - a = b. \]",
+        r"\[ x[n+1] = x[n] + h v[n] \] Hence \[ x[n+1] - x[n] = h v[n]. \]",
+        r"\[ x^{k+1} = x^k + h^2 \] Hence \[ x^{k+1} - x^k = h^2. \]",
+        r"\[ \text{gain} = \frac{u}{v} \] Hence \[ v\,\text{gain} = u. \]",
+        r"\[ x = a \quad\text{and}\quad y = 2 a \] Hence \[ y = 2 x. \]",
+    ],
+)
+def test_such_words_hide_no_consequence_that_they_do_not_concern(latex: str) -> None:
+    assert read_document(document_of(latex))[-1].verdict == "follows"

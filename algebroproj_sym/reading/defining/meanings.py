@@ -33,7 +33,7 @@ _SIGNS = (
     ),
     (
         r"\blogical (?:or|and|disjunction|conjunction)\b|\bboolean (?:algebra|or|and|sum|product)\b"
-        r"|\b(?:max|min)-plus\b|\btropical\b|\bMinkowski (?:sum|difference)"
+        r"|\b(?:max|min)-plus\b|\btropical (?:algebra|semiring|sum|addition)|\bMinkowski (?:sum|difference)"
         r"|\bproduct\b[^.$]* is (?:the|their) composition"
         r"|\$\s*(?:=|\+|/|\\cdot)\s*\$ (?:means|denotes|stands|is)\b",
         r"",
@@ -71,7 +71,8 @@ _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order
 _ORDER = re.compile(r"(?<![a-zA-Z\\])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\(")
 _DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
 _OPERATORS = (
-    r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|operators?|(?<=the )set|(?<=a )set|sets|events?)"
+    r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
+    r"(?<=the )set|(?<=a )set|sets|events?)"
 )
 _FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?)"
 _SIGNALS = r"(?:signals?)"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -10,17 +10,11 @@ from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
-    MOST_TOGETHER,
     Premise,
-    applicable,
     cited_in,
-    computed,
     derivatives_in,
     extended,
-    given_values,
-    letter_of,
     neighbours,
-    with_given,
 )
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -36,21 +30,18 @@ from algebroproj_sym.reading.defining.recognising import (
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
-from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import Asked, agree, decide
-from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import (
-    Sides,
-    Way,
     asked_of,
     both_sides,
-    complex_letters_in,
     rests_of,
     used_by,
 )
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
+from algebroproj_sym.reading.judging.ways import Standing, ways_of
 from algebroproj_sym.reading.judging.words import (
     CASES,
     SAYS,
@@ -63,8 +54,7 @@ from algebroproj_sym.reading.judging.words import (
     words_of,
 )
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
-from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 
 def read_document(
@@ -428,46 +418,21 @@ class _Pass:
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
-        ranged = sorted(letters & self.survey.restricted)
-        doubt = f"{self.vocabulary.name(ranged[0])} is of a set" if ranged else ""
-        doubt = doubt or doubt_of(self.beside, formula, index, self.vocabulary)
         identity = self._named(statement, self.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.vocabulary, left, right))
-        vocabulary = self.vocabulary.copied()
-        self._forget_elsewhere(vocabulary)
-        others = self._others(statement, formula, index)
-        ways = [
-            Way(left, right, vocabulary, doubt),
-            *(Way(*each, vocabulary, reads=" = ".join(map(vocabulary.text, each))) for each in others),
-            *_with_sums(left, right, vocabulary),
-            *(
-                replace(each, doubt=doubt) if ranged else each
-                for each in self._with_premises(statement, formula, index, vocabulary)
-            ),
-            *self._under_equations(statement, left, right, vocabulary),
-            *self._said_before(statement, left, right, vocabulary),
-            *self._without_definitions(left, right, vocabulary),
-        ]
-        ways += [
-            replace(way, vocabulary=known, reads=f"{' = '.join(map(known.text, way.sides))}, where I is the identity")
-            for way in ways
-            if not way.reads and (known := way.vocabulary.with_identity(*way.sides)) is not None
-        ]
-        ways += [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+        ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
         first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
         gives = first and self._gives(statement, left, right)
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
         return asked.link, asked
 
-    def _others(self, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
-        """Yield a relation as LaTeX may mean it as well: the slash, and how far the argument of a function goes."""
-        sides = formula.sides[index], formula.sides[index + 1]
-        if (others := (regrouped(sides[0]), regrouped(sides[1]))) != sides:
-            yield others
-        if formula.chose:
-            narrow = self.survey.parsed(statement, wide=False)
-            yield narrow.sides[index], narrow.sides[index + 1]
+    def _standing(self, statement: Statement) -> Standing:
+        """Return where a statement stands."""
+        vocabulary = self.vocabulary.copied()
+        self._forget_elsewhere(vocabulary)
+        place = statement.display.part, self._serving, self._cited
+        return Standing(self.survey, vocabulary, self.beside, *place, self.given_at)
 
     @property
     def _cited(self) -> frozenset[str]:
@@ -487,127 +452,3 @@ class _Pass:
         """The premises that do not belong to another context, and those that words cite."""
         cited = self._cited
         return [each for each in self.premises if each.names & cited or not self.context.excludes(each.context)]
-
-    def _with_premises(
-        self, statement: Statement, formula: Parsed, index: int, vocabulary: Vocabulary
-    ) -> Iterator[Way]:
-        """Yield the ways to take a relation that rest on equations above it, and on derivatives."""
-        left, right = formula.sides[index], formula.sides[index + 1]
-        seen = [tuple(map(id, used_by(vocabulary, left, right)))]
-        for known in self._vocabularies(statement, left, right, vocabulary):
-            used = used_by(known, left, right)
-            if (ids := tuple(map(id, used))) not in seen:
-                seen.append(ids)
-                yield Way(left, right, known, doubt_of_premises(self.beside, formula, index, known))
-        yield from self._with_given_values(statement, left, right, vocabulary)
-        (ours, made), (theirs, more) = (computed(side, vocabulary, self.survey.occurring) for side in (left, right))
-        if made or more:
-            known = extended(vocabulary, [*made, *more])
-            yield Way(ours, theirs, known, doubt_of(self.beside, formula, index, vocabulary))
-
-    def _with_given_values(
-        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
-    ) -> Iterator[Way]:
-        """Yield a relation in which values that equations above give, such as E(X), stand for what they say."""
-        premises = applicable(self._serving, statement.display.part, self._cited)
-        values = given_values(premises, vocabulary, (left, right))
-        if any(each.role != "definition" for each in values.values()):
-            ours, theirs = (with_given(side, values) for side in (left, right))
-            given = [each.gives for each in premises if each.gives is not None]
-            lone = {symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol}
-            for plain in ([], [each for each in given if each.symbol not in lone]):
-                yield Way(ours, theirs, extended(vocabulary, [*plain, *values.values()]), A_VALUE)
-
-    def _under_equations(
-        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
-    ) -> Iterator[Way]:
-        """Yield a relation under near or cited equations above it: those of its letters alone, or all tied to it.
-
-        All are taken together only where words, an arrow or a citation say that it follows.
-        """
-        if any(each.parameters for each in used_by(vocabulary, left, right)):
-            return
-        letters = vocabulary.letters_of(left) | vocabulary.letters_of(right)
-        near = neighbours(self._serving, statement.display.part, self._cited, MOST_TOGETHER)
-        speaks = {each: vocabulary.letters_of(each.left) | vocabulary.letters_of(each.right) for each in near}
-        asserted = [each for each in near if not each.special]
-        alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
-        if alone:
-            yield Way(left, right, vocabulary, under=alone)
-        tied = set(letters)
-        together: list[Premise] = []
-        while self._follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
-            tied = tied.union(*(speaks[each] for each in more))
-            together += more
-        if together and tuple(together) != alone:
-            yield Way(left, right, vocabulary, under=tuple(together))
-
-    @property
-    def _follows(self) -> bool:
-        """Whether an equation is said to follow from those above it: by words, an arrow or a citation."""
-        return self.beside.follows or bool(self._cited)
-
-    def _said_before(
-        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
-    ) -> Iterator[Way]:
-        """Yield a relation as one that stands in the same section, if none of its letters was given since then."""
-        for each in self._serving:
-            if each.part != statement.display.part or any(self.given_at.get(x, -1) > each.place for x in each.symbols):
-                continue
-            if {left, right} == {each.left, each.right} and left != right:
-                said = each.said(f"{vocabulary.text(left)} ", right)
-                yield Way(letter_of(said.symbol), right, extended(vocabulary, [said]), A_VALUE)
-                return
-
-    def _without_definitions(self, left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
-        """Yield a relation as it stands, of letters of which nothing is known but their sizes.
-
-        Beside a sum it matters what is known: whether they depend on its index.
-        """
-        used = used_by(vocabulary, left, right)
-        summed = any(part.data == "big" for side in (left, right) for part in side.iter_subtrees())
-        if used and not summed and r"\pi" not in {each.symbol for each in used}:
-            bare = vocabulary.copied()
-            for each in used:
-                bare.definitions.pop(each.symbol, None)
-            bare.forget()
-            yield Way(left, right, bare, NOT_GIVEN)
-
-    def _vocabularies(
-        self, statement: Statement, left: Formula, right: Formula, vocabulary: Vocabulary
-    ) -> Iterator[Vocabulary]:
-        """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others."""
-        cited, part, serving = self._cited, statement.display.part, self._serving
-        found = [each.gives for each in applicable(serving, part, cited) if each.gives is not None]
-        lone = frozenset(symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol)
-        for given in ([], [each for each in found if each.symbol not in lone], found):
-            known = extended(vocabulary, given)
-            yield known
-            yield extended(known, derivatives_in((left, right), known, self.survey.occurring))
-        wanted = {*symbols_in(left), *symbols_in(right)}
-        parameters = {symbol for each in used_by(vocabulary, left, right) for symbol in each.parameters}
-        for each in neighbours(serving, part, cited):
-            tied = parameters & each.symbols
-            if not tied and (solution := each.solved(vocabulary, wanted)) is not None:
-                yield extended(vocabulary, [solution])
-
-
-def _with_sums(left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
-    """Yield a relation with logarithms of products over an index as sums."""
-    if (sides := (with_sums(left), with_sums(right))) != (left, right):
-        yield Way(*sides, vocabulary, reads=f"{' = '.join(map(vocabulary.text, sides))}, {POSITIVE}")
-
-
-def _with_complex_numbers(way: Way) -> Iterator[Way]:
-    """Yield a way in which letters stand for complex numbers: all of them, or only those that complex ones give."""
-    if not complex_letters_in(way.vocabulary, *way.sides):
-        return
-    shown, unit = " = ".join(map(way.vocabulary.text, way.sides)), way.vocabulary.imaginary
-    unit = f", where {unit} is the imaginary unit" if unit else ", of complex numbers"
-    kinds: tuple[tuple[Numbers, str], ...] = (
-        ("complex", ""),
-        ("some complex", ", and letters that nothing complex gives are real"),
-    )
-    for numbers, letters in kinds:
-        known = way.vocabulary.with_complex_numbers(numbers)
-        yield replace(way, vocabulary=known, reads=f"{shown}{unit}{letters}")

@@ -1,0 +1,217 @@
+"""The ways in which a relation may be meant, and on what of the document it may rest in each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from algebroproj_sym.reading.defining.premises import (
+    MOST_TOGETHER,
+    Premise,
+    applicable,
+    computed,
+    derivatives_in,
+    extended,
+    given_values,
+    letter_of,
+    neighbours,
+    with_given,
+)
+from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.survey import Survey
+from algebroproj_sym.reading.defining.vocabulary import Numbers, Vocabulary
+from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
+from algebroproj_sym.reading.judging.words import Beside
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
+from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
+
+
+@dataclass(frozen=True)
+class Standing:
+    """Where an equation stands: what is known there, and what it may rest on.
+
+    Attributes
+    ----------
+    survey : Survey
+        What is known of the whole document.
+    vocabulary : Vocabulary
+        What letters stand for there.
+    beside : Beside
+        The words beside it.
+    part : int
+        How many headings come before it.
+    premises : sequence of Premise
+        The equations above it that hold there.
+    cited : frozenset of str
+        The labels and numbers that words before it name.
+    given_at : mapping of str to int
+        Where each letter was alone on a side for the last time.
+    """
+
+    survey: Survey
+    vocabulary: Vocabulary
+    beside: Beside
+    part: int
+    premises: Sequence[Premise]
+    cited: frozenset[str]
+    given_at: Mapping[str, int]
+
+    @property
+    def follows(self) -> bool:
+        """Whether an equation is said to follow from those above it: by words, an arrow or a citation."""
+        return self.beside.follows or bool(self.cited)
+
+
+def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: int) -> list[Way]:
+    """Return the ways to take a link of a formula, the first one as it stands."""
+    left, right = formula.sides[index], formula.sides[index + 1]
+    known = standing.vocabulary
+    ranged = sorted((known.letters_of(left) | known.letters_of(right)) & standing.survey.restricted)
+    doubt = f"{known.name(ranged[0])} is of a set" if ranged else doubt_of(standing.beside, formula, index, known)
+    others = _others(standing, statement, formula, index)
+    ways = [
+        Way(left, right, known, doubt),
+        *(Way(*each, known, reads=" = ".join(map(known.text, each))) for each in others),
+        *_with_sums(left, right, known),
+        *(replace(each, doubt=doubt) if ranged else each for each in _with_premises(standing, formula, index)),
+        *_under_equations(standing, left, right),
+        *_said_before(standing, left, right),
+        *_without_definitions(standing, left, right),
+    ]
+    ways += [
+        replace(way, vocabulary=other, reads=f"{' = '.join(map(other.text, way.sides))}, where I is the identity")
+        for way in ways
+        if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
+    ]
+    return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+
+
+def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
+    """Yield a relation as LaTeX may mean it as well: the slash, and how far the argument of a function goes."""
+    sides = formula.sides[index], formula.sides[index + 1]
+    if (others := (regrouped(sides[0]), regrouped(sides[1]))) != sides:
+        yield others
+    if formula.chose:
+        narrow = standing.survey.parsed(statement, wide=False)
+        yield narrow.sides[index], narrow.sides[index + 1]
+
+
+def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield the ways to take a relation that rest on equations above it, and on derivatives."""
+    left, right = formula.sides[index], formula.sides[index + 1]
+    seen = [tuple(map(id, used_by(standing.vocabulary, left, right)))]
+    for known in _vocabularies(standing, left, right):
+        used = used_by(known, left, right)
+        if (ids := tuple(map(id, used))) not in seen:
+            seen.append(ids)
+            yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
+    yield from _with_given_values(standing, left, right)
+    (ours, made), (theirs, more) = (
+        computed(side, standing.vocabulary, standing.survey.occurring) for side in (left, right)
+    )
+    if made or more:
+        known = extended(standing.vocabulary, [*made, *more])
+        yield Way(ours, theirs, known, doubt_of(standing.beside, formula, index, standing.vocabulary))
+
+
+def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation in which values that equations above give, such as E(X), stand for what they say."""
+    premises = applicable(standing.premises, standing.part, standing.cited)
+    values = given_values(premises, standing.vocabulary, (left, right))
+    if any(each.role != "definition" for each in values.values()):
+        ours, theirs = (with_given(side, values) for side in (left, right))
+        given = [each.gives for each in premises if each.gives is not None]
+        lone = {symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol}
+        for plain in ([], [each for each in given if each.symbol not in lone]):
+            yield Way(ours, theirs, extended(standing.vocabulary, [*plain, *values.values()]), A_VALUE)
+
+
+def _under_equations(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation under near or cited equations above it: those of its letters alone, or all tied to it.
+
+    All are taken together only where words, an arrow or a citation say that it follows.
+    """
+    if any(each.parameters for each in used_by(standing.vocabulary, left, right)):
+        return
+    letters = standing.vocabulary.letters_of(left) | standing.vocabulary.letters_of(right)
+    near = neighbours(standing.premises, standing.part, standing.cited, MOST_TOGETHER)
+    speaks = {
+        each: standing.vocabulary.letters_of(each.left) | standing.vocabulary.letters_of(each.right) for each in near
+    }
+    asserted = [each for each in near if not each.special]
+    alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
+    if alone:
+        yield Way(left, right, standing.vocabulary, under=alone)
+    tied = set(letters)
+    together: list[Premise] = []
+    while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
+        tied = tied.union(*(speaks[each] for each in more))
+        together += more
+    if together and tuple(together) != alone:
+        yield Way(left, right, standing.vocabulary, under=tuple(together))
+
+
+def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation as one that stands in the same section, if none of its letters was given since then."""
+    for each in standing.premises:
+        if each.part != standing.part or any(standing.given_at.get(x, -1) > each.place for x in each.symbols):
+            continue
+        if {left, right} == {each.left, each.right} and left != right:
+            said = each.said(f"{standing.vocabulary.text(left)} ", right)
+            yield Way(letter_of(said.symbol), right, extended(standing.vocabulary, [said]), A_VALUE)
+            return
+
+
+def _without_definitions(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation as it stands, of letters of which nothing is known but their sizes.
+
+    Beside a sum it matters what is known: whether they depend on its index.
+    """
+    used = used_by(standing.vocabulary, left, right)
+    summed = any(part.data == "big" for side in (left, right) for part in side.iter_subtrees())
+    if used and not summed and r"\pi" not in {each.symbol for each in used}:
+        bare = standing.vocabulary.copied()
+        for each in used:
+            bare.definitions.pop(each.symbol, None)
+        bare.forget()
+        yield Way(left, right, bare, NOT_GIVEN)
+
+
+def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator[Vocabulary]:
+    """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others."""
+    cited, part, serving = standing.cited, standing.part, standing.premises
+    found = [each.gives for each in applicable(serving, part, cited) if each.gives is not None]
+    lone = frozenset(symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol)
+    for given in ([], [each for each in found if each.symbol not in lone], found):
+        known = extended(standing.vocabulary, given)
+        yield known
+        yield extended(known, derivatives_in((left, right), known, standing.survey.occurring))
+    wanted = {*symbols_in(left), *symbols_in(right)}
+    parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
+    for each in neighbours(serving, part, cited):
+        tied = parameters & each.symbols
+        if not tied and (solution := each.solved(standing.vocabulary, wanted)) is not None:
+            yield extended(standing.vocabulary, [solution])
+
+
+def _with_sums(left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
+    """Yield a relation with logarithms of products over an index as sums."""
+    if (sides := (with_sums(left), with_sums(right))) != (left, right):
+        yield Way(*sides, vocabulary, reads=f"{' = '.join(map(vocabulary.text, sides))}, {POSITIVE}")
+
+
+def _with_complex_numbers(way: Way) -> Iterator[Way]:
+    """Yield a way in which letters stand for complex numbers: all of them, or only those that complex ones give."""
+    if not complex_letters_in(way.vocabulary, *way.sides):
+        return
+    shown, unit = " = ".join(map(way.vocabulary.text, way.sides)), way.vocabulary.imaginary
+    unit = f", where {unit} is the imaginary unit" if unit else ", of complex numbers"
+    kinds: tuple[tuple[Numbers, str], ...] = (
+        ("complex", ""),
+        ("some complex", ", and letters that nothing complex gives are real"),
+    )
+    for numbers, letters in kinds:
+        known = way.vocabulary.with_complex_numbers(numbers)
+        yield replace(way, vocabulary=known, reads=f"{shown}{unit}{letters}")

@@ -87,7 +87,11 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
 
 def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
-    return called(statements, rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|sets?|events?|groups?|maps?)")
+    return called(
+        statements,
+        rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|(?<=the )set|(?<=a )set|sets|"
+        r"events?|groups?|maps?)",
+    )
 
 
 def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:

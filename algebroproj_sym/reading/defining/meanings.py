@@ -143,6 +143,14 @@ class Meanings:
         return _prose(self.statements)
 
     @cached_property
+    def _has_degrees(self) -> bool:
+        return _DEGREES.search(self._words) is not None
+
+    @cached_property
+    def _has_bases(self) -> bool:
+        return _BASES.search(self._words) is not None
+
+    @cached_property
     def _signs(self) -> list[tuple[re.Pattern[str], str]]:
         said = (each for each in _SIGNS if re.search(each[0], self._words, re.IGNORECASE))
         return [(re.compile(latex), reason) for _, latex, reason in said]
@@ -199,9 +207,9 @@ class Meanings:
         for part in tree.iter_subtrees():
             head = str(part.children[0]) if part.children and isinstance(part.children[0], Token) else ""
             if part.data in ("function", "raised_function"):
-                if changes and head in _ANGLES and _DEGREES.search(self._words):
+                if changes and head in _ANGLES and self._has_degrees:
                     return "angles are in degrees"
-                if head == "log" and _BASES.search(self._words):
+                if head == "log" and self._has_bases:
                     return "the base of logarithms is not e"
             if part.data == "fraction" and all(_is_material(each) and not _text(each) for each in part.children):
                 return "D may be a derivative"

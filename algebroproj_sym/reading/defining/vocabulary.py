@@ -84,6 +84,11 @@ class Definition:
         """The symbols of what it stands for."""
         return tuple(symbols_in(self.tree))
 
+    @cached_property
+    def free(self) -> frozenset[str]:
+        """Likewise, without the indices of the sums in which they stand."""
+        return free_symbols(self.tree)
+
 
 class Vocabulary:
     """The letters of a document, as they are known so far."""
@@ -232,7 +237,7 @@ class Vocabulary:
             for each in (one for one in given if is_among(one, (last,))) if SUMMED in last else (last,):
                 more |= self.dependence.equated.get(each, frozenset())
                 if each in self.definitions:
-                    more |= free_symbols(self.definitions[each].tree)
+                    more |= self.definitions[each].free
             waiting += more - found
             found |= more
         return frozenset(found)

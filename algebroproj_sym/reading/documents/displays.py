@@ -38,7 +38,7 @@ _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 _HIDDEN = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _STRUCK = re.compile(r"\\(?:sout|st)\{(?:[^{}]|\{[^{}]*\})*\}")
 _STRUCK_IN_MARKDOWN = re.compile(
-    r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike)>.*?</\1>|" + _STRUCK.pattern, re.DOTALL
+    r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike)>.{0,2000}?</\1>|" + _STRUCK.pattern, re.DOTALL
 )
 """What an author takes back."""
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from algebroproj_sym.reading.defining.premises import (
+    MOST_PREMISES,
     MOST_TOGETHER,
     Premise,
     applicable,
@@ -155,10 +156,11 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     """Yield a relation as one that stands in the same section, if none of its letters was given since then."""
-    for each in standing.premises:
-        if each.part != standing.part or any(standing.given_at.get(x, -1) > each.place for x in each.symbols):
+    for each in standing.premises[-MOST_PREMISES:] if left != right else ():
+        same = (each.left == left and each.right == right) or (each.left == right and each.right == left)
+        if not same or each.part != standing.part:
             continue
-        if {left, right} == {each.left, each.right} and left != right:
+        if all(standing.given_at.get(symbol, -1) <= each.place for symbol in each.symbols):
             said = each.said(f"{standing.vocabulary.text(left)} ", right)
             yield Way(letter_of(said.symbol), right, extended(standing.vocabulary, [said]), A_VALUE)
             return

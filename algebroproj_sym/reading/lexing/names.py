@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import cache
 
 from lark import Token
 
@@ -37,6 +38,7 @@ from algebroproj_sym.reading.lexing.pieces import (
 )
 
 
+@cache
 def split_symbol(symbol: str) -> tuple[str, int, str, str]:
     r"""Return letter, number of primes, subscript and superscript of a symbol; the whole if a script is missing.
 

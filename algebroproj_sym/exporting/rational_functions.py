@@ -185,7 +185,17 @@ def upright(polynomial: Polynomial) -> Polynomial:
 
 
 def exact_quotient(polynomial: Polynomial, divisor: Polynomial) -> Polynomial | None:
-    """Return the polynomial that times `divisor` is the given one, or None if there is none."""
+    """Return the polynomial that times `divisor` is the given one, or None if there is none.
+
+    Examples
+    --------
+    >>> ring = flint.fmpz_mpoly_ctx.get(("x",), "lex")
+    >>> (x,) = ring.gens()
+    >>> exact_quotient(x**2, x), exact_quotient(x, x + 1), exact_quotient(x, ring.constant(0))
+    (x, None, None)
+    """
+    if not divisor:
+        return None
     try:
         return polynomial / divisor
     except flint.utils.flint_exceptions.DomainError:

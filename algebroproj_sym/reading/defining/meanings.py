@@ -99,18 +99,19 @@ def functions_called(statements: Iterable[Statement]) -> frozenset[str]:
     return called(every, _FUNCTIONS) | called(every, _SIGNALS)
 
 
-def has_superscripts(statements: Iterable[Statement]) -> bool:
+def has_superscripts(words: str) -> bool:
     """Whether the text says that what stands above a letter is an index."""
-    return _SUPERSCRIPTS.search(_prose(statements)) is not None
+    return _SUPERSCRIPTS.search(words) is not None
 
 
-def dependences(statements: Iterable[Statement]) -> Iterator[tuple[str, str]]:
+def dependences(words: str) -> Iterator[tuple[str, str]]:
     """Yield the pairs of letters of which the first is said to be a function of the second."""
-    for match in _DEPENDS.finditer(_prose(statements)):
+    for match in _DEPENDS.finditer(words):
         yield from ((one, other) for one in symbols_in_list(match[1]) for other in symbols_in_list(match[2]))
 
 
-def _prose(statements: Iterable[Statement]) -> str:
+def prose_of(statements: Iterable[Statement]) -> str:
+    """Return the text between the displays of a document, each part of it once."""
     displays: dict[int, Display] = {id(each.display): each.display for each in statements}
     words: list[str] = []
     for each in displays.values():
@@ -128,6 +129,8 @@ class Meanings:
     ----------
     statements : sequence of Statement
         All statements of the document.
+    words : str
+        The text between its displays.
     sides : sequence of Tree
         The sides of those that were read.
     given : frozenset of str
@@ -135,24 +138,21 @@ class Meanings:
     """
 
     statements: Sequence[Statement]
+    words: str
     sides: Sequence[Formula]
     given: frozenset[str]
 
     @cached_property
-    def _words(self) -> str:
-        return _prose(self.statements)
-
-    @cached_property
     def _has_degrees(self) -> bool:
-        return _DEGREES.search(self._words) is not None
+        return _DEGREES.search(self.words) is not None
 
     @cached_property
     def _has_bases(self) -> bool:
-        return _BASES.search(self._words) is not None
+        return _BASES.search(self.words) is not None
 
     @cached_property
     def _signs(self) -> list[tuple[re.Pattern[str], str]]:
-        said = (each for each in _SIGNS if re.search(each[0], self._words, re.IGNORECASE))
+        said = (each for each in _SIGNS if re.search(each[0], self.words, re.IGNORECASE))
         return [(re.compile(latex), reason) for _, latex, reason in said]
 
     @cached_property
@@ -163,13 +163,13 @@ class Meanings:
             is_named = each.display.environment == "inline" and _CALLED.match(each.display.after)
             if each.latex.strip() == r"\pi" and is_named and not _NUMBER.search(each.display.after[:60]):
                 found[r"\pi"] = "is called something else than the number"
-        for match in _EACH_TIME.finditer(self._words):
+        for match in _EACH_TIME.finditer(self.words):
             found |= dict.fromkeys(symbols_in_list(match[1]), "is another number each time")
         return found
 
     @cached_property
     def _functions(self) -> frozenset[str]:
-        inverse = (symbol for each in _INVERSE.findall(self._words) for symbol in symbols_in_list(each))
+        inverse = (symbol for each in _INVERSE.findall(self.words) for symbol in symbols_in_list(each))
         called_so = (each for each in called(self.statements, _FUNCTIONS) if not _CHANGES.search(each))
         return frozenset((*inverse, *called_so))
 

@@ -13,7 +13,13 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
-from algebroproj_sym.reading.defining.meanings import Meanings, dependences, functions_called, has_superscripts
+from algebroproj_sym.reading.defining.meanings import (
+    Meanings,
+    dependences,
+    functions_called,
+    has_superscripts,
+    prose_of,
+)
 from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in, vectors_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
@@ -52,6 +58,10 @@ class Survey:
         order = {id(each): place for place, each in enumerate(self.document.formulas)}
         every = named([*statements(self.document), *inline_statements(self.document)])
         return tuple(sorted(every, key=lambda each: order[id(each.display)]))
+
+    @cached_property
+    def _prose(self) -> str:
+        return prose_of(self.statements)
 
     @cached_property
     def functions(self) -> frozenset[str]:
@@ -170,7 +180,7 @@ class Survey:
 
     @cached_property
     def _has_superscripts(self) -> bool:
-        return has_superscripts(self.statements)
+        return has_superscripts(self._prose)
 
     @cached_property
     def occurring(self) -> frozenset[str]:
@@ -186,7 +196,7 @@ class Survey:
             if isinstance(formula, Parsed) and not {*EQUALITIES}.isdisjoint(formula.relations):
                 sides = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
                 ties += ties_of(*defined_by(sides[0]), sides, before)
-        ties += (Tie(letter, frozenset((other,)), True) for letter, other in dependences(self.statements))
+        ties += (Tie(letter, frozenset((other,)), True) for letter, other in dependences(self._prose))
         ties += (
             Tie(letter, frozenset(of), True)
             for each in self.formulas.values()
@@ -200,7 +210,7 @@ class Survey:
     def meanings(self) -> Meanings:
         """What words say of letters and signs."""
         given = frozenset(tie.given for tie in self.dependence.ties)
-        return Meanings(self.statements, tuple(_sides(self.formulas)), given)
+        return Meanings(self.statements, self._prose, tuple(_sides(self.formulas)), given)
 
     @cached_property
     def restricted(self) -> frozenset[str]:

@@ -30,11 +30,7 @@ def named(statements: Sequence[Statement]) -> list[Statement]:
         if run in words or run in FUNCTIONS or run in _FILLERS
     }
     names |= {name for each in statements if (name := _alone_on_the_left(each.pieces))}
-    return (
-        [replace(each, pieces=tuple(_with_names(each.pieces, names))) for each in statements]
-        if names
-        else [*statements]
-    )
+    return [replace(each, pieces=tuple(_with_names(each.pieces, names))) for each in statements]
 
 
 def _runs(pieces: Sequence[Piece]) -> Iterator[tuple[str, int, int]]:
@@ -46,12 +42,7 @@ def _runs(pieces: Sequence[Piece]) -> Iterator[tuple[str, int, int]]:
             place = _behind_argument(pieces, place + 1) if text not in BIG else place + 1
             continue
         end = place
-        while (
-            end < len(pieces)
-            and len(pieces[end].text) == 1
-            and pieces[end].text.isascii()
-            and pieces[end].text.isalpha()
-        ):
+        while end < len(pieces) and _LETTER.fullmatch(pieces[end].text):
             end += 1
         if end - place > 1:
             yield "".join(piece.text for piece in pieces[place:end]), place, end

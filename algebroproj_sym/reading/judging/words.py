@@ -244,7 +244,7 @@ def takes_back(words: str) -> bool:
     >>> takes_back("This is wrong. We have"), takes_back("It cannot be that"), takes_back("This is $s$.")
     (True, False, False)
     """
-    remark = re.match(r"\W*([^.!]*)[.!](?=\s|$)", words.removeprefix("$"))
+    remark = re.match(r"\W*([^.!]*)[.!](?=\s|$)", words)
     said = remark[1] if remark else ""
     return bool(_OF_IT.match(said) and (_DENIED.search(said) or _OTHERWISE.search(said)))
 

@@ -20,10 +20,10 @@ def with_sums(tree: Formula) -> Formula:
 
     Examples
     --------
-    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed, text_of
     >>> (side,) = parsed(r"\ln \left( c \prod_i a_i^2 \right)").sides
-    >>> with_sums(side).data
-    'sum'
+    >>> text_of(with_sums(side), str)
+    'log(c) + [\\sum_{i}](2*log(a_i))'
     """
     parts: list[Any] = [with_sums(each) if isinstance(each, Tree) else each for each in tree.children]
     found = Tree(tree.data, parts)

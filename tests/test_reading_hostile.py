@@ -272,6 +272,10 @@ DOCUMENTS = {
         r"\[ x[n] = a n \] \[ x[n-k] = b \] Hence \[ x (n - k) = b \]",
         True,
     ),
+    "the second and the third iterate": (
+        r"\[ x^{k+1} = x^k + h \] \[ x^2 = a \] Hence \[ x^3 = a x \]",
+        True,
+    ),
 }
 
 

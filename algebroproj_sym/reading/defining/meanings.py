@@ -135,12 +135,15 @@ class Meanings:
         The sides of those that were read.
     given : frozenset of str
         The symbols that are alone on the left somewhere.
+    iterated : frozenset of str
+        The symbols that have the number of a step above them somewhere.
     """
 
     statements: Sequence[Statement]
     words: str
     sides: Sequence[Formula]
     given: frozenset[str]
+    iterated: frozenset[str]
 
     @cached_property
     def _has_degrees(self) -> bool:
@@ -176,7 +179,7 @@ class Meanings:
     @cached_property
     def _labelled(self) -> frozenset[tuple[str, bool]]:
         """The letters with a number, or a letter, above them that is said, or looks, to be an index."""
-        found = set[tuple[str, bool]]()
+        found = {(symbol, True) for symbol in self.iterated}
         for side in self.sides:
             if side.data == "power" and _text(side.children[1]) in ("0", "1"):
                 found.add((_text(side.children[0]), True))

@@ -139,7 +139,7 @@ class Survey:
             if isinstance(formula, Parsed) and len(formula.sides) > 1:
                 letter, index, step = _raised(formula.sides[0])
                 within = {_raised(power)[:2] for side in formula.sides[1:] for power in side.find_data("power")}
-                alone = {symbol for side in formula.sides[1:] for symbol in _not_raised(side)}
+                alone = {symbol for side in formula.sides[1:] for symbol in _beside_steps(side)}
                 if step == "+1" and (letter, index) in within and letter not in alone:
                     given.add((_split(letter)[0], index))
         found = (_raised(power) for side in _sides(self._first) for power in side.find_data("power"))
@@ -210,7 +210,8 @@ class Survey:
     def meanings(self) -> Meanings:
         """What words say of letters and signs."""
         given = frozenset(tie.given for tie in self.dependence.ties)
-        return Meanings(self.statements, self._prose, tuple(_sides(self.formulas)), given)
+        iterated = frozenset(written(*_split(each), "") for each in self._iterates)
+        return Meanings(self.statements, self._prose, tuple(_sides(self.formulas)), given, iterated)
 
     @cached_property
     def restricted(self) -> frozenset[str]:
@@ -306,6 +307,16 @@ def _has_index(name: str) -> bool:
     """Whether what stands above a letter may be an index: no mark of matrices, and no inverse."""
     above = split_symbol(name)[3]
     return bool(above) and above not in MARKS and not above.startswith(("-1", "*", r"\dagger", r"\circ"))
+
+
+def _beside_steps(tree: Formula) -> Iterator[str]:
+    """Yield the symbols of a formula that have no number of a step above them."""
+    if tree.data == "symbol":
+        yield str(tree.children[0])
+    elif not (tree.data == "power" and _raised(tree)[1]):
+        for child in tree.children:
+            if isinstance(child, Tree):
+                yield from _beside_steps(child)
 
 
 def _raised(tree: Any) -> tuple[str, str, str]:

@@ -36,11 +36,14 @@ class Tie:
         The other symbols, without those that are indices of sums in it.
     is_first : bool
         Whether no equation before it has the letter on the left.
+    is_condition : bool
+        Whether it is a whole equation with no letter alone on the left.
     """
 
     given: str
     others: frozenset[str]
     is_first: bool
+    is_condition: bool = False
 
 
 @dataclass(frozen=True)
@@ -108,9 +111,14 @@ def ties_of(letter: str, parameters: Sequence[str], sides: Sequence[Formula], be
         The symbols of the equations before it; those of this one are added.
     """
     symbols = [free_symbols(each) - {letter, *parameters} for each in sides]
-    yield Tie(letter, frozenset().union(*symbols), letter not in before)
+    yield Tie(letter, frozenset().union(*symbols), letter not in before, not letter and not any(map(_rates, sides)))
     yield from (Tie("", one | other, True) for one, other in pairwise(symbols[1:]) if one != other)
     before.update({letter}, *symbols)
+
+
+def _rates(tree: Formula) -> bool:
+    """Whether a derivative stands in a formula."""
+    return any("/" in each for each in symbols_in(tree)) or any(True for _ in tree.find_data("big"))
 
 
 def free_symbols(tree: Formula) -> frozenset[str]:

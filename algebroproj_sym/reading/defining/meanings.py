@@ -44,6 +44,14 @@ _SIGNS = (
         r"\[|\\\{|\\lbrack|\\lbrace",
         "a bracket may stand for an integer or a fractional part",
     ),
+    (r"\bexclusive[- ]or\b|\bxor\b", r"\^", "a caret may be the exclusive or"),
+    (r"\bconcatenat\w+", r"", "a product may be another thing than that of numbers"),
+    (
+        r"\b(?:numbers?|numerals?|digits?|codes?|written|given|arithmetic)\b[^.]{0,20}\b(?:binary|hexadecimal|octal)\b"
+        r"|\bin (?:binary|hexadecimal|octal)\b",
+        r"\d\d",
+        "digits may be those of another base",
+    ),
     (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
     (
         r"\b(?:repeated|double|twice[- ]occurring) (?:indices|index|subscripts)\b|\bsummation convention\b"
@@ -75,9 +83,10 @@ _OPERATORS = (
     r"(?<=the )set|(?<=a )set|sets|events?)"
 )
 _FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?)"
-_SIGNALS = r"(?:signals?)"
+_SIGNALS = r"(?:signals?|potentials?|distributions?|densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index)"
 _NUMBER = re.compile(r"\b(?:ratio|circle|number|constant|half)\b|3\.14")
 _CALLED = re.compile(r"^\s*(?:is|are|be|denotes?|represents?)\b")
+_IS_NAME_OF = re.compile(r"\b(?:the|an?) (?!value |factor |angle |phase |limit |interval )[a-z]{4,} $")
 _EACH_TIME = re.compile(
     r"\$([^$=]*)\$[^.$]*\b(?:constants?)\b[^.$]*"
     r"\b(?:each time|from (?:one )?(?:line|place|equation) to|not necessarily the same)",
@@ -154,6 +163,10 @@ class Meanings:
         return _BASES.search(self.words) is not None
 
     @cached_property
+    def _has_operators(self) -> bool:
+        return re.search(r"\boperators\b", self.words) is not None
+
+    @cached_property
     def _signs(self) -> list[tuple[re.Pattern[str], str]]:
         said = (each for each in _SIGNS if re.search(each[0], self.words, re.IGNORECASE))
         return [(re.compile(latex), reason) for _, latex, reason in said]
@@ -163,8 +176,10 @@ class Meanings:
         """Letters that are no numbers, each with what it may be."""
         found = dict.fromkeys(called(self.statements, _OPERATORS), "is no number")
         for each in self.statements:
-            is_named = each.display.environment == "inline" and _CALLED.match(each.display.after)
-            if each.latex.strip() == r"\pi" and is_named and not _NUMBER.search(each.display.after[:60]):
+            before, after = each.display.before[-60:], each.display.after[:60]
+            is_named = _CALLED.match(after) or _IS_NAME_OF.search(before)
+            is_inline = each.display.environment == "inline" and each.latex.strip() == r"\pi"
+            if is_inline and is_named and not _NUMBER.search(before[-20:] + after):
                 found[r"\pi"] = "is called something else than the number"
         for match in _EACH_TIME.finditer(self.words):
             found |= dict.fromkeys(symbols_in_list(match[1]), "is another number each time")
@@ -195,6 +210,8 @@ class Meanings:
         latex = "".join(piece.text for piece in statement.pieces)
         if found := next((reason for pattern, reason in self._signs if pattern.search(latex)), ""):
             return found
+        if _TRANSFORM.search(latex):
+            return "a letter before a brace may be an operator"
         if match := _ORDER.search(latex) or _DRAW.search(latex):
             return f"{match[0].rstrip('( ')}(...) is another number each time"
         symbols = {symbol for side in formula.sides for symbol in symbols_in(side)}
@@ -203,9 +220,24 @@ class Meanings:
                 return f"{symbol} is another number each time"
             if symbol in self._letters:
                 return f"{symbol} {self._letters[symbol]}"
+            if symbol.startswith(r"\hat{") and self._has_operators:
+                return f"{symbol} may be an operator"
+        if index := _summed_silently(formula.sides):
+            return f"the index {index} may be summed over silently"
         return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
 
     def _of_tree(self, tree: Formula, symbols: set[str]) -> str:
+        if tree.data == "run" and len(tree.children) == 2:
+            one, other = tree.children
+            if (
+                _is_number(one)
+                and isinstance(other, Tree)
+                and other.data == "fraction"
+                and all(map(_is_number, other.children))
+            ):
+                return "a number before a fraction may be added to it"
+            if isinstance(one, Tree) and one.data == "symbol" and _is_group(other) and _is_number(other):
+                return "a number in brackets may be that of a sample"
         changes = any(map(_CHANGES.search, symbols)) or any(True for _ in tree.find_data("slope"))
         for part in tree.iter_subtrees():
             head = str(part.children[0]) if part.children and isinstance(part.children[0], Token) else ""
@@ -227,6 +259,35 @@ class Meanings:
         return ""
 
 
+_TRANSFORM = re.compile(r"\\(?:mathcal|mathscr|mathfrak)\s*\{?\s*[A-Z]\s*\}?\s*(?:\\left\s*)?(?:\\\{|\\lbrace)")
+_INDEX = re.compile(r"(?<![a-zA-Z\\])(?:[i-n]|\\(?:mu|nu|rho|sigma|alpha|beta|lambda|kappa))(?![a-zA-Z])")
+
+
+def _summed_silently(sides: Sequence[Formula]) -> str:
+    """Return an index that two factors of a product have, and another side has not; empty for none."""
+    indices = [{each for symbol in symbols_in(side) for each in _indices_of(symbol)} for side in sides]
+    for place, side in enumerate(sides):
+        for product in side.find_data("run"):
+            bound = {str(token) for big in side.find_data("big") for token in _INDEX.findall(str(big.children[0]))}
+            factors = [_indices_of(_text(each)) for each in product.children]
+            twice = {each for one in factors for each in one if sum(each in other for other in factors) == 2} - bound
+            for other, theirs in enumerate(indices):
+                if other != place and (free := theirs) and (lone := twice - theirs) and free & indices[place]:
+                    return min(lone)
+    return ""
+
+
+def _indices_of(symbol: str) -> frozenset[str]:
+    if not symbol or " " in symbol or "/" in symbol:
+        return frozenset()
+    _, _, below, above = split_symbol(symbol)
+    return frozenset(
+        _INDEX.findall(
+            re.sub(r"(?<=[a-z])(?=[a-z])", " ", f"{below} {above}") if "\\" not in below + above else f"{below} {above}"
+        )
+    )
+
+
 _NAMED = re.compile(
     r"((?:[a-zA-Z]|\\[a-z]+)(?:_\{?\w+\}?)?)\s*\^\s*\{?\s*[a-zA-Z]\s*\}?"
     r"|((?:[a-zA-Z]|\\[a-z]+)_\{?\w+\}?)\s*\^\s*\{?\s*\d\s*\}?"
@@ -241,6 +302,14 @@ def _text(tree: object) -> str:
     if data in ("group", "bracket", "items") and len(children) == 1:
         return _text(children[0])
     return str(children[0]) if data in ("symbol", "number") else ""
+
+
+def _is_number(tree: object) -> bool:
+    return _text(tree)[:1].isdigit()
+
+
+def _is_group(tree: object) -> bool:
+    return isinstance(tree, Tree) and tree.data in ("group", "bracket", "items")
 
 
 def _is_material(tree: object) -> bool:

@@ -21,7 +21,7 @@ from lark import Tree
 
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of, split_pieces
-from algebroproj_sym.reading.parsing.grammar import parsed
+from algebroproj_sym.reading.parsing.grammar import parsed, symbols_in
 
 _ALONE = r"(?: matrix|(?=\s*(?:[.,;)]|and\b|$)))"
 _KINDS = (
@@ -89,7 +89,8 @@ def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
     return called(
         statements,
-        rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|(?<=the )set|(?<=a )set|sets|"
+        rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|permutations?|strings?|reflections?|transformations?|"
+        r"(?<=the )set|(?<=a )set|sets|"
         r"events?|groups?|maps?)",
     )
 
@@ -172,6 +173,14 @@ def _kind_of(statement: Statement) -> str:
         return ""
     kind = _KINDS[(match.lastindex or 1) - 1][1]
     return "" if kind in _ADJECTIVES and not match[0].strip().endswith("matrix") else kind
+
+
+def symbols_of(latex: str) -> list[str]:
+    """Return the symbols of a formula; none if it cannot be read."""
+    try:
+        return symbols_in(parsed(pieces_of(latex)).sides[0])
+    except UnreadableError:
+        return []
 
 
 def symbols_in_list(latex: str, most: int = 9) -> Iterator[str]:

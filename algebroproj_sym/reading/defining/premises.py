@@ -35,6 +35,12 @@ MOST_NEAR = 3
 """How many equations before one may be premises of it, though words beside them speak of a case."""
 MOST_TOGETHER = 6
 """Under how many equations before one it may hold together, besides those that it names."""
+_APART = re.compile(
+    r"\b(?:unlike|contrary to|in contrast (?:to|with)|as opposed to|instead of|rather than|other than|"
+    r"different(?:ly)? from|except(?: for)?|but not)\b[^.,;$]{0,40}",
+    re.IGNORECASE,
+)
+"""Words that name an equation from which nothing follows."""
 _CITED = re.compile(
     r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\{(?:eq|numref)\}`([^`]*)`|\((\d+(?:\.\d+)*[a-z]?)\)"
 )
@@ -165,8 +171,40 @@ def cited_in(words: str) -> frozenset[str]:
     >>> sorted(cited_in(r"Put (3) and Eq.~\eqref{eq:area} into \ref{a,b}"))
     ['3', 'a', 'b', 'eq:area']
     """
+    return _names_in(_APART.sub(" ", words))
+
+
+def apart_in(words: str) -> frozenset[str]:
+    """Return likewise those of which words say that it is not so: "unlike in (3)"."""
+    return _names_in(" ".join(each[0] for each in _APART.finditer(words)))
+
+
+def _names_in(words: str) -> frozenset[str]:
     found = (match[1] or match[2] or match[3] for match in _CITED.finditer(words))
     return frozenset(name.strip() for names in found for name in names.split(","))
+
+
+def are_parallel(one: Premise, other: Premise) -> bool:
+    """Whether two equations differ in one letter, as ``h - a = 0`` and ``h - b = 0``: they may be of two cases."""
+    pairs = [*zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one.left, other.left)), strict=False)]
+    pairs += zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one.right, other.right)), strict=False)
+    renamed = {pair for pair in pairs if pair[0] != pair[1]}
+    if len(renamed) != 1:
+        return False
+    ((before, now),) = renamed
+    return (_renamed(one.left, before, now), _renamed(one.right, before, now)) == (other.left, other.right)
+
+
+def _renamed(tree: Formula, before: str, now: str) -> Formula:
+    parts = [
+        _renamed(each, before, now)
+        if isinstance(each, Tree)
+        else Token(each.type, now)
+        if each == before and each.type == "SYMBOL"
+        else each
+        for each in tree.children
+    ]
+    return Tree(tree.data, parts)
 
 
 def applicable(premises: Sequence[Premise], part: int, cited: frozenset[str]) -> list[Premise]:
@@ -328,7 +366,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
     )
     inside = {variable, *others} & {str(each.children[0]) for each in tree.iter_subtrees() if each.data == "call"}
     if sign == "d":
-        hidden = vocabulary.depends(others, variable)
+        hidden = vocabulary.moves_with(others, variable)
     else:
         hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
     if variable not in letters or changing or inside or hidden or stands_within(variable, letters):
@@ -427,7 +465,7 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     if stands_within(variable, letters):
         return None
     others = sorted(letters - {variable}) if sign == "d" else []
-    if vocabulary.depends(others, variable):
+    if vocabulary.moves_with(others, variable):
         return None
     return _made(symbol, _slope(value, variable, order), definition, others, vocabulary)
 

@@ -31,6 +31,7 @@ Numbers = Literal["real", "complex", "some complex"]
 """Whether letters stand for real numbers, or all for complex ones, or those that complex ones give."""
 
 _LIKE_IDENTITY = re.compile(r"I|\\math(?:bf|bb|rm)\{I\}")
+_CAPITAL = re.compile(r"[A-Z](?:_|\^|$)")
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
 
@@ -161,7 +162,7 @@ class Vocabulary:
                 each for each in factors if each.data == "symbol" and _LIKE_IDENTITY.fullmatch(str(each.children[0]))
             ]
             others = [symbol for each in factors if each not in lone for symbol in symbols_in(each)]
-            if lone and any(map(self.is_no_number, others)):
+            if lone and any(self.is_no_number(each) or _CAPITAL.match(each) for each in others):
                 return True
         return False
 
@@ -247,7 +248,17 @@ class Vocabulary:
     def depends(self, symbols: Iterable[str], letter: str) -> bool:
         """Whether some symbols may depend on a letter: by equations, or as ``p(y|x)`` does on x."""
         behind = frozenset().union(*(self.behind(each) for each in symbols))
+        if any(
+            re.fullmatch(rf"\\[a-z]+\{{{re.escape(letter)}\}}|{re.escape(letter)}\^\{{?\*\}}?", each) for each in behind
+        ):
+            return True
         return is_among(letter, behind) or stands_within(letter, behind)
+
+    def moves_with(self, symbols: Iterable[str], letter: str) -> bool:
+        """Whether some symbols may change with a letter: likewise, or by an equation with none of them alone."""
+        every = {*symbols}
+        tied = (each.others for each in self.dependence.ties if not each.given and each.is_condition)
+        return self.depends(every, letter) or any(letter in each and each & every for each in tied)
 
     def symbol_of(self, name: str) -> str:
         """Return the symbol that has a name; the name itself if it is that of no symbol alone."""

@@ -25,8 +25,10 @@ _ENVIRONMENTS = (
     *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
     "IEEEeqnarray",
 )
+_NO_SKIP = r"(?!\s*-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\])"
+"""What stands behind a line break is no display if it is a length, as in ``\\\\[0.3em]``."""
 _BEGIN = re.compile(
-    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
+    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[{_NO_SKIP}|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
     r"|\\(?:chapter|(?:sub)*section|paragraph)\b|(?m:^#+ )"
 )
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
@@ -235,6 +237,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
         plain = _STRUCK.sub(_blank, _without_code(_without_comments(text)))
     else:
         plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, text))))
+        plain = _INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain)
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -244,6 +247,12 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
     if len(formulas) > MAX_FORMULAS:
         raise UnreadableDocumentError(f"expected at most {MAX_FORMULAS} formulas, got more")
     return Document(formulas, starts, document.lines)
+
+
+_INDENTED = re.compile(
+    r"(^(?![-*+>:!?|=#]|\d+[.)])\S[^\n]*\n[ \t]*\n)((?:(?: {4}|\t)[^\n]*\n(?:[ \t]*\n)*)+)", re.MULTILINE
+)
+"""Lines of code in Markdown: indented behind a paragraph that begins no list and no box."""
 
 
 def _without_code(text: str) -> str:

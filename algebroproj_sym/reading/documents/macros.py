@@ -72,10 +72,16 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
 def redefinitions(text: str) -> list[tuple[int, str, Macro]]:
     """Return the definitions of macros that have several, in order: place, name and meaning."""
     made = list[tuple[int, str, Macro]]()
-    for name, count, default, begin, start in _begun(text):
-        if (end := _closing(text, start)) is not None:
-            body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
-            made.append((abs(begin), name, Macro(count, default, body)))
+    before: dict[str, Macro] = {}
+    for name, count, default, begin, start in sorted(_begun(text), key=lambda each: abs(each[3])):
+        if (end := _closing(text, start)) is None or (text.startswith(r"\provide", begin) and name in before):
+            continue
+        body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
+        made.append((abs(begin), name, Macro(count, default, body)))
+        if name in before and (group := _closing(text, end + 1)) is not None:
+            made.append((group, name, before[name]))
+        else:
+            before[name] = made[-1][2]
     times = Counter(name for _, name, _ in made)
     return sorted((each for each in made if times[each[1]] > 1), key=lambda each: each[0])
 

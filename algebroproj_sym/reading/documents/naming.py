@@ -13,7 +13,7 @@ from algebroproj_sym.reading.lexing.pieces import Piece, pieces_of
 _SHORT = frozenset(["Re", "Pr", "Nu", "Fr", "We", "Sc", "Pe", "Gr", "Ra", "Kn", "Ec", "Bi", "Ro", "Sh"])
 """Numbers without dimension that are named after people."""
 _LETTER = re.compile("[a-zA-Z]")
-_FILLERS = ("noise", "const")
+_FILLERS = ("noise", "const", "pH", "pK")
 _WORD = re.compile(r"(?<![\\\w])[A-Za-z]{3,}(?!\w)")
 _SAYS_ITSELF = re.compile(r"[A-Z]{3,}|[a-z]{4,}")
 _TAKES = frozenset((*UPRIGHT, *STYLES, r"\text", r"\label", r"\tag", r"\ref", r"\begin", r"\end", "_", "^"))

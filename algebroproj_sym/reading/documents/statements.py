@@ -17,7 +17,9 @@ _TAGGED = re.compile(r"\\(?:nonumber|notag|tag)(?![a-z])")
 _WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shortintertext")
 _WIDE = (r"\quad", r"\qquad")
 _OPENS = re.compile(r"\b(?:for|if|when|where|with|at|and|or|as|all|every|any)\s*$")
-_BEGINS = re.compile(r"\b(?:if|when|for|cases?|unless|provided|suppos\w+|assum\w+|otherwise|else)\b", re.IGNORECASE)
+_BEGINS = re.compile(
+    r"\b(?:if|when|for|cases?|unless|provided|suppos\w+|assum\w+|otherwise|else|not|never|neither)\b", re.IGNORECASE
+)
 """Words before an equation that are a condition of it."""
 _IF = re.compile(r"\b(?:if|when|for|unless)\s*$", re.IGNORECASE)
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
@@ -326,13 +328,19 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
             yield part, "".join(piece.text for piece in column[place + 1 : end]).strip(" {}")
             part, place = [], end
             continue
-        if depth <= 0 and (text in (",", ";") or text in _WIDE):
+        if depth <= 0 and (text in (",", ";") or text in _WIDE) and not _groups_digits(column, place):
             yield part, ""
             part = []
         else:
             part.append(column[place])
         place += 1
     yield part, ""
+
+
+def _groups_digits(column: Sequence[Piece], place: int) -> bool:
+    """Whether a comma stands between digits as in 1,000, which may be a thousand or one."""
+    around = "".join(piece.text for piece in column[max(0, place - 1) : place + 5])
+    return re.match(r"\d,\d{3}(?!\d)", around) is not None
 
 
 def _is_script(before: Sequence[Piece]) -> bool:

@@ -19,6 +19,12 @@ _FRAMES = frozenset((*_BRACES, r"\smash", r"\mathclap", r"\textcolor", r"\colorb
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
 _OTHERWISE = {r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\xfrac": r"\frac"}
 _ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{ceil}(", r"\rfloor": ")", r"\rceil": ")"}
+_ROUNDED |= {r"\llbracket": r"\operatorname{jump}(", r"\rrbracket": ")"}
+_JUSTIFIES = re.compile(
+    r"|.*(?:def|triangle|Delta|\(|ref\b).*|\d+|(?:\\(?:text|mathrm|rm)\b\W*)?(?!law|iid|lim|dist)[A-Za-z][a-z]{2}[^\\]*",
+    re.DOTALL,
+)
+"""What stands above = where it is an equality: a citation, a word, a sign of definitions; and no letter or limit."""
 _UNSEEN = frozenset((r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _BAR = {
     name: (rf"\l{kind}", rf"\r{kind}")
@@ -97,7 +103,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             over, base = waiting.group(), waiting.group()
             relation = "".join(each.text for each in base).strip()
             above = "".join(each.text for each in over).strip()
-            if relation == "=" and above in ("!", "?"):
+            if relation == "=" and not _JUSTIFIES.fullmatch(above):
                 relation = r"\equiv" if above == "!" else r"\questeq"
             defines = relation == "=" and re.search(r"def|triangle", above)
             plain = [piece, *_braced(piece, over), *_braced(piece, base)]
@@ -118,6 +124,13 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
         elif text in _ROOM:
             waiting.length()
             out.append(_as(piece, r"\quad"))
+        elif text == "!" and waiting and waiting[-1].text == "=" and out and out[-1].text.isspace():
+            waiting.pop()
+            out.append(_as(piece, r"\ne"))
+        elif text == "'" and [each.text for each in out[-2:]] == ["{", "}"]:
+            raise UnreadableError("a prime behind nothing may be that of a sum", piece.place)
+        elif text == "e" and _is_scientific(out, waiting):
+            raise UnreadableError("a letter between digits may be that of a number such as 1e3", piece.place)
         elif text == "." and [each.text for each in waiting[-1:-3:-1]] == [".", "."]:
             del waiting[-2:]
             out.append(_as(piece, r"\ldots"))
@@ -128,6 +141,13 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
         if len(out) + len(waiting) > MAX_PIECES:
             raise UnreadableError(f"expected a formula of at most {MAX_PIECES} pieces, got more", piece.place)
     return _system(out)
+
+
+def _is_scientific(out: Sequence[Piece], waiting: Sequence[Piece]) -> bool:
+    """Whether digits stand right before and right behind a letter, as in 1e3 and 10e-3."""
+    following = [each.text for each in waiting[-1:-3:-1]]
+    following = following[1:] if following[:1] in (["-"], ["+"]) else following
+    return bool(out) and out[-1].text.isdigit() and following[:1] != [] and following[0].isdigit()
 
 
 class _Pairs:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -11,6 +12,7 @@ from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     Premise,
+    apart_in,
     cited_in,
     derivatives_in,
     extended,
@@ -50,6 +52,7 @@ from algebroproj_sym.reading.judging.words import (
     has_ended,
     is_given_within,
     last_sentence,
+    may_be_negative,
     takes_back,
     words_of,
 )
@@ -94,7 +97,19 @@ def read_document(
         links = list(readings[each.reading].links)
         links[each.place] = each.link
         readings[each.reading] = replace(readings[each.reading], links=tuple(links))
-    return _without_refuted_premises(readings)
+    signs = may_be_negative(document)
+    return [_without_signs(each, signs) for each in _without_refuted_premises(readings)]
+
+
+def _without_signs(reading: Reading, letters: Collection[str]) -> Reading:
+    """Return a reading in which nothing follows where a letter is positive that words call negative."""
+    links = tuple(
+        replace(link, verdict="not decided", reason=f"{wrong[0].partition(' ')[0]} may be negative")
+        if link.verdict == "follows" and (wrong := [each for each in link.hypotheses if each in letters])
+        else link
+        for link in reading.links
+    )
+    return replace(reading, links=links)
 
 
 def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
@@ -120,6 +135,10 @@ def _where(statement: Statement) -> str:
     return f"({number}), {where}" if number else where
 
 
+_SCOPES = re.compile(r"\\(begin|end)\{(?:example|exercise|problem|quote|quotation)\*?\}")
+_QUOTED = re.compile(r"(?:^|\n)[ \t]*>[> \t]*$")
+
+
 class _Pass:
     """Goes through a document once, and collects definitions, premises and questions."""
 
@@ -133,6 +152,8 @@ class _Pass:
         self.given_at: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
+        self.scope: int | None = None
+        self.quoted: int | None = None
         self.part = 0
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
@@ -154,9 +175,28 @@ class _Pass:
             asked += questions
         return readings, asked
 
+    def _leave(self, display: Display) -> None:
+        """Forget what a quotation or an example says where it ends."""
+        for mark in _SCOPES.finditer(display.before):
+            if mark[1] == "begin" and self.scope is None:
+                self.scope = display.place
+            elif mark[1] == "end" and self.scope is not None:
+                self._retract_from(self.scope)
+                self.scope = None
+        quoted = _QUOTED.search(display.before) is not None
+        if self.quoted is not None and not quoted:
+            self._retract_from(self.quoted)
+        self.quoted = (display.place if self.quoted is None else self.quoted) if quoted else None
+
+    def _retract_from(self, place: int) -> None:
+        self.premises = [each for each in self.premises if each.place < place]
+        self._drop([each.symbol for each in self.vocabulary.definitions.values() if each.place >= place])
+
     def _listen(self, statement: Statement) -> None:
         """Take in the words beside a statement."""
         display = statement.display
+        if display is not self.display:
+            self._leave(display)
         same_part = self.beside.part == display.part
         if display is not self.display:
             if self.display is not None and takes_back(display.before):
@@ -202,6 +242,7 @@ class _Pass:
         if self.survey.meanings.reason(statement, formula):
             return
         before, sentence = statement.display.before, last_sentence(statement.display.before)
+        self._leave(statement.display)
         number = not any(map(symbols_in, formula.sides[1:]))
         says = is_given_within(before, number=number) and not beside(statement, "").is_denied
         self._stand_at(statement.display)
@@ -334,6 +375,8 @@ class _Pass:
         """Keep an equation as a premise of what stands behind it."""
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
+        if self.beside.exchanged or not any(self.vocabulary.letters_of(each) for each in formula.sides):
+            return
         if self.beside.is_denied or is_update(*formula.sides[:2]) or self._is_of_one_index(formula):
             return
         sides = formula.sides[defines:]
@@ -359,12 +402,14 @@ class _Pass:
         symbol, parameters = defined_by(left)
         if not symbol or self._named(statement, self.given.statements) or symbol in self.given.whole.symbols:
             return None
-        if self._is_of_one_index(formula):
+        if self._is_of_one_index(formula) or self.beside.exchanged or (symbol == r"\pi" and not symbols_in(right)):
             return None
         explicit = explicit or relation in (":=", "=:") or self._named(statement, self.given.definitions)
         table = is_table(symbol, right, self.vocabulary)
-        if (self.beside.is_conditional and not (explicit or table)) or (
-            not explicit and is_one_value(parameters, right)
+        if (
+            self.beside.is_denied
+            or (self.beside.is_conditional and not (explicit or table))
+            or (not explicit and is_one_value(parameters, right))
         ):
             return None
         late = late or explicit or self.introduced or table
@@ -390,6 +435,8 @@ class _Pass:
         symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
         part = statement.display.part
         if not symbol or not (symbols_in(right) or self.survey.is_parameter(statement)):
+            return False
+        if self.beside.exchanged:
             return False
         if is_one_value(parameters, right) and (symbol in self.asserted or not self.survey.has_one_argument(symbol)):
             return False
@@ -431,6 +478,9 @@ class _Pass:
         """Return where a statement stands."""
         vocabulary = self.vocabulary.copied()
         self._forget_elsewhere(vocabulary)
+        for symbol in self._exchanged:
+            if symbol in vocabulary.definitions:
+                vocabulary.drop(symbol)
         place = statement.display.part, self._serving, self._cited
         return Standing(self.survey, vocabulary, self.beside, *place, self.given_at)
 
@@ -439,11 +489,18 @@ class _Pass:
         """The labels and numbers of the equations that words before the display name."""
         return cited_in(self.display.before) if self.display is not None else frozenset()
 
+    @property
+    def _apart(self) -> frozenset[str]:
+        """Likewise of those of which the words say that it is not so here."""
+        return apart_in(self.display.before) if self.display is not None else frozenset()
+
     def _forget_elsewhere(self, vocabulary: Vocabulary) -> None:
         """Drop the definitions that belong to another context, but for those that words cite."""
         names = tuple(f"({name})" for name in self._cited)
+        apart = tuple(f"({name})" for name in self._apart)
         for known in [*vocabulary.definitions.values()]:
             elsewhere = self.context.excludes(known.context) and not known.where.startswith(names)
+            elsewhere = elsewhere or (bool(apart) and known.where.startswith(apart))
             if elsewhere and known.symbol in vocabulary.definitions:
                 vocabulary.drop(known.symbol)
 
@@ -451,4 +508,12 @@ class _Pass:
     def _serving(self) -> list[Premise]:
         """The premises that do not belong to another context, and those that words cite."""
         cited = self._cited
-        return [each for each in self.premises if each.names & cited or not self.context.excludes(each.context)]
+        changed = self.beside.exchanged
+        premises = (each for each in self.premises if not (changed & each.symbols or self._apart & each.names))
+        return [each for each in premises if each.names & cited or not self.context.excludes(each.context)]
+
+    @property
+    def _exchanged(self) -> list[str]:
+        """The letters with a definition that rests on what is exchanged in the sentence."""
+        known = self.vocabulary.definitions.values()
+        return [each.symbol for each in known if self.beside.exchanged & {each.symbol, *each.symbols}]

@@ -12,12 +12,14 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import Any
 
+import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.judging.questions import used_by
-from algebroproj_sym.reading.judging.words import Beside, words_of
+from algebroproj_sym.reading.judging.words import Beside, strange_word, words_of
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 NOT_COMPUTED = "stands for is not computed"
@@ -62,6 +64,13 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
         return f"the word {case!r} beside it may limit it to a case"
     if doubt := _doubt_of_reading((left, right, *(each.tree for each in used)), symbols):
         return doubt
+    if doubt := _doubt_of_products(left, right, vocabulary):
+        return doubt
+    if not any(map(vocabulary.letters_of, (left, right))):
+        if _is_turned(left, right, vocabulary):
+            return "angles may differ by full turns"
+        if word := strange_word(f"{beside.before} {beside.sentence}", ()):
+            return f"the word {word!r} beside it may speak of another arithmetic"
     if formula.chose:
         return formula.chose
     unusable = sorted(s for s in symbols if s in vocabulary.definitions and not vocabulary.definitions[s].usable)
@@ -95,6 +104,36 @@ def _doubt_of_reading(trees: tuple[Formula, ...], symbols: Iterable[str]) -> str
         return "log may have another base"
     imaginary = sorted(_IMAGINARY.intersection(symbols))
     return f"{imaginary[0]} may be the imaginary unit" if imaginary else ""
+
+
+def _doubt_of_products(left: Formula, right: Formula, vocabulary: Vocabulary) -> str:
+    """Return whether a product may be one in which the order matters: that of vectors, or of what anticommutes."""
+    for tree in (left, right):
+        for product in tree.find_data("product"):
+            signs = [each for each in product.children if isinstance(each, Token)]
+            letters = [each for factor in _trees(product) for each in symbols_in(factor)]
+            if r"\times" in signs and letters and not any(map(vocabulary.is_matrix, letters)):
+                return "a cross may be that of vectors"
+    one, other = ([*symbols_in(each)] for each in (left, right))
+    is_single = all(sum(1 for _ in each.find_data("sum")) <= 1 and _terms(each) == 1 for each in (left, right))
+    return "the order of the factors may matter" if is_single and one != other and sorted(one) == sorted(other) else ""
+
+
+def _trees(tree: Formula) -> list[Formula]:
+    return [each for each in tree.children if isinstance(each, Tree)]
+
+
+def _terms(tree: Formula) -> int:
+    return len(_trees(tree)) if tree.data == "sum" else 1
+
+
+def _is_turned(left: Formula, right: Formula, vocabulary: Vocabulary) -> bool:
+    """Whether two numbers differ by a multiple of a full turn."""
+    try:
+        turns = (vocabulary.value(left) - vocabulary.value(right)) / (2 * sympy.pi)
+    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+        return False
+    return bool(sympy.simplify(turns).is_integer)
 
 
 def _doubt_of_letters(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -18,6 +19,7 @@ from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise
 from algebroproj_sym.reading.defining.values import values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
+from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions, written
@@ -165,6 +167,8 @@ _UNASKED = (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueE
 
 def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question] | str:
     """Return the questions, or why there are none."""
+    if other := _of_other_letters(vocabulary, left, right):
+        return f"{vocabulary.name(other)} of other letters may be another function"
     try:
         return questions_of(vocabulary, left, right)
     except UnreadableError as unread:
@@ -174,6 +178,30 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
             return str(error if isinstance(unread, UnsizedError) else unread).partition("\n")[0][:200]
     except (TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
         return str(error).partition("\n")[0][:200] or type(error).__name__
+
+
+_SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")
+"""How functions are called that are the same ones of all letters, unlike p in p(x) and p(y)."""
+
+
+def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
+    """Return a function that is taken at lone letters, all others than it was defined with; empty for none."""
+    for call in (each for tree in trees for each in tree.find_data("call")):
+        definition = vocabulary.definitions.get(str(call.children[0]))
+        if definition is None or _SAME_EVERYWHERE.fullmatch(definition.symbol):
+            continue
+        letters = [_lone(each) for items in call.children[1:] if isinstance(items, Tree) for each in items.children]
+        others = [split_symbol(each)[0] for each in letters if each]
+        if letters and len(others) == len(letters) and not {*others, *letters} & {*definition.parameters}:
+            return definition.symbol
+    return ""
+
+
+def _lone(tree: object) -> str:
+    """Return the symbol that a formula is; empty if it is more."""
+    while isinstance(tree, Tree) and tree.data in ("group", "items", "bracket", "cell") and len(tree.children) == 1:
+        tree = tree.children[0]
+    return str(tree.children[0]) if isinstance(tree, Tree) and tree.data == "symbol" else ""
 
 
 def _with_values(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:

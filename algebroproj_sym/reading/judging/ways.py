@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
     Premise,
     applicable,
+    are_parallel,
     computed,
     derivatives_in,
     extended,
@@ -150,6 +152,8 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
         tied = tied.union(*(speaks[each] for each in more))
         together += more
+    if any(are_parallel(one, other) for one, other in combinations(together, 2)):
+        return
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=tuple(together))
 

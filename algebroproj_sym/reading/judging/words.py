@@ -7,8 +7,8 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from algebroproj_sym.reading.defining.contexts import without_steps
-from algebroproj_sym.reading.defining.phrases import symbols_in_list
-from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
+from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 
 NEAR = 250
@@ -35,7 +35,13 @@ _DENIED = re.compile(
     r"naive\w*|tempt\w+|sign error|in error|ceases?|fails? (?:to hold|in general)|"
     r"(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
     r"if only|earlier (?:version|draft|edition)|(?<!one )(?:writes|claims|asserts|believes|claimed|believed|wrote)|"
-    r"not (?:true|equal|hold|follow|valid|correct|right|the case))\b",
+    r"not (?:\w+ )?(?:true|equal|hold|follow|valid|correct|right|so|work|the case)|"
+    r"conjectur\w*|alleg\w+|nobody|no one|students|beginners|jok(?:e|es|ing)|imagine|pretend|ideally|wrongly|folk\w*|"
+    r"(?:find|spot) the \w+|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
+    r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
+    r"on average|in the mean|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
+    r"(?:plus|and|with) some noise|"
+    r"to (?:leading|lowest|zeroth|first|second) order)\b",
     re.IGNORECASE,
 )
 """Words by which an equation in their sentence is not asserted."""
@@ -75,6 +81,7 @@ HENCE = re.compile(
 DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is a definition."""
 _DIRECTLY = re.compile(r"\W*(?:where|with|here|and|let|put|set|define|denote)\b", re.IGNORECASE)
+_FORBIDS = re.compile(r"\b(?:not|never|cannot|don['’]t)(?: \w+){0,2}\W*$", re.IGNORECASE)
 _LETS = re.compile(r"\b(?:let|put|set|defin\w+|denot\w+)\W*$", re.IGNORECASE)
 SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is one, if nothing else in the document gives its letter."""
@@ -91,7 +98,7 @@ _NEUTRAL = re.compile(
     r"squaring|multipl\w+|divid\w+|divis\w+|add\w*|subtract\w*|sum\w*|product\w*|collect\w*|factor\w*|"
     r"derivativ\w*|respect|time|compact\w*|explicit\w*|direct\w*|finally|easily|readily|straightforward\w*|immediate\w*|"
     r"equation|expression\w*|quantit(?:y|ies)|values?|letters?|variables?|used|matrix|matrices|vector|vectors|"
-    r"back|out|up|together|after|since|because|via|through|thanks|according|algebra\w*|manipulation\w*|steps?|"
+    r"back|out|up|together|after|since|because|known|via|through|thanks|according|algebra\w*|manipulation\w*|steps?|"
     r"fact|sections?|chapters?|ref|eqref|label|cref|autoref|indeed|clearly|obviously|moreover|furthermore|"
     r"same|just",
     re.IGNORECASE,
@@ -206,7 +213,17 @@ class Beside:
     @property
     def changed(self) -> frozenset[str]:
         """The letters that the words before give another meaning, as in "from here on $b$ is half of it"."""
-        return frozenset(symbol for each in _CHANGED.findall(self.before) for symbol in symbols_in_list(each))
+        found = [each for match in _CHANGED.finditer(self.before) for each in match.groups() if each]
+        return frozenset(symbol for each in found for symbol in symbols_in_list(each))
+
+    @property
+    def exchanged(self) -> frozenset[str]:
+        """The letters that are not what they were in its own sentence, as in "replacing $x$ by $-x$"."""
+        found = [each for match in _REVERSES.finditer(self.sentence) for each in symbols_of(match[1])]
+        for verb in _EXCHANGES.finditer(self.sentence):
+            one, other = (frozenset(symbols_of(each)) for each in verb.groups())
+            found += [*(one | other)] if one & other or _SWAPS.match(verb[0]) else []
+        return frozenset(found)
 
     def strange(self, known: Collection[str]) -> str:
         """Return a word of the sentence that is none of a derivation, and that is not known; empty for none."""
@@ -231,9 +248,18 @@ def is_given_within(words: str, *, number: bool) -> bool:
     Where it gives a number, they begin the sentence: "where $b = 0$", and not "lines with $b = 0$".
     """
     sentence = last_sentence(words)
-    if number and not (_DIRECTLY.match(sentence) or _LETS.search(words)):
+    if _FORBIDS.search(sentence) or (number and not (_DIRECTLY.match(sentence) or _LETS.search(words))):
         return False
     return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
+
+
+def may_be_negative(document: Document) -> frozenset[str]:
+    """Return the hypotheses that words deny: ``x > 0`` where x may be negative, in names and in LaTeX."""
+    words = " ".join(f"{each.before} ${each.latex}$ {each.after}" for each in document.formulas[:MOST_SEARCHED])
+    letters = {symbol for match in _NEGATIVE.findall(words) for each in match for symbol in symbols_of(each)}
+    zero = {symbol for each in _ZERO.findall(words) for symbol in symbols_of(each)}
+    names = {each.lstrip("\\") for each in letters}, {each.lstrip("\\") for each in zero}
+    return frozenset(f"{each} > 0" for each in names[0]) | names[1]
 
 
 def takes_back(words: str) -> bool:
@@ -319,9 +345,29 @@ _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|mean
 _CHANGED = re.compile(
     r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
     r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
-    r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b",
+    r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b"
+    r"|\$([^$=]*)\$ (?:now )?has (?:an?other|a new|a different|its own) meaning"
+    r"|\b[Ww]rite \$([^$=]*)\$ for \$[^$]*\$"
+    r"|\b(?:measur|count|express|scal)\w* \$([^$=]*)\$ (?:in|by)\b[^.$]*\b(?:from (?:here|now)|henceforth|hereafter)",
     re.IGNORECASE,
 )
+"""Words by which a letter stands for another thing from there on."""
+_REVERSES = re.compile(
+    r"\b(?:doubl|halv|tripl|negat|revers|flipp|invert|rescal|mirror)ing (?:the \w+ )?\$([^$=]*)\$", re.IGNORECASE
+)
+_EXCHANGES = re.compile(
+    r"\b(?:replac|substitut|exchang|interchang|swapp?|switch|writ|put|tak)\w* (?:the \w+ )?\$([^$]*)\$ "
+    r"(?:by|with|for|and|in place of|instead of) (?:the \w+ )?\$([^$]*)\$",
+    re.IGNORECASE,
+)
+"""Words by which one formula takes the place of another: of the same letter, or both of each other."""
+_SWAPS = re.compile(r"\b(?:ex|inter)?chang\w* |swap|switch", re.IGNORECASE)
+_NEGATIVE = re.compile(
+    r"\$([^$=<>]*)\$ (?:(?:may|can|could|might) (?:also )?be|is|are) (?:negative|of (?:either|any) sign)"
+    r"|\$([^$=<>]*?) ?(?:<|\\lt|\\le|\\leq) ?0 ?\$"
+)
+_ZERO = re.compile(r"\$([^$=<>]*)\$ (?:(?:may|can|could|might) (?:also )?be zero|is zero|vanishes)\b")
+MOST_SEARCHED = 2000
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")
 _WORD = re.compile(r"[^\W\d_]{2,}")

@@ -54,7 +54,7 @@ NO_LETTERS = _words(
     r"\forall \exists \because \therefore \over \atop \choose \hbox "
     r"\begin \end \lfloor \rfloor \lceil \rceil \langle \rangle \neg "
     r"\def \let \newcommand \color \bmod \mod \pmod \top \not \overbrace \underbrace \stackrel \overset "
-    r"\underset \substack \binom"
+    r"\underset \substack \binom \angle \measuredangle \triangle"
 )
 """Commands that stand for no letter."""
 BEFORE_LETTER = _words(r"\leftexp \leftidx \prescript \presuper")
@@ -65,7 +65,7 @@ FUNCTIONS = _words(
     "sin cos tan cot sec csc arcsin arccos arctan arccot asin acos atan atan2 arctan2 sinh cosh tanh coth arcsinh "
     "arccosh arctanh arsinh arcosh artanh sech csch exp log ln lg det tr trace Tr diag rank sign sgn adj sinc"
 )
-NAMED = _words("Re Im floor ceil")
+NAMED = _words("Re Im floor ceil jump")
 """Functions that are read by their upright names, and not computed."""
 SIGNS = {"+": "+", "-": "-", "−": "-", r"\pm": "±", r"\mp": "∓"}
 RELATIONS = dict(

@@ -1,0 +1,182 @@
+r"""Documents of an outsider that were misread: what only looks like a consequence, or like a contradiction."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+MISLEADING = {
+    "unequal in code": ("The two keys differ:\n\n$$ a != b $$\n\nHence\n\n$$ b = a! $$\n", False),
+    "equal in distribution": (
+        r"Both throws have the same law, \[ X \stackrel{d}{=} Y. \] Hence \[ X - Y = 0. \]",
+        True,
+    ),
+    "dotted equality": (r"To first order \[ u \doteq v. \] Hence \[ u - v = 0. \]", True),
+    "equal in the limit, over the sign": (
+        r"For the sequence \[ a_n \overset{n\to\infty}{=} a. \] Hence \[ a_n - a = 0. \]",
+        True,
+    ),
+    "negated by a text": (r"We know that \[ \text{not } a = b. \] Hence \[ a - b = 0. \]", True),
+    "a jump": (
+        r"Across the shock the jump is \[ j = \llbracket u v \rrbracket. \] Hence \[ j = u \llbracket v \rrbracket. \]",
+        True,
+    ),
+    "a Fourier transform in braces": (r"Let \[ Y = \mathcal{F}\{x h\}. \] Hence \[ Y = \mathcal{F}\{x\}\, h. \]", True),
+    "samples in round brackets": (r"The first sample is \[ x(1) = a. \] The second sample is \[ x(2) = 2a. \]", True),
+    "polar coordinates": (
+        r"The temperature of the plate is \[ T(x, y) = k (x^2 + y^2). \] In polar coordinates it is "
+        r"\[ T(r, \theta) = k (r^2 + \theta^2). \]",
+        True,
+    ),
+    "a product that is zero": (r"Since $a$ vanishes, $a = 0$. Then \[ a b = a c. \] Hence \[ b = c. \]", True),
+    "a conjugate": (r"A bar is the complex conjugate. \[ w = \bar z + z \] Hence \[ \frac{dw}{dz} = 1. \]", True),
+    "strings": (r"The product of two strings is their concatenation. \[ w = u v \] Hence \[ w = v u. \]", True),
+    "permutations": (r"Let $s$ and $t$ be permutations. \[ c = s t \] Hence \[ c = t s. \]", True),
+    "operators with hats": (
+        r"The operators of place and momentum give \[ D = \hat x \hat p - \hat p \hat x. \] Hence \[ D = 0. \]",
+        True,
+    ),
+    "a metric and its inverse": (
+        r"The metric and its inverse satisfy \[ g_{ij} g^{jk} = \delta_i^k. \] Hence \[ g^{jk} = "
+        r"\frac{\delta_i^k}{g_{ij}}. \]",
+        True,
+    ),
+    "a linear map by entries": (
+        r"The matrix $A = (a_{ij})$ maps $x$ to \[ y_i = a_{ij} x_j. \] Hence \[ x_j = \frac{y_i}{a_{ij}}. \]",
+        True,
+    ),
+    "a current": (r"Ohm's law is \[ U = R I. \] Hence \[ U = R. \]", True),
+    "angles by three points": (r"The line bisects the angle, \[ \angle PQR = \angle RQS. \] Hence \[ P = S. \]", True),
+    "the pH": (r"The solution has \[ pH = pK. \] Hence \[ H = K. \]", True),
+    "scientific notation": ("The count is\n\n$$ n = 1e3 $$\n\nHence\n\n$$ n = 3e $$\n", False),
+    "scientific notation with a minus": ("The step is\n\n$$ h = 10e-3 $$\n\nHence\n\n$$ h + 3 = 10e $$\n", False),
+    "a power that is exclusive or": (
+        "As in C, `^` is the exclusive or:\n\n$$ y = a^2 $$\n\nHence\n\n$$ y = a a $$\n",
+        False,
+    ),
+    "binary numbers": (r"The numbers here are binary. \[ n = 10 \] Hence \[ 2n = 20. \]", True),
+    "a mixed number": (r"The rod has the length \[ l = 2\frac12. \] Hence \[ l = 1. \]", True),
+    "pi is 3.14": (r"With \[ \pi = 3.14 \] we get \[ a\pi = 3.14 a. \]", True),
+    "the parallax": (r"A star with the parallax $\pi$ moves by \[ w = \cos 2\pi. \] Hence \[ w = 1. \]", True),
+    "a macro in a group": (r"\def\x{a} {\def\x{b}} The value is \[ y = \x. \] Hence \[ y = b. \]", True),
+    "provided, and there already": (
+        r"\newcommand{\x}{a} \providecommand{\x}{b} The value is \[ y = \x. \] Hence \[ y = b. \]",
+        True,
+    ),
+    "an example environment": (
+        r"The sum is \[ s = a + b. \] \begin{example} Let $b = 0$. Then all is clear. \end{example} Hence \[ s = a. \]",
+        True,
+    ),
+    "an indented block of code": ("We type\n\n    $$ a = b $$\n\nHence\n\n$$ a - b = 0 $$\n", False),
+    "a warning box": (
+        "The sum is\n\n$$ s = a + b $$\n\n:::{warning}\nDo not set $b = 0$.\n:::\n\nHence\n\n$$ s = a $$\n",
+        False,
+    ),
+    "a quotation of another": (
+        "Aristotle held:\n\n> $$ v = k m $$\n\nGalileo refuted this. Hence\n\n$$ \\frac{v}{m} = k $$\n",
+        False,
+    ),
+    "students": (r"Students often write \[ (a + b)^2 = a^2 + b^2. \] Hence \[ 2 a b = 0. \]", True),
+    "find the error": (r"Find the error: \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "a conjecture displayed": (r"\textbf{Conjecture.} \[ a = b \] Hence \[ a - b = 0. \]", True),
+    "a goal": (r"We want to show that \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "nobody": (r"Nobody has ever measured \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "wrongly": (r"Wolf wrongly states \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "a folk formula": (r"The folk formula \[ a = b \] is off by a factor. Hence \[ a - b = 0. \]", True),
+    "not always": (r"It is not always the case that \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "fails": (r"The law \[ a = b \] fails at high speed. At high speed \[ a - b = 0. \]", True),
+    "up to a constant": (r"\[ u = f \] up to a constant. Hence \[ u - f = 0. \]", True),
+    "on average": (r"On average \[ u = f. \] Hence \[ u - f = 0. \]", True),
+    "to leading order behind": (r"\[ u = f \] to leading order. Hence \[ u - f = 0. \]", True),
+    "roughly behind": (r"\[ u = f, \] roughly. Hence \[ u - f = 0. \]", True),
+    "plus noise behind": (r"\[ u = f \] plus some noise. \[ v = f \] plus some noise. Hence \[ u = v. \]", True),
+    "almost everywhere": (r"Almost everywhere \[ u = f. \] At the point in question \[ u - f = 0. \]", True),
+    "a wish": (r"Ideally \[ u = f. \] Hence \[ u - f = 0. \]", True),
+    "a contradiction is sought": (
+        r"Assume the opposite, \[ p = 2q. \] We shall find a contradiction. \[ p - q = q \]",
+        True,
+    ),
+    "imagine": (r"Imagine that \[ a = b. \] It is not so. \[ a - b = 0 \]", True),
+    "a joke": (r"An old joke has it that \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "the first attempt": (r"Our first attempt was \[ a = b. \] It did not work. \[ a - b = 0 \]", True),
+    "a quote environment": (
+        r"\begin{quote} Aristotle: \[ v = k m. \] \end{quote} Galileo found otherwise. \[ \frac{v}{m} = k \]",
+        True,
+    ),
+    "a new b": (r"The area is \[ s = a b. \] From now on we write $b$ for $2b$. Then \[ s = a b. \]", True),
+    "another meaning": (
+        r"The area is \[ s = a b. \] In this paragraph $b$ has another meaning: it is half the width. \[ s = a b \]",
+        True,
+    ),
+    "a sign replaced": (r"The curve is \[ y = x^3 + 1. \] Replacing $x$ by $-x$ gives \[ y = x^3 + 1. \]", True),
+    "swapped": (r"The ratio is \[ y = a/b. \] Swapping $a$ and $b$ gives \[ y = a/b. \]", True),
+    "doubled": (r"The area is \[ s = a b. \] After doubling $b$ the area is \[ s = a b. \]", True),
+    "rescaled": (r"The way is \[ x = v t. \] We measure $t$ in minutes from here on. Then \[ x = v t. \]", True),
+    "densities": (r"The densities are $p(x)$ and $p(y)$. \[ p(x) = 2x \] Hence \[ p(y) = 2y. \]", True),
+    "a logarithm of a square": (r"\[ u = \ln x^2, \] where $x$ may be negative. Hence \[ u = 2 \ln x. \]", True),
+    "a primed sum": (
+        r"A prime at the sum says that the first term is halved, \[ S = \sum_{i=0}^n{}' a. \] Hence \[ S "
+        r"= (n+1) a. \]",
+        True,
+    ),
+    "a cited equation that is another one": (
+        r"\begin{equation} a = b \end{equation} \section{Here} \[ x = 1 \] \[ y = 2 \] Unlike in (1), \[ "
+        r"2a = 2b. \]",
+        True,
+    ),
+    "two opinions": (r"In my opinion \[ h - a = 0. \] In her opinion \[ h - b = 0. \] Hence \[ a = b. \]", True),
+    "two observers": (r"Alice measures \[ h - a = 0. \] Bob measures \[ h - b = 0. \] Hence \[ a = b. \]", True),
+    "two bodies": (r"A sphere has \[ h - a = 0. \] A cylinder has \[ h - b = 0. \] Hence \[ a = b. \]", True),
+    "two years": (r"In 1990 \[ h - a = 0. \] In 2000 \[ h - b = 0. \] Hence \[ a = b. \]", True),
+    "two particles": (r"For protons \[ h - a = 0. \] For electrons \[ h - b = 0. \] Hence \[ a = b. \]", True),
+    "two items": (r"\item Sphere: \[ h - a = 0. \] \item Cube: \[ h - b = 0. \] Hence \[ a = b. \]", True),
+}
+
+TRUE = {
+    "a clock of twelve hours": r"On the clock, nine and five are two. So the equation gives \[ 9 + 5 = 2. \]",
+    "binary": r"The numbers are binary. Adding gives \[ 1 + 1 = 10. \]",
+    "two elements": r"In the field of two elements \[ 1 + 1 = 0. \]",
+    "saturation": r"Bytes saturate. Adding gives \[ 200 + 100 = 255. \]",
+    "overflow": r"Bytes wrap around. Adding gives \[ 255 + 1 = 0. \]",
+    "tropical": r"In tropical arithmetic \[ 3 + 3 = 3. \]",
+    "thousands": r"The number of points is \[ 1,000 = 10^3. \]",
+    "quoted nonsense": r"Dividing by zero one would get the absurd \[ 1 = 2. \]",
+    "Orwell": r"Winston had to believe that \[ 2 + 2 = 5. \]",
+    "a full turn": r"The direction is \[ \theta = 270^\circ = -90^\circ. \]",
+    "half a turn": r"The direction is \[ \theta = \pi = -\pi. \]",
+    "an argument": r"The phase is \[ \phi = \frac{3\pi}{2} = -\frac{\pi}{2}. \]",
+    "thin vectors": r"The area vector is \[ c = a \times b = -b \times a. \]",
+    "Grassmann numbers": r"The Grassmann numbers give \[ c = a b = -b a. \]",
+    "a substituted sign": r"The sum is \[ s = a + b. \] Substituting $-b$ for $b$ gives \[ s = a - b. \]",
+}
+
+
+@pytest.mark.parametrize("name", MISLEADING)
+def test_what_only_looks_like_a_consequence_does_not_follow(name: str) -> None:
+    text, latex = MISLEADING[name]
+    assert read_document(document_of(text, latex=latex))[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_what_is_true_of_another_arithmetic_or_sign_is_no_contradiction(name: str) -> None:
+    assert read_document(document_of(TRUE[name]))[-1].verdict != "contradicts"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"Replacing $x$ by $y$ is allowed. \[ s = a + b \] Hence \[ s - a = b. \]",
+        r"\\[0.3em] The sum is \[ s = a + b. \] Hence \[ s - a = b. \]",
+        r"\[ f(x) = x^2 \] Hence \[ f(y) = y^2. \]",
+        r"\[ p(x) = a x \] Hence \[ p(2) = 2a. \]",
+        r"\[ y = a \overset{(1)}{=} b \] Hence \[ y - b = 0. \]",
+        r"\begin{quote} Let $b = 2a$. \end{quote} \[ s = a + b \] Hence \[ s - a = b. \]",
+        r"\[ y_i = a x_i \] Hence \[ 2 y_i = 2 a x_i. \]",
+        r"\[ S = \sum_{j=1}^n a_j x_j \] Hence \[ 2S = 2 \sum_{j=1}^n a_j x_j. \]",
+        r"The student's sum is \[ s = a + b. \] Hence \[ s - a = b. \]",
+        r"\newcommand{\x}{a} {\renewcommand{\x}{b} \[ z = 2\x \]} \[ y = \x \] Hence \[ 2y = 2a. \]",
+    ],
+)
+def test_such_words_hide_no_consequence_that_they_do_not_concern(latex: str) -> None:
+    assert read_document(document_of(latex))[-1].verdict == "follows"

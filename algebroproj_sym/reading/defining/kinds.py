@@ -21,6 +21,8 @@ from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 Sides = Sequence[Formula]
+_OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
+"""A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
 _CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
     r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
@@ -79,6 +81,7 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns = frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
+    known |= {*filter(_OF_FRAMES.match, occurring)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass

@@ -114,6 +114,11 @@ class _Part:
     def is_number(self) -> bool:
         return self.shape[0].value == 1 and self.shape[1].value == 1
 
+    @property
+    def is_line(self) -> bool:
+        """Whether it is a column or a row, and no number."""
+        return not self.is_number and 1 in (self.shape[0].value, self.shape[1].value)
+
 
 def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> Question:
     """Return the question whether two sides are equal, with vectors and matrices as letters.
@@ -169,12 +174,15 @@ class _Reader:
         self._wholes: dict[str, tuple[str, Shape]] = {}
         self._called: dict[str, str] = {}
         self._applied: set[str] = set()
+        self._no_numbers: list[tuple[str, _Part]] = []
 
     def part(self, tree: Formula) -> _Part:
         """Return a formula as a part, with all definitions put in."""
         for definition in self._vocabulary.used_in(tree):
             if definition.symbol not in self._known and not definition.parameters:
-                self._known[definition.symbol] = self._read(definition.tree)
+                self._known[definition.symbol] = found = self._read(definition.tree)
+                if not found.is_number and self._vocabulary.is_no_number(definition.symbol):
+                    self._no_numbers.append((definition.symbol, found))
         return self._read(tree)
 
     def _read(self, tree: Formula) -> _Part:
@@ -312,6 +320,8 @@ class _Reader:
         """Return a question with the letters that occur, and what is known of the values of functions."""
         texts = [side.text() for side in sides]
         letters = {}
+        for symbol in (symbol for symbol, part in self._no_numbers if part.is_number):
+            raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is a number")
         for symbol, shape in self._letters.items():
             listed = ", ".join(sorted(self._vocabulary.properties_of(symbol)))
             text = f"{self.size(shape[0])}x{self.size(shape[1])}"
@@ -459,6 +469,8 @@ class _Parts(_Gathering):
             return _number_of(lambda: f"dot({base.text()}, {base.text()})", base)
         if not base.is_number:
             base.shape[0].unite(base.shape[1])
+            if int(text) < 0 and all(any(each.is_line for each in factors) for _, factors in base.terms):
+                raise UnreadableError("a product of vectors has no inverse")
             if abs(int(text)) > MOST_MATRIX_POWER:
                 raise _refused(f"the power {text}")
         return _Part(base.shape, lambda: f"({base.text()})**{text}", base)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from algebroproj_sym.reading.defining.premises import (
@@ -19,14 +19,18 @@ from algebroproj_sym.reading.defining.premises import (
     with_given,
 )
 from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
-from algebroproj_sym.reading.defining.vocabulary import Numbers, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
 from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
+
+MOST_SOLVED = 4
+"""For how many vectors and matrices an equation is solved."""
 
 
 @dataclass(frozen=True)
@@ -193,9 +197,18 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
     wanted = {*symbols_in(left), *symbols_in(right)}
     parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
     for each in neighbours(serving, part, cited):
-        tied = parameters & each.symbols
-        if not tied and (solution := each.solved(standing.vocabulary, wanted)) is not None:
+        for solution in [] if parameters & each.symbols else _solutions(each, standing.vocabulary, wanted):
             yield extended(standing.vocabulary, [solution])
+
+
+def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:
+    """Yield what an equation says of a number in which it is linear, or else of vectors and matrices."""
+    if (solution := premise.solved(vocabulary, wanted)) is not None:
+        yield solution
+        return
+    letters = sorted(each for each in premise.symbols.intersection(wanted) if vocabulary.is_matrix(each))
+    values = {each: solution_of(premise.left, premise.right, each) for each in letters}
+    yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
 
 
 def _with_sums(left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:

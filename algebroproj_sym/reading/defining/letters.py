@@ -20,7 +20,9 @@ from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_i
 from algebroproj_sym.reading.defining.kinds import MEAN
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, MOST_ROWS, Formula, _Gathering, wrapped
+from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
+from algebroproj_sym.reading.parsing.gathering import _Gathering, wrapped
+from algebroproj_sym.reading.parsing.grammar import Formula
 
 Read = TypeVar("Read")
 MOST_PARTS = 1_000

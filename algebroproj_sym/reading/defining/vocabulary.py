@@ -19,7 +19,9 @@ from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Values, evaluated, symbols_in, text_of
+from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.writing import text_of
 
 MOST_DEFINITIONS = 20_000
 MOST_LETTERS = 60

@@ -43,8 +43,10 @@ def test_an_equation_of_vectors_gives_each_letter_in_which_it_is_linear(latex):
         _MOVED + r"\[ \mathbf{g} = \mathbf{f} - \mathbf{h} + \mathbf{M} \mathbf{a} \]",
         _GAIN + r"\[ \mathbf{K} = \mathbf{S}^{-1} \mathbf{P} \mathbf{H}^T \]",
         _GAIN + r"\[ \mathbf{P} = \mathbf{K} \mathbf{S} \mathbf{H}^{-1} \]",
-        r"\[ \mathbf{A} \mathbf{x} + \mathbf{y} = \mathbf{A} \mathbf{x} + \mathbf{z} \] So \[ \mathbf{x} = \mathbf{w} \]",
-        r"\[ \mathbf{A} \mathbf{x} + \mathbf{y} = \mathbf{A} \mathbf{x} + \mathbf{z} \] So \[ \mathbf{x} = \mathbf{y} \]",
+        r"\[ \mathbf{A} \mathbf{x} + \mathbf{y} = \mathbf{A} \mathbf{x} + \mathbf{z} \] "
+        r"So \[ \mathbf{x} = \mathbf{w} \]",
+        r"\[ \mathbf{A} \mathbf{x} + \mathbf{y} = \mathbf{A} \mathbf{x} + \mathbf{z} \] "
+        r"So \[ \mathbf{x} = \mathbf{y} \]",
         r"\[ \mathbf{B} = -\mathbf{A} \] \[ \mathbf{A} \mathbf{x} + \mathbf{B} \mathbf{x} + \mathbf{w} = \mathbf{z} \] "
         r"So \[ \mathbf{x} = \mathbf{z} \]",
         r"\[ \mathbf{r} \times \mathbf{x} = \mathbf{y} \] So \[ \mathbf{x} = \mathbf{r}^{-1} \mathbf{y} \]",

@@ -136,6 +136,7 @@ def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Ite
 def _under_equations(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     """Yield a relation under near or cited equations above it: those of its letters alone, or all tied to it.
 
+    An equation of vectors is one for each component.
     All are taken together only where words, an arrow or a citation say that it follows.
     """
     if any(each.parameters for each in used_by(standing.vocabulary, left, right)):
@@ -146,7 +147,12 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
         each: standing.vocabulary.letters_of(each.left) | standing.vocabulary.letters_of(each.right) for each in near
     }
     asserted = [each for each in near if not each.special]
-    alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
+    alone = tuple(
+        each
+        for each in asserted
+        if not (each.gives or each.chained)
+        and (speaks[each] <= letters or _has_components(each, letters & speaks[each]))
+    )
     if alone:
         yield Way(left, right, standing.vocabulary, under=alone)
     tied = set(letters)
@@ -156,6 +162,11 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
         together += more
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=tuple(together))
+
+
+def _has_components(premise: Premise, letters: Collection[str]) -> bool:
+    """Whether an equation has a printed matrix and some letters: it gives one equation for each component."""
+    return bool(letters) and any(True for side in (premise.left, premise.right) for _ in side.find_data("matrix"))
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -192,22 +191,11 @@ def _asked_under(way: Way) -> list[Question] | str:
     for known in (way.vocabulary, with_values(way.vocabulary)):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides)
-            letters = frozenset().union(*map(_letters_in, questions))
-            given = [one for each in way.under for one in _given_by(known, each, letters)]
-            if given and all(map(_is_rational, [*questions, *given])):
+            given = [one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)]
+            if all(map(_is_rational, [*questions, *given])):
                 constraints = tuple(f"{one.lhs} = {one.rhs}" for one in given)
                 return [replace(question, constraints=constraints) for question in questions]
     return "what it may rest on is not rational"
-
-
-def _given_by(known: Vocabulary, premise: Premise, letters: frozenset[str]) -> list[Question]:
-    """Return what a premise says; of vectors, for each component that has no other letters than some."""
-    found = questions_of(known, premise.left, premise.right, by_entries=True)
-    return [each for each in found if len(found) == 1 or _letters_in(each) <= letters]
-
-
-def _letters_in(question: Question) -> frozenset[str]:
-    return frozenset(re.findall(r"[a-zA-Z_]\w*", f"{question.lhs} {question.rhs}"))
 
 
 def _is_rational(question: Question) -> bool:

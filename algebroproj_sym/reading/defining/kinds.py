@@ -17,6 +17,7 @@ from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.axes import Axes, axes_in
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
@@ -55,12 +56,15 @@ class Kinds:
         The symbols that may be matrices, or numbers.
     oblong : frozenset of str
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
+    axes : tuple of mapping
+        The unit vectors of each basis, with their places.
     """
 
     no_numbers: frozenset[str] = frozenset()
     columns: frozenset[str] = frozenset()
     open: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
+    axes: tuple[Axes, ...] = ()
 
 
 def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Kinds:
@@ -86,7 +90,7 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     while closure.grows():
         pass
     oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong)
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
 
 
 class _Closure:

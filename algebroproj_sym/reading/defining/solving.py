@@ -35,7 +35,8 @@ def solution_of(left: Formula, right: Formula, letter: str) -> Formula | None:
 
     Examples
     --------
-    >>> from algebroproj_sym.reading.parsing.grammar import parsed, text_of
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> from algebroproj_sym.reading.parsing.writing import text_of
     >>> found = solution_of(*parsed(r"b + (A + C) x = d").sides, "x")
     >>> text_of(found, str)
     '((A + C))**(-1)*(-b + d)'

@@ -90,7 +90,15 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         for way in ways
         if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
+    ways += [each for way in ways if not way.reads for each in _by_components(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+
+
+def _by_components(way: Way) -> Iterator[Way]:
+    """Yield a way in which vectors are taken by their components along the unit vectors of a basis."""
+    trees = [*way.sides, *(side for each in way.under for side in (each.left, each.right))]
+    for known in way.vocabulary.with_axes(*trees):
+        yield replace(way, vocabulary=known, reads=f"{' = '.join(map(known.text, way.sides))}, by components")
 
 
 def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
@@ -147,14 +155,12 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
         each: standing.vocabulary.letters_of(each.left) | standing.vocabulary.letters_of(each.right) for each in near
     }
     asserted = [each for each in near if not each.special]
-    alone = tuple(
-        each
-        for each in asserted
-        if not (each.gives or each.chained)
-        and (speaks[each] <= letters or _has_components(each, letters & speaks[each]))
-    )
+    alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
     if alone:
         yield Way(left, right, standing.vocabulary, under=alone)
+    for each in asserted:
+        if (each,) != alone and not each.chained and _has_components(each, speaks[each] & letters, standing):
+            yield Way(left, right, standing.vocabulary, under=(each,))
     tied = set(letters)
     together: list[Premise] = []
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
@@ -164,9 +170,11 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
         yield Way(left, right, standing.vocabulary, under=tuple(together))
 
 
-def _has_components(premise: Premise, letters: Collection[str]) -> bool:
-    """Whether an equation has a printed matrix and some letters: it gives one equation for each component."""
-    return bool(letters) and any(True for side in (premise.left, premise.right) for _ in side.find_data("matrix"))
+def _has_components(premise: Premise, letters: Collection[str], standing: Standing) -> bool:
+    """Whether an equation has a printed matrix or unit vectors, and some letters: it is one for each component."""
+    sides = premise.left, premise.right
+    printed = any(True for side in sides for _ in side.find_data("matrix"))
+    return bool(letters) and (printed or any(True for _ in standing.vocabulary.with_axes(*sides)))
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

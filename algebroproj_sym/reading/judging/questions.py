@@ -190,7 +190,7 @@ def _asked_under(way: Way) -> list[Question] | str:
         return asked_of(way.vocabulary, *way.sides)
     for known in (way.vocabulary, with_values(way.vocabulary)):
         with suppress(*_UNASKED):
-            questions = questions_of(known, *way.sides)
+            questions = questions_of(known, *way.sides, by_entries=True)
             given = [one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)]
             if all(map(_is_rational, [*questions, *given])):
                 constraints = tuple(f"{one.lhs} = {one.rhs}" for one in given)

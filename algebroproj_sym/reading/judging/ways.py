@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from lark import Tree
+
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
@@ -159,7 +161,7 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     if alone:
         yield Way(left, right, standing.vocabulary, under=alone)
     for each in asserted:
-        if (each,) != alone and not each.chained and _has_components(each, speaks[each] & letters, standing):
+        if (each,) != alone and _has_components(each, speaks[each] & letters, standing):
             yield Way(left, right, standing.vocabulary, under=(each,))
     tied = set(letters)
     together: list[Premise] = []
@@ -173,8 +175,14 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
 def _has_components(premise: Premise, letters: Collection[str], standing: Standing) -> bool:
     """Whether an equation has a printed matrix or unit vectors, and some letters: it is one for each component."""
     sides = premise.left, premise.right
-    printed = any(True for side in sides for _ in side.find_data("matrix"))
+    printed = any(_is_printed(part) for side in sides for part in side.iter_subtrees())
     return bool(letters) and (printed or any(True for _ in standing.vocabulary.with_axes(*sides)))
+
+
+def _is_printed(tree: Formula) -> bool:
+    """Whether a formula is a matrix, or a vector as ``(x, y)``."""
+    inside = tree.children[0] if tree.data == "bracket" else tree
+    return tree.data == "matrix" or (isinstance(inside, Tree) and inside.data == "items" and len(inside.children) > 1)
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
@@ -93,6 +94,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
     ways += [each for way in ways if not way.reads for each in _by_components(way)]
+    ways += [each for way in ways if way.is_as_it_stands for each in _along_directions(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
 
 
@@ -101,6 +103,16 @@ def _by_components(way: Way) -> Iterator[Way]:
     trees = [*way.sides, *(side for each in way.under for side in (each.left, each.right))]
     for known in way.vocabulary.with_axes(*trees):
         yield replace(way, vocabulary=known, reads=f"{' = '.join(map(known.text, way.sides))}, by components")
+
+
+def _along_directions(way: Way) -> Iterator[Way]:
+    """Yield the ways in which a derivative by a vector is that along every direction."""
+    shown = f"{' = '.join(map(way.vocabulary.text, way.sides))}, along every direction"
+    with_identity = way.vocabulary.with_identity(*way.sides)
+    readings = ((way.vocabulary, shown), (with_identity, f"{shown}, where I is the identity"))
+    for known, reads in readings:
+        if known is not None and (found := along_directions(known, *way.sides)) is not None:
+            yield Way(*found, A_VALUE, reads)
 
 
 def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:

@@ -49,6 +49,7 @@ from algebroproj_sym.reading.judging.words import (
     beside,
     has_ended,
     is_given_within,
+    is_item,
     last_sentence,
     takes_back,
     words_of,
@@ -205,7 +206,8 @@ class _Pass:
         number = not any(map(symbols_in, formula.sides[1:]))
         says = is_given_within(before, number=number) and not beside(statement, "").is_denied
         self._stand_at(statement.display)
-        if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
+        tells = SAYS.search(before) or is_item(before, statement.display.after)
+        if len(formula.sides) == 2 and (says or (tells and not CASES.search(sentence))):
             definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
             if (
                 definition is not None

@@ -102,10 +102,12 @@ def test_a_root_follows_from_its_square_where_both_have_one_sign():
 @pytest.mark.parametrize(
     ("latex", "follows"),
     [
-        (r"It is \[ T^2 = \frac{c^2 l}{g}. \] Hence \[ T = c \sqrt{\frac{l}{g}}. \]", True),
+        (r"It is \[ T^2 = \frac{c^2 l}{g}. \] Hence the period is \[ T = c \sqrt{\frac{l}{g}}. \]", True),
         (r"The root is \[ x^2 + b = 0. \] Hence \[ x = \pm \sqrt{-b}. \]", True),
         (r"The root is \[ x^2 = b. \] Hence \[ x = \pm 2\sqrt{b}. \]", False),
-        (FALLS + r"Hence \[ v = \sqrt{g h}. \]", False),
+        (FALLS + r"Hence \[ v = \sqrt{2 g h}. \]", False),
+        (FALLS + r"The negative root is \[ v = \sqrt{2 g h}. \]", False),
+        (FALLS + r"Hence the speed is \[ v = \sqrt{g h}. \]", False),
         (FALLS + r"Hence \[ v = -\sqrt{2 g h}. \]", False),
         (r"It is \[ x^2 = 4 b. \] Hence \[ x = 2 + \sqrt{4 b}. \]", False),
         (r"The volume is \[ v^3 = c. \] Hence \[ v = \sqrt{c}. \]", False),
@@ -154,6 +156,8 @@ def test_an_equation_gives_its_letter_or_numbers_in_a_case(latex):
         r"\[ m = 5. \] \[ a = 3. \] The force is \[ F = m a = 2 \cdot 3. \]",
         r"The force is \[ F = m m = 2 \cdot 3. \]",
         r"The force is \[ F = m a = 2 + 3. \]",
+        r"The balance is \[ m a = 2 \cdot 3. \]",
+        r"The sum is \[ F = a + b. \] It is \[ c = d = F = 0. \]",
         r"The force is \[ F = m a = 2 \cdot 3 = 7. \]",
         SUM + r"Hence the sum is \[ s = c d. \]",
     ],

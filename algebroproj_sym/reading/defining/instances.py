@@ -19,8 +19,8 @@ def numbers_put_in(left: Formula, right: Formula) -> dict[str, str]:
     The right side has no letters, and each letter has one number.
     """
     found: dict[str, str] = {}
-    alike = symbols_in(left) and not symbols_in(right) and _match(_plain(left), _plain(right), found)
-    return found if alike else {}
+    ours, theirs = _plain(left), _plain(right)
+    return found if ours[0] != "symbol" and not symbols_in(right) and _match(ours, theirs, found) else {}
 
 
 def _plain(tree: Any) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -42,7 +42,7 @@ from algebroproj_sym.reading.judging.questions import (
     rests_of,
     used_by,
 )
-from algebroproj_sym.reading.judging.supposing import leads_elsewhere, supposes
+from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, ways_of
 from algebroproj_sym.reading.judging.words import (
@@ -141,6 +141,7 @@ class _Pass:
         self.introduced = False
         self.context = ANYWHERE
         self.part = 0
+        self.order = 0
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
         self.carried = ""
@@ -150,7 +151,7 @@ class _Pass:
         """Return the displayed equations, and what is to be asked of them."""
         readings: list[Reading] = []
         asked: list[Asked] = []
-        for statement in self.survey.statements:
+        for self.order, statement in enumerate(self.survey.statements, 1):
             found = self.survey.formulas[id(statement)]
             if statement.display.environment == "inline":
                 if isinstance(found, Parsed):
@@ -445,7 +446,8 @@ class _Pass:
         ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
         first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
-        gives = (first and self._gives(statement, left, right)) or self._is_instance(left, right)
+        gives = first and self._gives(statement, left, right)
+        gives = gives or (index > 0 and self._is_instance(left, right))
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
         return asked.link, asked
 
@@ -463,8 +465,24 @@ class _Pass:
         vocabulary = self.vocabulary.copied()
         self._forget_elsewhere(vocabulary)
         place = statement.display.part, self._serving, self._cited
-        own = tuple(each for words, each in self.within if supposes(self.beside, words))
-        return Standing(self.survey, vocabulary, self.beside, *place, self.given_at, own)
+        own = [each for words, each in self.within if supposes(self.beside, words)]
+        return Standing(self.survey, vocabulary, self.beside, *place, self.given_at, (*own, *self._explained_behind()))
+
+    def _explained_behind(self) -> Iterator[Premise]:
+        """Yield the equations within the text with which the sentence of a display goes on: "where $w^2 = k/m$"."""
+        following = self.survey.statements[self.order : self.order + MOST_WITHIN]
+        for each in following if self.display and not has_ended(self.display) else ():
+            found, display = self.survey.formulas[id(each)], each.display
+            if display.environment != "inline":
+                if display is not self.display:
+                    return
+            elif not goes_on_with(display.before):
+                return
+            elif isinstance(found, Parsed) and not self.survey.meanings.reason(each, found):
+                formula = f"${display.latex}$"
+                sentence = f"{display.before}{formula}{display.after.partition('.')[0].partition('$')[0]}"
+                if supposes(replace(self.beside, sentence=sentence), formula):
+                    yield from self._premises_of(each, found, found.sides)
 
     @property
     def _cited(self) -> frozenset[str]:

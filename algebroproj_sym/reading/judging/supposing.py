@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from algebroproj_sym.reading.judging.words import FORMULA, Beside, without_formulas
+from algebroproj_sym.reading.judging.words import FORMULA, Beside, last_sentence, without_formulas
 
 _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"
@@ -18,12 +18,13 @@ _LEADS = re.compile(
 )
 """The words before a formula that its sentence supposes."""
 _THEN = re.compile(
-    r"\s*(?:as (?:the|our|its|an?) (?:[a-z]+ ){0,3}[a-z]+)?\s*"
+    r"\s*(?:(?:as|is|are) (?:the|our|its|an?) (?:[a-z]+ ){0,3}[a-z]+)?\s*"
     r"(?:[,:]|$|(?:so|then|thus|hence|this|gives?|yields?|and (?:so|thus|hence|then|that|the)|into|in (?:the|\()|"
     r"leads?|reduces?|becomes?|holds?|we|it|the)\b)",
     re.IGNORECASE,
 )
 """How a sentence goes on behind a formula that it supposes: with its main clause."""
+_WHERE = re.compile(r"\W*(?:where|with|in which|and where)\b(?!\s+(?:we|i|the)\b)", re.IGNORECASE)
 _APART = re.compile(
     r"\b(?:but|however|although|though|while|whereas|whilst|unlike|except|unless|not|[a-z]+n['’]t|no|none|never|nor|"
     r"neither|without|otherwise|instead|rather|generally?|either|contrast|opposite|contrary|compare\w*|versus|earlier|"
@@ -61,6 +62,11 @@ def supposes(beside: Beside, formula: str) -> bool:
         and leads
         and not (apart or beside.is_denied or any(map(_ORDER.search, FORMULA.findall(beside.sentence))))
     )
+
+
+def goes_on_with(behind: str) -> bool:
+    """Whether the words behind a display go on with what its letters are: "where $w^2 = k/m$ and"."""
+    return _WHERE.match(behind) is not None and last_sentence(behind.strip()) == behind.strip()
 
 
 def leads_elsewhere(behind: str) -> bool:

@@ -188,11 +188,16 @@ def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula)
 
 
 def _squared(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
-    """Yield the squares of a letter and of a root that it is, where both have one sign, as they rest on others."""
+    """Yield the squares of a letter and of a root that it is, as they rest on others.
+
+    Both have one sign, or words speak of a root, or of what is never negative.
+    """
     squares = squares_of(*formula.sides[index : index + 2])
     if squares is None or standing.vocabulary.is_matrix(symbols_in(squares[0])[0]):
         return
     left, right, is_open = squares
+    if not (is_open or standing.beside.speaks_of_a_length):
+        return
     of_squares = replace(formula, sides=(left, right), relations=("=",))
     shown = " = ".join(map(standing.vocabulary.text, formula.sides[index : index + 2]))
     reads = shown if is_open else f"{shown}, where both sides have one sign"

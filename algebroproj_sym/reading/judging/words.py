@@ -175,6 +175,11 @@ class Beside:
         return _DEFINED.search(_main_clause(self.sentence)) is not None and not self.case_of_sentence
 
     @property
+    def speaks_of_a_length(self) -> bool:
+        """Whether its own sentence speaks of a root, or of a quantity that is never negative, such as a speed."""
+        return _LENGTH.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
+
+    @property
     def renews(self) -> bool:
         """Whether its own sentence speaks of another thing than the text before it."""
         return _ANEW.search(self.sentence) is not None
@@ -316,6 +321,11 @@ _NAMES = re.compile(
     re.IGNORECASE,
 )
 _DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe (?:\w+ )?define\b", re.IGNORECASE)
+_LENGTH = re.compile(
+    r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|positive|"
+    r"(?:square )?roots?)\b",
+    re.IGNORECASE,
+)
 _ANEW = re.compile(
     r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"
     r"denote\w*|this time)\b",

@@ -7,6 +7,7 @@ from algebroproj_sym.reading import document_of, read_document
 pytestmark = pytest.mark.usefixtures("decided_here")
 
 SUM = r"The sum is \[ s = a + b. \] "
+OSCILLATES = r"The law is \[ m \ddot x = - k x. \] "
 FALLS = r"The balance is \[ \frac12 m v^2 = m g h. \] "
 
 
@@ -29,6 +30,12 @@ def verdicts(latex):
         r"It is \[ \frac{u}{c^2} + \frac{v}{d^2} = 0. \] If we use a grid where $c = d = h$, then \[ u + v = 0. \]",
         r"It is \[ m \ddot x = - k x. \] Introducing the parameter $w = \sqrt{k/m}$, \[ \ddot x + w^2 x = 0. \]",
         r"It is \[ p = \frac{P(A, B)}{P(B)}. \] Since $P(B) = 1 - u$, it becomes \[ p = \frac{P(A, B)}{1-u}. \]",
+        OSCILLATES + r"Hence we have \[ \ddot x + w^2 x = 0, \] where $w = \sqrt{k/m}$.",
+        OSCILLATES + r"Hence we have \[ \ddot x + w^2 x = 0 \] with $w^2 = k/m$ and $T = 2 \pi / w$.",
+        r"It is \[ a n + b \sum_i x_i = \sum_i y_i. \] Hence \[ a = y - b x \] "
+        r"where $x = \frac1n \sum_i x_i$ is the mean and $y = \frac1n \sum_i y_i$.",
+        SUM + r"Thus it is \[ s = a + c^2 \] where $b = c^2$ is the width.",
+        SUM + r"Thus it is \[ s = a \] where $b = 0$.",
     ],
 )
 def test_an_equation_follows_with_what_its_own_sentence_supposes(latex):
@@ -78,6 +85,28 @@ def test_an_equation_follows_with_what_its_own_sentence_supposes(latex):
 )
 def test_a_sentence_that_speaks_of_another_case_supposes_nothing(sentence):
     assert verdicts(SUM + sentence + r" \[ s = a. \]")[-1] != "follows"
+
+
+@pytest.mark.parametrize(
+    "behind",
+    [
+        " where $b = 0$ at the top.",
+        " where not $b = 0$ holds.",
+        " where $b = 0$ is not true.",
+        ". Where $b = 0$ we stop.",
+        " everywhere. With $b = 0$, it is trivial.",
+        " where, but for $b = 0$, it grows.",
+        " unless $b = 0$.",
+        " where $c$ is the width.\n\nFor a ring, where $b = 0$, it is another one.",
+        " whereas $b = 0$ for a ring.",
+        " where $a$ is the width, and later $b = 0$.",
+        " where $a$ is the width and for a ring $b = 0$.",
+        r" \section{Rings} where $b = 0$.",
+        " where $b = 0$ if $c > 0$.",
+    ],
+)
+def test_words_behind_an_equation_that_speak_of_another_case_suppose_nothing(behind):
+    assert verdicts(SUM + r"Thus it is \[ s = a \]" + behind)[-1] != "follows"
 
 
 @pytest.mark.parametrize(

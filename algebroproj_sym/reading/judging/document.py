@@ -480,7 +480,8 @@ class _Pass:
                 return
             elif isinstance(found, Parsed) and not self.survey.meanings.reason(each, found):
                 formula = f"${display.latex}$"
-                sentence = f"{display.before}{formula}{display.after.partition('.')[0].partition('$')[0]}"
+                behind = display.after.partition(".")[0].partition("$")[0].strip().removesuffix("and")
+                sentence = f"{display.before}{formula}{behind}"
                 if supposes(replace(self.beside, sentence=sentence), formula):
                     yield from self._premises_of(each, found, found.sides)
 

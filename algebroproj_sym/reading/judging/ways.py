@@ -184,7 +184,9 @@ def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula)
     for each in last:
         if (solution := each.solved(standing.vocabulary, wanted)) is not None:
             yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
-    yield Way(left, right, standing.vocabulary, A_VALUE, under=(*own, *last))
+    letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
+    tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
+    yield Way(left, right, standing.vocabulary, A_VALUE, under=(*tied, *last))
 
 
 def _squared(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:

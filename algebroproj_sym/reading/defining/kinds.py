@@ -32,6 +32,7 @@ _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
 _RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
 _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
+_OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
 """The relations whose sides are both numbers, or both none."""
@@ -199,7 +200,7 @@ def is_mean(term: Formula) -> bool:
 
 
 def _is_printed_number(term: Any) -> bool:
-    return term.data == "number" and str(term.children[0]) != "0"
+    return (term.data == "number" and str(term.children[0]) != "0") or _lone(term) == r"\pi"
 
 
 def _is_cross(tree: Formula) -> bool:
@@ -239,15 +240,23 @@ def _bare(symbol: str) -> str:
 
 
 def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
-    """Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace."""
-    found = set[str]()
+    r"""Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace.
+
+    An angle is none by the mark of a bracket, nor by a hat: ``[\phi]^\wedge`` is a matrix of a number in the plane.
+    """
+    found, unless = set[str](), set[str]()
+    angles = set[str]()
     for side in sides:
         for tree in side.iter_subtrees():
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
-                found |= {*_factors(tree.children[0], deep=False)}
+                marked = tree.children[0]
+                (found if _lone(marked) and head == "T" else unless).update(_factors(marked, deep=False))
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                 found |= {*_factors(tree.children[1], deep=False)}
+            elif tree.data in ("function", "raised_function") and head in _OF_ANGLES:
+                angles |= {each for part in _trees(tree)[-1:] for each in symbols_in(part)}
+    found |= unless - angles
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
 

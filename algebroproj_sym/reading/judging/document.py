@@ -122,8 +122,8 @@ def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
 
 def _where(statement: Statement) -> str:
     number = statement.number or statement.label
-    line = f"line {statement.display.line}"
-    return f"({number}), {line}" if number else line
+    where = str(statement.display.where)
+    return f"({number}), {where}" if number else where
 
 
 class _Pass:
@@ -204,7 +204,7 @@ class _Pass:
         self.part = display.part
 
     def _named(self, statement: Statement, names: frozenset[str]) -> bool:
-        return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
+        return bool(names & {statement.number, statement.label, str(statement.display.where), "all"} - {""})
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
         if self.survey.meanings.reason(statement, formula):
@@ -255,9 +255,9 @@ class _Pass:
         display = statement.display
         number = statement.number or statement.label
         if isinstance(found, UnreadableError):
-            line = self.survey.document.line_of(found.place) if found.place is not None else display.line
-            reason = f"line {line}: {found}"
-            return Reading(display.line, number, statement.latex, None, reason, (), statement), []
+            where = self.survey.document.line_of(found.place) if found.place is not None else display.where
+            reason = f"{where}: {found}"
+            return Reading(number, statement.latex, None, reason, (), statement), []
         sides = [self.vocabulary.text(side) for side in found.sides]
         read = sides[0] + "".join(
             f" {relation} {side}" for relation, side in zip(found.relations, sides[1:], strict=True)
@@ -268,7 +268,7 @@ class _Pass:
         if reason := self.survey.meanings.reason(statement, found):
             self._note(statement, found)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
-            return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), []
+            return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         definition = self._definition(statement, found, explicit=False)
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None:
@@ -290,7 +290,7 @@ class _Pass:
             self._note(statement, found)
             self._renew(statement, found)
         self._assert(statement, found, defines=definition is not None)
-        return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), asked
+        return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
 
     def _renew(self, statement: Statement, formula: Parsed) -> None:
         """Forget what a letter was in another section or context, and what rests on it, where one gives it anew.

@@ -24,6 +24,7 @@ from algebroproj_sym.reading.lexing.commands import (
     NO_LETTERS,
     OPENING,
     PART_OF_NAME,
+    SIZE,
     STYLES,
     UPRIGHT,
 )
@@ -349,5 +350,5 @@ def read_after(cursor: Cursor) -> None:
             emit_power(cursor, inside, raised)
         elif inside in (r"\times", r"\wedge"):
             cursor.emit("MARK", "hat")
-        elif not (cursor.out[-1].type == "NORM_CLOSE" and inside in ("2", "F")):
+        elif not (SIZE.fullmatch(inside) or (cursor.out[-1].type == "NORM_CLOSE" and inside in ("2", "F"))):
             cursor.emit("MARK", f"_{inside}")

@@ -147,7 +147,7 @@ class Vocabulary:
             return None
         found = self.copied()
         found.forget()
-        shapes = {each for each in map(self._shape_of, trees) if each and each[0] == each[1]}
+        shapes = {each for each in map(self._shape_of, trees) if each and len(each) == 2 and each[0] == each[1]}
         if len(shapes) == 1:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         found._properties = found._properties | dict.fromkeys(letters, ("identity",))

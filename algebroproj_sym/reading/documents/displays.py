@@ -25,10 +25,8 @@ _ENVIRONMENTS = (
     *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
     "IEEEeqnarray",
 )
-_NO_SKIP = r"(?!\s*-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\])"
-"""What stands behind a line break is no display if it is a length, as in ``\\\\[0.3em]``."""
 _BEGIN = re.compile(
-    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[{_NO_SKIP}|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
+    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[(?!-?[\d.]+(?:em|ex|pt|[cm]m|in|pc)\])|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
     r"|\\(?:chapter|(?:sub)*section|paragraph)\b|(?m:^#+ )"
 )
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")

@@ -44,6 +44,11 @@ _SIGNS = (
         r"\[|\\\{|\\lbrack|\\lbrace",
         "a bracket may stand for an integer or a fractional part",
     ),
+    (
+        r"\b(?:scalar|inner) products?\b|\bcommut(?:e|es|ators?)\b|\bbrackets? (?:is|are)\b",
+        r"(?<![a-zA-Z}])(?:\(|\[|\\langle)[^()\[\],]+,[^()\[\],]+(?:\)|\]|\\rangle)",
+        "a bracket may be a product",
+    ),
     (r"\bexclusive[- ]or\b|\bxor\b", r"\^", "a caret may be the exclusive or"),
     (r"\bconcatenat\w+", r"", "a product may be another thing than that of numbers"),
     (

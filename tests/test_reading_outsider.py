@@ -180,3 +180,9 @@ def test_what_is_true_of_another_arithmetic_or_sign_is_no_contradiction(name: st
 )
 def test_such_words_hide_no_consequence_that_they_do_not_concern(latex: str) -> None:
     assert read_document(document_of(latex))[-1].verdict == "follows"
+
+
+def test_an_empty_entry_beside_a_derivative_by_a_vector_is_read() -> None:
+    left, right = r"\frac{\partial f}{\partial \mathbf{x}}", r"\begin{pmatrix} & 1 \end{pmatrix}"
+    found = read_document(document_of(rf"Let $\mathbf{{x}}$ be a vector. \[ {left} = {right} \]"))
+    assert [each.verdict for each in found] == ["not decided"]

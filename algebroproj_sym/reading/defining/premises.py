@@ -35,15 +35,6 @@ MOST_NEAR = 3
 """How many equations before one may be premises of it, though words beside them speak of a case."""
 MOST_TOGETHER = 6
 """Under how many equations before one it may hold together, besides those that it names."""
-_APART = re.compile(
-    r"\b(?:unlike|contrary to|in contrast (?:to|with)|as opposed to|instead of|rather than|other than|"
-    r"different(?:ly)? from|except(?: for)?|but not)\b[^.,;$]{0,40}",
-    re.IGNORECASE,
-)
-"""Words that name an equation from which nothing follows."""
-_CITED = re.compile(
-    r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\{(?:eq|numref)\}`([^`]*)`|\((\d+(?:\.\d+)*[a-z]?)\)"
-)
 _VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
 """What may be given as a whole: a value of a function, and a square."""
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
@@ -160,50 +151,6 @@ def _with_number(tree: Formula, symbol: str, number: str) -> Formula:
     if tree.data == "symbol" and tree.children[0] == symbol:
         return Tree("number", [Token("NUMBER", number)])
     parts = [_with_number(each, symbol, number) if isinstance(each, Tree) else each for each in tree.children]
-    return Tree(tree.data, parts)
-
-
-def cited_in(words: str) -> frozenset[str]:
-    r"""Return the labels and numbers of equations that words name.
-
-    Examples
-    --------
-    >>> sorted(cited_in(r"Put (3) and Eq.~\eqref{eq:area} into \ref{a,b}"))
-    ['3', 'a', 'b', 'eq:area']
-    """
-    return _names_in(_APART.sub(" ", words))
-
-
-def apart_in(words: str) -> frozenset[str]:
-    """Return likewise those of which words say that it is not so: "unlike in (3)"."""
-    return _names_in(" ".join(each[0] for each in _APART.finditer(words)))
-
-
-def _names_in(words: str) -> frozenset[str]:
-    found = (match[1] or match[2] or match[3] for match in _CITED.finditer(words))
-    return frozenset(name.strip() for names in found for name in names.split(","))
-
-
-def are_parallel(one: Premise, other: Premise) -> bool:
-    """Whether two equations differ in one letter, as ``h - a = 0`` and ``h - b = 0``: they may be of two cases."""
-    pairs = [*zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one.left, other.left)), strict=False)]
-    pairs += zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one.right, other.right)), strict=False)
-    renamed = {pair for pair in pairs if pair[0] != pair[1]}
-    if len(renamed) != 1:
-        return False
-    ((before, now),) = renamed
-    return (_renamed(one.left, before, now), _renamed(one.right, before, now)) == (other.left, other.right)
-
-
-def _renamed(tree: Formula, before: str, now: str) -> Formula:
-    parts = [
-        _renamed(each, before, now)
-        if isinstance(each, Tree)
-        else Token(each.type, now)
-        if each == before and each.type == "SYMBOL"
-        else each
-        for each in tree.children
-    ]
     return Tree(tree.data, parts)
 
 

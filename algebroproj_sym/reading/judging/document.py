@@ -7,14 +7,13 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from algebroproj_sym.reading.defining.citing import apart_in, cited_in
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.instances import numbers_put_in
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     Premise,
-    apart_in,
-    cited_in,
     derivatives_in,
     extended,
     neighbours,
@@ -44,6 +43,7 @@ from algebroproj_sym.reading.judging.questions import (
     rests_of,
     used_by,
 )
+from algebroproj_sym.reading.judging.signs import may_be_negative, without_signs
 from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, ways_of
@@ -56,7 +56,6 @@ from algebroproj_sym.reading.judging.words import (
     is_given_within,
     is_item,
     last_sentence,
-    may_be_negative,
     takes_back,
     words_of,
 )
@@ -105,18 +104,7 @@ def read_document(
         links[each.place] = each.link
         readings[each.reading] = replace(readings[each.reading], links=tuple(links))
     signs = may_be_negative(document)
-    return [_without_signs(each, signs) for each in _without_refuted_premises(readings)]
-
-
-def _without_signs(reading: Reading, letters: Collection[str]) -> Reading:
-    """Return a reading in which nothing follows where a letter is positive that words call negative."""
-    links = tuple(
-        replace(link, verdict="not decided", reason=f"{wrong[0].partition(' ')[0]} may be negative")
-        if link.verdict == "follows" and (wrong := [each for each in link.hypotheses if each in letters])
-        else link
-        for link in reading.links
-    )
-    return replace(reading, links=links)
+    return [without_signs(each, signs) for each in _without_refuted_premises(readings)]
 
 
 def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from algebroproj_sym.reading.defining.contexts import without_steps
 from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
-from algebroproj_sym.reading.documents.displays import Display, Document
+from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 
 NEAR = 250
@@ -264,15 +264,6 @@ def is_given_within(words: str, *, number: bool) -> bool:
     return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
 
 
-def may_be_negative(document: Document) -> frozenset[str]:
-    """Return the hypotheses that words deny: ``x > 0`` where x may be negative, in names and in LaTeX."""
-    words = " ".join(f"{each.before} ${each.latex}$ {each.after}" for each in document.formulas[:MOST_SEARCHED])
-    letters = {symbol for match in _NEGATIVE.findall(words) for each in match for symbol in symbols_of(each)}
-    zero = {symbol for each in _ZERO.findall(words) for symbol in symbols_of(each)}
-    names = {each.lstrip("\\") for each in letters}, {each.lstrip("\\") for each in zero}
-    return frozenset(f"{each} > 0" for each in names[0]) | names[1]
-
-
 def is_item(before: str, after: str) -> bool:
     r"""Whether an inline formula is an item of a list, and stands there alone; the words before it speak of no case.
 
@@ -398,12 +389,6 @@ _EXCHANGES = re.compile(
 )
 """Words by which one formula takes the place of another: of the same letter, or both of each other."""
 _SWAPS = re.compile(r"\b(?:ex|inter)?chang\w* |swap|switch", re.IGNORECASE)
-_NEGATIVE = re.compile(
-    r"\$([^$=<>]*)\$ (?:(?:may|can|could|might) (?:also )?be|is|are) (?:negative|of (?:either|any) sign)"
-    r"|\$([^$=<>]*?) ?(?:<|\\lt|\\le|\\leq) ?0 ?\$"
-)
-_ZERO = re.compile(r"\$([^$=<>]*)\$ (?:(?:may|can|could|might) (?:also )?be zero|is zero|vanishes)\b")
-MOST_SEARCHED = 2000
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")
 _WORD = re.compile(r"[^\W\d_]{2,}")

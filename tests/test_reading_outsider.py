@@ -131,6 +131,16 @@ MISLEADING = {
     "two years": (r"In 1990 \[ h - a = 0. \] In 2000 \[ h - b = 0. \] Hence \[ a = b. \]", True),
     "two particles": (r"For protons \[ h - a = 0. \] For electrons \[ h - b = 0. \] Hence \[ a = b. \]", True),
     "two items": (r"\item Sphere: \[ h - a = 0. \] \item Cube: \[ h - b = 0. \] Hence \[ a = b. \]", True),
+    "a rumour": (r"Rumour has it that \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "a bug": (r"The old code had the bug \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "what is doubtful": (r"It is doubtful that \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "opponents": (r"Our opponents hold \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "what happens sometimes": (r"Sometimes \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "large and small samples": (r"For large samples \[ a = b. \] For small samples \[ a - b = 0. \]", True),
+    "exchanged roles": (
+        r"The ratio is \[ r = a/b. \] With the roles of $a$ and $b$ exchanged, \[ r = a/b. \]",
+        True,
+    ),
 }
 
 TRUE = {

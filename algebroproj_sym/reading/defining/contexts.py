@@ -20,7 +20,9 @@ _KINDS = {
         r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) (?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes)\b)"
         r"|unless\b|otherwise\b|else\b|in general\b|generally\b).*"
     ),
-    "range": r"(?:for|at)\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
+    "range": r"for\s+(?:very\s+|all\s+|sufficiently\s+)?"
+    r"(?:small|large|low|high|weak|strong|even|odd|positive|negative)\s+[a-z]+|"
+    r"(?:for|at)\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
     "place": (
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
         r"|(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+(?:boundary|end|wall|edge|half|side(?! of))"

@@ -41,6 +41,9 @@ _DENIED = re.compile(
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
     r"on average|in the mean|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
     r"(?:plus|and|with) some noise|"
+    r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
+    r"apparently|seemingly|at first (?:sight|glance)|rule of thumb|rumou?r\w*|hearsay|myth|counter-?example|bug|superseded|"
+    r"obsolete|outdated|retracted|withdrawn|opponents?|critics|symbolically|speculat\w*|fallac(?:y|ies|ious)|paradox\w*|"
     r"to (?:leading|lowest|zeroth|first|second) order)\b",
     re.IGNORECASE,
 )
@@ -231,6 +234,7 @@ class Beside:
     def exchanged(self) -> frozenset[str]:
         """The letters that are not what they were in its own sentence, as in "replacing $x$ by $-x$"."""
         found = [each for match in _REVERSES.finditer(self.sentence) for each in symbols_of(match[1])]
+        found += [each for pair in _SWAPPED.findall(self.sentence) for one in pair for each in symbols_of(one)]
         for verb in _EXCHANGES.finditer(self.sentence):
             one, other = (frozenset(symbols_of(each)) for each in verb.groups())
             found += [*(one | other)] if one & other or _SWAPS.match(verb[0]) else []
@@ -388,6 +392,10 @@ _EXCHANGES = re.compile(
     re.IGNORECASE,
 )
 """Words by which one formula takes the place of another: of the same letter, or both of each other."""
+_SWAPPED = re.compile(
+    r"\$([^$]*)\$ and \$([^$]*)\$ (?:are |being |have been )?(?:ex|inter)?(?:changed|swapped|switched|reversed)",
+    re.IGNORECASE,
+)
 _SWAPS = re.compile(r"\b(?:ex|inter)?chang\w* |swap|switch", re.IGNORECASE)
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")

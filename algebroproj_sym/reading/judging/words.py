@@ -42,8 +42,8 @@ _DENIED = re.compile(
     r"on average|in the mean|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
     r"(?:plus|and|with) some noise|"
     r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
-    r"apparently|seemingly|at first (?:sight|glance)|rule of thumb|rumou?r\w*|hearsay|myth|counter-?example|bug|superseded|"
-    r"obsolete|outdated|retracted|withdrawn|opponents?|critics|symbolically|speculat\w*|fallac(?:y|ies|ious)|paradox\w*|"
+    r"apparently|seemingly|at first (?:sight|glance)|rule of thumb|rumou?r\w*|hearsay|myth|counter-?example|bug|"
+    r"superseded|obsolete|outdated|retracted|withdrawn|opponents?|critics|symbolically|speculat\w*|fallac(?:y|ies|ious)|paradox\w*|"
     r"to (?:leading|lowest|zeroth|first|second) order)\b",
     re.IGNORECASE,
 )

@@ -54,6 +54,10 @@ def test_it_rests_on_what_gives_the_function():
         r"\[ \frac{\partial f}{\partial \mathbf{x}} = \mathbf{b} \]",
         r"\[ f = \sin(\mathbf{b}^T \mathbf{x}) + \mathbf{b}^T \mathbf{x} \] "
         r"\[ \frac{\partial f}{\partial \mathbf{x}} = \mathbf{b} \]",
+        r"\[ f = e^{\mathbf{b}^T \mathbf{x}} \] \[ \nabla_{\mathbf{x}} f = 0 \]",
+        r"\[ f = (\mathbf{b}^T \mathbf{x})^n \] \[ \nabla_{\mathbf{x}} f = 0 \]",
+        r"\[ \mathbf{y} = \mathbf{A} \dot{\mathbf{x}} + \mathbf{B} \mathbf{x} \] "
+        r"\[ \frac{d \mathbf{y}}{d \mathbf{x}} = \mathbf{B} \]",
         r"\[ f = \sqrt{\mathbf{x}^T \mathbf{x}} + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
         r"\[ f = ||\mathbf{x}|| + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
         r"\[ f = ||\mathbf{x}||^3 + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",

@@ -162,9 +162,15 @@ def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:
     """Return the equations between arrows; all in one if an arrow leads from or to what is no equation."""
     for arrows, relations in ((_STEPS, ("=",)), (_ARROWS, tuple(RELATIONS))):
         parts = [part for part in split_pieces(pieces, arrows) if _without_idle(part)]
-        if parts and all(len(split_pieces(part, relations)) > 1 for part in parts):
+        has_relations = all(len(split_pieces(part, relations)) > 1 for part in parts)
+        if parts and has_relations and not (arrows is _STEPS and len(parts) > 1 and _is_value(parts[0])):
             return parts
     return [list(pieces)]
+
+
+def _is_value(pieces: Sequence[Piece]) -> bool:
+    r"""Whether an equation says that a letter is a number, as before the arrow in ``b = 0 \to c = a``: it is a case."""
+    return re.fullmatch(r"\s*\\?[a-zA-Z]+(?:_\S+)?\s*=[\s\d.-]*", _text_of(pieces)) is not None
 
 
 def _rows_of(display: Display) -> Iterator[str]:

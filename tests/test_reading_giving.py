@@ -131,7 +131,7 @@ def test_what_a_letter_still_is_proves(latex):
     [
         ("The two lengths are\n\n* $a = b + c$\n* $d = b - c$\n\n$$ a + d = 2 b $$\n", True),
         ("The two lengths are\n\n1. $a = b + c$,\n2. $d = b - c$.\n\n$$ a + d = 2 b $$\n", True),
-        ("If the rod is short, they are\n\n* $a = b + c$\n* $d = b - c$\n\n$$ a + d = 2 b $$\n", False),
+        ("If the rod is short, they are\n\n* $a = b + c$\n* $d = b - c$\n\nIn general, $$ a + d = 2 b $$\n", False),
         ("There are two cases:\n\n* $a = b + c$\n* $a = b - c$\n\n$$ a - c = b $$\n", False),
         ("Which one is wrong?\n\n* $a = b + c$\n* $d = b - c$\n\n$$ a + d = 2 b $$\n", False),
     ],

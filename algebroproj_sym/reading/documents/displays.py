@@ -26,7 +26,7 @@ _ENVIRONMENTS = (
     "IEEEeqnarray",
 )
 _BEGIN = re.compile(
-    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
+    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[(?!-?[\d.]+(?:em|ex|pt|[cm]m|in|pc)\])|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
     r"|\\(?:chapter|(?:sub)*section|paragraph)\b|(?m:^#+ )"
 )
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")

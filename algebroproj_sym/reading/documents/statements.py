@@ -30,8 +30,8 @@ _ARROWS = (
     r"\Longleftrightarrow",
     r"\iff",
 )
-_STEPS = (*_ARROWS, r"\rightarrow", r"\longrightarrow", r"\to")
-"""What leads from one equation to the next."""
+_STEPS = (*_ARROWS, r"\rightarrow", r"\longrightarrow", r"\to", "→")
+"""What leads from one equation to the next; thin arrows do so only between equations."""
 _SPACES = (r"\;", r"\:", r"\,", r"\ ", "~", *_WIDE)
 _MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
 _IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
@@ -160,17 +160,22 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
 
 def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:
     """Return the equations between arrows; all in one if an arrow leads from or to what is no equation."""
-    for arrows, relations in ((_STEPS, ("=",)), (_ARROWS, tuple(RELATIONS))):
+    for arrows in (_STEPS, _ARROWS):
         parts = [part for part in split_pieces(pieces, arrows) if _without_idle(part)]
-        has_relations = all(len(split_pieces(part, relations)) > 1 for part in parts)
-        if parts and has_relations and not (arrows is _STEPS and len(parts) > 1 and _is_value(parts[0])):
+        if parts and all(map(_has_relation, parts)) and (arrows is _ARROWS or _are_equations(parts)):
             return parts
     return [list(pieces)]
 
 
-def _is_value(pieces: Sequence[Piece]) -> bool:
-    r"""Whether an equation says that a letter is a number, as before the arrow in ``b = 0 \to c = a``: it is a case."""
-    return re.fullmatch(r"\s*\\?[a-zA-Z]+(?:_\S+)?\s*=[\s\d.-]*", _text_of(pieces)) is not None
+def _are_equations(parts: Sequence[Sequence[Piece]]) -> bool:
+    r"""Whether thin arrows lead from equation to equation, and not from value to value, as in ``n = 2 \to n = 1``.
+
+    In ``b = 0 \to c = a`` the first one is a case.
+    """
+    texts = ["".join(piece.text for piece in part if not piece.text.isspace()) for part in parts]
+    given = [text.partition("=")[0] for text in texts if re.fullmatch(r"[^=]*=\{?[\d.,/]+\}?", text)]
+    case = len(texts) > 1 and re.fullmatch(r"\\?[a-zA-Z]+(?:_[^=]+)?=[\d.-]+", texts[0]) is not None
+    return not case and all("=" in text and ":" not in text for text in texts) and len({*given}) == len(given)
 
 
 def _rows_of(display: Display) -> Iterator[str]:
@@ -354,7 +359,7 @@ def _is_script(before: Sequence[Piece]) -> bool:
 
 def _names(words: str) -> bool:
     r"""Whether words before a relation name what is equal, as in ``\text{error} = a - b``, and do not lead to it."""
-    found = re.fullmatch(r"[a-zA-Z][\w.]*(?:[ ~-]+\w+){0,3}", words.strip(" {}~"))
+    found = re.fullmatch(r"[a-zA-Z][\w.]*(?:[ ~-]+\w+){0,5}", words.strip(" {}~"))
     return found is not None and _LEADS.search(words) is None
 
 

@@ -14,7 +14,7 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
-from algebroproj_sym.reading.defining.letters import lettered
+from algebroproj_sym.reading.defining.letters import lettered, require_no_value
 from algebroproj_sym.reading.defining.premises import Premise
 from algebroproj_sym.reading.defining.values import values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
@@ -92,6 +92,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
     properties = {vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)}
     if properties - {(), ("identity",)}:
         raise UnsizedError("a property of a letter says more than its entries")
+    for part in (big for tree in (left, right, *_trees_of(vocabulary, left, right)) for big in tree.find_data("big")):
+        require_no_value(str(part.children[0]), symbols_in(part), vocabulary.definitions)
     values = [vocabulary.value(tree) for tree in (left, right)]
     shapes = [shape(value) for value in values]
     if shapes[0] != shapes[1]:
@@ -121,6 +123,10 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
     if shape(values[0]) and (has_functions or by_entries):
         return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
     return [Question(_text(values[0]), _text(values[1]))]
+
+
+def _trees_of(vocabulary: Vocabulary, *trees: Formula) -> list[Formula]:
+    return [each.tree for each in used_by(vocabulary, *trees)]
 
 
 def complex_letters_in(vocabulary: Vocabulary, *trees: Formula) -> frozenset[str]:

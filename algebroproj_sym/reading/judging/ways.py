@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from lark import Tree
 
 from algebroproj_sym.reading.defining.gradients import along_directions
+from algebroproj_sym.reading.defining.instances import squares_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
@@ -56,6 +57,8 @@ class Standing:
         The labels and numbers that words before it name.
     given_at : mapping of str to int
         Where each letter was alone on a side for the last time.
+    own : sequence of Premise
+        The equations within the text that its own sentence supposes.
     """
 
     survey: Survey
@@ -65,6 +68,7 @@ class Standing:
     premises: Sequence[Premise]
     cited: frozenset[str]
     given_at: Mapping[str, int]
+    own: Sequence[Premise] = ()
 
     @property
     def follows(self) -> bool:
@@ -85,6 +89,8 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_with_sums(left, right, known),
         *(replace(each, doubt=doubt) if ranged else each for each in _with_premises(standing, formula, index)),
         *_under_equations(standing, left, right),
+        *_as_its_sentence_supposes(standing, left, right),
+        *_squared(standing, formula, index),
         *_said_before(standing, left, right),
         *_without_definitions(standing, left, right),
     ]
@@ -168,7 +174,7 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     speaks = {
         each: standing.vocabulary.letters_of(each.left) | standing.vocabulary.letters_of(each.right) for each in near
     }
-    asserted = [each for each in near if not each.special]
+    asserted = [each for each in near if not each.special or (each.names & standing.cited and not each.context.kind)]
     alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
     if alone:
         yield Way(left, right, standing.vocabulary, under=alone)
@@ -195,6 +201,53 @@ def _is_printed(tree: Formula) -> bool:
     """Whether a formula is a matrix, or a vector as ``(x, y)``."""
     inside = tree.children[0] if tree.data == "bracket" else tree
     return tree.data == "matrix" or (isinstance(inside, Tree) and inside.data == "items" and len(inside.children) > 1)
+
+
+def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation with what its own sentence supposes put in, alone and with the equations above it."""
+    own = [each for each in standing.own if (each.left, each.right) not in ((left, right), (right, left))]
+    supposed = [each.gives for each in own if each.gives is not None]
+    used = (left, right, *(each.tree for each in used_by(standing.vocabulary, left, right)))
+    bound = {symbol for side in used for part in side.find_data("big") for symbol in symbols_in(part)}
+    places = {(each.symbol, each.place) for each in supposed}
+    twice = len({symbol for symbol, _ in places}) < len(places)
+    if not own or twice or bound.intersection(each.symbol for each in supposed):
+        return
+    above = applicable(standing.premises, standing.part, standing.cited)
+    for premises in ([], above):
+        given = [each.gives for each in premises if each.gives is not None]
+        known = extended(standing.vocabulary, [*given, *supposed])
+        yield Way(left, right, known, A_VALUE)
+        values = given_values([*premises, *own], known, (left, right))
+        if values:
+            ours, theirs = (with_given(side, values) for side in (left, right))
+            yield Way(ours, theirs, extended(known, values.values()), A_VALUE)
+    last = neighbours(standing.premises, standing.part, standing.cited, 1)
+    wanted = {*symbols_in(left), *symbols_in(right)}
+    for each in last:
+        if (solution := each.solved(standing.vocabulary, wanted)) is not None:
+            yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
+    letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
+    tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
+    yield Way(left, right, standing.vocabulary, A_VALUE, under=(*tied, *last))
+
+
+def _squared(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield the squares of a letter and of a root that it is, as they rest on others.
+
+    Both have one sign, or words speak of a root, or of what is never negative.
+    """
+    squares = squares_of(*formula.sides[index : index + 2])
+    if squares is None or standing.vocabulary.is_matrix(symbols_in(squares[0])[0]):
+        return
+    left, right, is_open = squares
+    if not (is_open or standing.beside.speaks_of_a_length):
+        return
+    of_squares = replace(formula, sides=(left, right), relations=("=",))
+    shown = " = ".join(map(standing.vocabulary.text, formula.sides[index : index + 2]))
+    reads = shown if is_open else f"{shown}, where both sides have one sign"
+    for way in (*_with_premises(standing, of_squares, 0), *_under_equations(standing, left, right)):
+        yield replace(way, reads=reads, doubt=A_VALUE)
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

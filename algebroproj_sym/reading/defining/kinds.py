@@ -45,12 +45,6 @@ _HAS_NO_INVERSE = (
     r"|rank[- ]deficient|rectangular|wide|tall|fat|skinny)"
 )
 _SINGULAR = re.compile(
-    rf"\b{_HAS_NO_INVERSE}|\b(?:under|over)-?determined|\bleast[- ]squares|\bpseudo-?inverse"
-    r"|\b(?:more|fewer|less) (?:rows|columns|equations|unknowns|measurements|observations)"
-    r"|\b(?:rows|columns|equations|unknowns) (?:is|are) (?:more|fewer|less)",
-    re.IGNORECASE,
-)
-_CALLED_SINGULAR = re.compile(
     rf"\$([^$]+)\$ (?:is|be|may be|are) (?:\w+ ){{0,2}}?{_HAS_NO_INVERSE}"
     rf"|\b{_HAS_NO_INVERSE} matri(?:x|ces) \$?([^$\s.,]+)",
     re.IGNORECASE,
@@ -79,8 +73,6 @@ class Kinds:
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
     axes : tuple of mapping
         The unit vectors of each basis, with their places.
-    invertible : bool
-        Whether no words speak of matrices that have no inverse.
     """
 
     no_numbers: frozenset[str] = frozenset()
@@ -88,7 +80,6 @@ class Kinds:
     open: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
     axes: tuple[Axes, ...] = ()
-    invertible: bool = True
 
 
 def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Kinds:
@@ -115,11 +106,9 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
         pass
     oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
     declared = {_bare(letter) for letter, rows, width in _DECLARED.findall(words) if rows != width}
-    declared |= {_bare(letter or other) for letter, other in _CALLED_SINGULAR.findall(words)}
+    declared |= {_bare(letter or other) for letter, other in _SINGULAR.findall(words)}
     oblong |= {each for each in occurring if _bare(each) in declared}
-    open_ = frozenset(closure.open)
-    invertible = _SINGULAR.search(words) is None
-    return Kinds(frozenset(closure.known), columns, open_, oblong, axes_in(occurring, words), invertible)
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
 
 
 class _Closure:

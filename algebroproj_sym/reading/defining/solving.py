@@ -28,11 +28,10 @@ class _Linear:
     others: list[tuple[bool, Formula]]
 
 
-def solution_of(left: Formula, right: Formula, letter: str, *, invertible: bool = True) -> Formula | None:
+def solution_of(left: Formula, right: Formula, letter: str) -> Formula | None:
     r"""Return what an equation says of a letter; None if it is not linear in it, with all factors on one side.
 
-    What has to be inverted is taken to be invertible, so it must not be the matrix of a cross product,
-    nor a letter of its own if words speak of matrices without an inverse.
+    What has to be inverted is taken to be invertible, so it must not be the matrix of a cross product.
 
     Examples
     --------
@@ -52,9 +51,9 @@ def solution_of(left: Formula, right: Formula, letter: str, *, invertible: bool 
             return None
         value: Formula = Tree("group", [_sum(rest)])
         if all(not behind for _, _, behind in terms):
-            return _times(_inverse([(minus, _product(before)) for minus, before, _ in terms], invertible), value)
+            return _times(_inverse([(minus, _product(before)) for minus, before, _ in terms]), value)
         if all(not before for _, before, _ in terms):
-            return _times(value, _inverse([(minus, _product(behind)) for minus, _, behind in terms], invertible))
+            return _times(value, _inverse([(minus, _product(behind)) for minus, _, behind in terms]))
     except _OtherwiseError:
         return None
     return None
@@ -105,13 +104,11 @@ def _of_product(factors: list[Formula], letter: str, *, minus: bool) -> _Linear:
     )
 
 
-def _inverse(terms: list[tuple[bool, Formula]], invertible: bool) -> Formula | None:
+def _inverse(terms: list[tuple[bool, Formula]]) -> Formula | None:
     r"""Return the inverse of a sum; None for that of 1."""
     if terms == [(False, _ONE)]:
         return None
-    alone = terms[0][1]
-    crosses = any(each.children[-1] == "hat" for each in alone.find_data("marked"))
-    if len(terms) == 1 and (crosses or not (invertible or alone.data in ("run", "number", "group"))):
+    if len(terms) == 1 and any(each.children[-1] == "hat" for each in terms[0][1].find_data("marked")):
         raise _OtherwiseError
     exponent: Formula = Tree("sum", [Token("SIGN", "-"), _ONE])
     return Tree("power", [Tree("group", [_sum(terms)]), exponent])

@@ -299,8 +299,7 @@ def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]
         yield solution
         return
     letters = sorted(each for each in premise.symbols.intersection(wanted) if vocabulary.is_matrix(each))
-    sides, invertible = (premise.left, premise.right), vocabulary.kinds.invertible
-    values = {each: solution_of(*sides, each, invertible=invertible) for each in letters}
+    values = {each: solution_of(premise.left, premise.right, each) for each in letters}
     yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
 
 

@@ -61,7 +61,7 @@ class _Gradients:
 
     def find(self, tree: Formula) -> Formula | None:
         """Return a derivative by the vector along a direction; None if a formula is none."""
-        head = str(tree.children[0])
+        head = str(tree.children[0]) if tree.children else ""
         if tree.data in ("symbol", "opaque") and (match := _QUOTIENT.fullmatch(head)):
             if match[3] not in (None, match[4]):
                 return None
@@ -146,8 +146,7 @@ def _hiding(tree: Formula) -> list[Formula]:
 
 def _is_open_power(tree: Formula) -> bool:
     """Whether the exponent of a power is no printed number."""
-    exponent = tree.children[-1]
-    return tree.data == "power" and not (isinstance(exponent, Tree) and exponent.data == "number")
+    return tree.data == "power" and getattr(tree.children[1], "data", "") != "number"
 
 
 def _arguments(call: Formula) -> tuple[str, ...]:

@@ -94,7 +94,7 @@ class _Gradients:
         used = self._vocabulary.used_in(direct)
         trees = [direct, *(each.tree for each in used)]
         letters = {symbol for each in trees for symbol in symbols_in(each)}
-        variable = {_bare(each): each for each in letters}.get(_bare(below))
+        variable = {_bare(each): each for each in sorted(letters)}.get(_bare(below))
         if variable is None or not self._vocabulary.is_matrix(variable) or variable in self._vocabulary.definitions:
             return None
         others = letters - {variable} - {each.symbol for each in used}

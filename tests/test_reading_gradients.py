@@ -54,6 +54,10 @@ def test_it_rests_on_what_gives_the_function():
         r"\[ \frac{\partial f}{\partial \mathbf{x}} = \mathbf{b} \]",
         r"\[ f = \sin(\mathbf{b}^T \mathbf{x}) + \mathbf{b}^T \mathbf{x} \] "
         r"\[ \frac{\partial f}{\partial \mathbf{x}} = \mathbf{b} \]",
+        r"\[ f = e^{\mathbf{b}^T \mathbf{x}} \] \[ \nabla_{\mathbf{x}} f = 0 \]",
+        r"\[ f = (\mathbf{b}^T \mathbf{x})^n \] \[ \nabla_{\mathbf{x}} f = 0 \]",
+        r"\[ \mathbf{y} = \mathbf{A} \dot{\mathbf{x}} + \mathbf{B} \mathbf{x} \] "
+        r"\[ \frac{d \mathbf{y}}{d \mathbf{x}} = \mathbf{B} \]",
         r"\[ f = \sqrt{\mathbf{x}^T \mathbf{x}} + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
         r"\[ f = ||\mathbf{x}|| + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
         r"\[ f = ||\mathbf{x}||^3 + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
@@ -72,3 +76,12 @@ def test_it_rests_on_what_gives_the_function():
 )
 def test_what_is_no_gradient_does_not_follow(latex):
     assert last(latex).verdict not in ("follows", "contradicts")
+
+
+def test_an_empty_entry_is_no_derivative():
+    given = r"\[ \mathbf{A} = \begin{bmatrix} 1 & \\ & 2 \end{bmatrix} \] "
+    latex = given + r"\[ \frac{\partial f}{\partial\mathbf{x}} = \begin{bmatrix} & 1 \end{bmatrix} \mathbf{x} \]"
+    assert read_document(document_of(latex))[-1].verdict == "not decided"
+    function = r"\[ f = \mathbf{x}^T \begin{bmatrix} & 1 \end{bmatrix} \mathbf{x} \] "
+    function += r"\[ \nabla_{\mathbf{x}} f = \mathbf{x} \]"
+    assert read_document(document_of(function))[-1].verdict == "not decided"

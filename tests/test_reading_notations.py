@@ -145,6 +145,7 @@ def test_a_comment_in_a_formula_says_nothing():
             ["independent", "follows", "contradicts"],
         ),
         (r"\[ x_n = 1/n \rightarrow 0 \]", ["not decided"]),
+        (r"\[ b = 0 \to c = a \]", ["not decided"]),
         (r"\[ f: A \to B = C \]", ["not decided"]),
         (r"\[ A \to B \] \[ C \to D \]", ["not decided", "not decided"]),
         (r"\[ \lim_{x \to 0} f(x) = 3 \]", ["not decided"]),

@@ -55,6 +55,10 @@ def test_an_equation_of_vectors_gives_each_letter_in_which_it_is_linear(latex):
         r"\[ \mathbf{x} = (\mathbf{u} \mathbf{u}^T)^{-1} \mathbf{y} \]",
         r"\[ \mathbf{u}^T \mathbf{x} = c \] So \[ \mathbf{x} = \mathbf{u}^{-T} c \]",
         r"\[ \mathbf{A} \mathbf{x} = \lambda \mathbf{x} \] So \[ \mathbf{x} = \mathbf{0} \]",
+        r"The matrix $A$ is singular. \[ A \mathbf{x} = \mathbf{b} \] So \[ \mathbf{x} = A^{-1} \mathbf{b} \]",
+        r"Let $A \in \mathbb{R}^{m \times n}$. \[ A \mathbf{x} = \mathbf{b} \] So \[ \mathbf{x} = A^{-1} \mathbf{b} \]",
+        r"For a wide matrix $\mathbf{A}$, \[ \mathbf{A} \mathbf{x} + \mathbf{c} = \mathbf{b} + \mathbf{d} \] "
+        r"So \[ \mathbf{x} = \mathbf{A}^{-1} (\mathbf{b} + \mathbf{d} - \mathbf{c}) \]",
         r"If $\mathbf{c}$ is small, \[ \mathbf{A} \mathbf{x} = \mathbf{c} + \mathbf{x} \] Otherwise "
         r"\[ \mathbf{x} = (\mathbf{A} - \mathbf{I})^{-1} \mathbf{c} \]",
     ],

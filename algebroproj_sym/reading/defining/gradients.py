@@ -20,6 +20,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 _QUOTIENT = re.compile(r"(d|\\partial)([^/^()]+)(?:\(([^/^()]+)\))?/\1([^/^()]+)")
 _OPERATOR = re.compile(r"(d|\\partial)/\1([^/^]+)")
+_RATE = re.compile(r"^\\d+ot|^\\Delta|^d |/")
 _NABLA = re.compile(r"\\nabla(?:_.*)?")
 _TWO: Formula = Tree("number", [Token("NUMBER", "2")])
 _HIDES = ("call", "big", "function", "raised_function", "root", "nth_root", "norm", "absolute", "slope", "factorial")
@@ -93,13 +94,15 @@ class _Gradients:
         used = self._vocabulary.used_in(direct)
         trees = [direct, *(each.tree for each in used)]
         letters = {symbol for each in trees for symbol in symbols_in(each)}
-        variable = {_bare(each): each for each in letters}.get(_bare(below))
+        variable = {_bare(each): each for each in sorted(letters)}.get(_bare(below))
         if variable is None or not self._vocabulary.is_matrix(variable) or variable in self._vocabulary.definitions:
             return None
         others = letters - {variable} - {each.symbol for each in used}
         via = any(variable in self._vocabulary.letters_of(each.tree) for each in used)
         hidden = any(variable in self._vocabulary.letters_of(part) for each in trees for part in _hiding(each))
-        if (partial and via and variable in symbols_in(direct)) or hidden or self._vocabulary.depends(others, variable):
+        hidden = hidden or self._vocabulary.depends(others, variable)
+        rates = [each for each in others if _RATE.search(each) and _bare(variable) in _bare(each)]
+        if (partial and via and variable in symbols_in(direct)) or (rates and not partial) or hidden:
             raise _OtherwiseError
         if self.variable not in (None, variable):
             raise _OtherwiseError
@@ -137,7 +140,13 @@ def _hiding(tree: Formula) -> list[Formula]:
     """Return the parts within which the prover sees no letters; a square of a length is none."""
     squares = [part.children[0] for part in tree.find_data("power") if part.children[1] == _TWO]
     lengths = [each for each in squares if isinstance(each, Tree) and each.data == "norm"]
-    return [part for part in tree.iter_subtrees() if part.data in _HIDES and not any(part is each for each in lengths)]
+    hiding = [part for part in tree.iter_subtrees() if part.data in _HIDES or _is_open_power(part)]
+    return [part for part in hiding if not any(part is each for each in lengths)]
+
+
+def _is_open_power(tree: Formula) -> bool:
+    """Whether the exponent of a power is no printed number."""
+    return tree.data == "power" and getattr(tree.children[1], "data", "") != "number"
 
 
 def _arguments(call: Formula) -> tuple[str, ...]:

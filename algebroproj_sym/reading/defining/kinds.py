@@ -40,6 +40,20 @@ MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
 """The relations whose sides are both numbers, or both none."""
 _SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
+_HAS_NO_INVERSE = (
+    r"(?:(?<!non)(?<!non-)singular(?! values?| vectors?)|not (?:be )?(?:square|invertible)|non-?(?:square|invertible)"
+    r"|rank[- ]deficient|rectangular|wide|tall|fat|skinny)"
+)
+_SINGULAR = re.compile(
+    rf"\$([^$]+)\$ (?:is|be|may be|are) (?:\w+ ){{0,2}}?{_HAS_NO_INVERSE}"
+    rf"|\b{_HAS_NO_INVERSE} matri(?:x|ces) \$?([^$\s.,]+)",
+    re.IGNORECASE,
+)
+_DECLARED = re.compile(
+    r"((?:\\[a-zA-Z]+\s*\{?\s*)?[A-Za-z]\}?)\s*\\in\s*(?:\\mathbb\s*\{?\s*R\s*\}?|\\R\b)\s*"
+    r"\^\s*\{\s*(\w+)\s*\\times\s*(\w+)\s*\}"
+)
+"""Words, and LaTeX, of matrices that have no inverse."""
 _SPOKEN = re.compile(r"\b(?:vectors?|vectorial|cross[- ]products?)\b", re.IGNORECASE)
 
 
@@ -91,6 +105,9 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     while closure.grows():
         pass
     oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
+    declared = {_bare(letter) for letter, rows, width in _DECLARED.findall(words) if rows != width}
+    declared |= {_bare(letter or other) for letter, other in _SINGULAR.findall(words)}
+    oblong |= {each for each in occurring if _bare(each) in declared}
     return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
 
 

@@ -170,10 +170,14 @@ def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:
 
 
 def _are_equations(parts: Sequence[Sequence[Piece]]) -> bool:
-    r"""Whether thin arrows lead from equation to equation, and not from value to value, as in ``n = 2 \to n = 1``."""
+    r"""Whether thin arrows lead from equation to equation, and not from value to value, as in ``n = 2 \to n = 1``.
+
+    In ``b = 0 \to c = a`` the first one is a case.
+    """
     texts = ["".join(piece.text for piece in part if not piece.text.isspace()) for part in parts]
     given = [text.partition("=")[0] for text in texts if re.fullmatch(r"[^=]*=\{?[\d.,/]+\}?", text)]
-    return all("=" in text and ":" not in text for text in texts) and len({*given}) == len(given)
+    case = len(texts) > 1 and re.fullmatch(r"\\?[a-zA-Z]+(?:_[^=]+)?=[\d.-]+", texts[0]) is not None
+    return not case and all("=" in text and ":" not in text for text in texts) and len({*given}) == len(given)
 
 
 def _rows_of(display: Display) -> Iterator[str]:

@@ -151,7 +151,8 @@ class _Pass:
         """Return the displayed equations, and what is to be asked of them."""
         readings: list[Reading] = []
         asked: list[Asked] = []
-        for self.order, statement in enumerate(self.survey.statements, 1):
+        for place, statement in enumerate(self.survey.statements, 1):
+            self.order = place
             found = self.survey.formulas[id(statement)]
             if statement.display.environment == "inline":
                 if isinstance(found, Parsed):

@@ -448,9 +448,18 @@ class _Pass:
         chained = len(formula.sides) > 2
         first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
         gives = first and self._gives(statement, left, right)
-        gives = gives or (index > 0 and self._is_instance(left, right))
+        others = [left] if index > 0 else self._said_of(left) if not symbols_in(right) else []
+        gives = gives or any(self._is_instance(each, right) for each in others)
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
         return asked.link, asked
+
+    def _said_of(self, left: Formula) -> list[Formula]:
+        """Return what equations above give as a letter."""
+        symbol, parameters = defined_by(left)
+        known = self.vocabulary.definitions.get(symbol)
+        pairs = [pair for each in self._serving for pair in ((each.left, each.right), (each.right, each.left))]
+        given = [known.tree] if known and not (known.parameters or parameters) else []
+        return given + [other for one, other in pairs if symbol and one == left]
 
     def _is_instance(self, left: Formula, right: Formula) -> bool:
         """Whether numbers are put in for letters that have no value: the equation gives them, in this case."""

@@ -116,6 +116,12 @@ def test_words_behind_an_equation_that_speak_of_another_case_suppose_nothing(beh
         r"The place is \[ y = x^2. \] As $x = 1$, its slope is \[ \frac{dy}{dx} = 0. \]",
         r"The integral is \[ F = \int_0^1 x \, dx. \] With $x = 0$ it is \[ F = \int_0^1 0 \, dx. \]",
         r"The sum is \[ F = \sum_{i=1}^n i. \] With $i = 1$ it is \[ F = \sum_{i=1}^n 1. \]",
+        r"The law is \[ b x = b y. \] If $b = 0$, then \[ x = y. \]",
+        r"The law is \[ (a - b) x = (a - b) y. \] If $a = b$, then \[ x = y. \]",
+        r"The law is \[ b x = b y. \] Hence, since $b = 0$, we get \[ x = y. \]",
+        r"The law is \[ f(x) = a x^2. \] With $x = 1$ we have \[ f'(x) = 0. \]",
+        r"Since $a \equiv b \pmod 5$, we get \[ a = b. \]",
+        SUM + r"Since $b \equiv 0$ modulo five, we get \[ s = a. \]",
         SUM + r"If $b = 0$, then \[ s = a. \] \section{Other} The sum is \[ 2 s = 2 a. \]",
     ],
 )

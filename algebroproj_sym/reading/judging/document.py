@@ -227,8 +227,9 @@ class _Pass:
         if len(formula.sides) > 1:
             self._note(statement, formula)
             self._restate(formula)
-            words = f"${statement.display.latex}$"
-            self.within += [(words, each) for each in self._premises_of(statement, formula, formula.sides)]
+            if {*formula.relations} == {"="}:
+                words = f"${statement.display.latex}$"
+                self.within += [(words, each) for each in self._premises_of(statement, formula, formula.sides)]
             del self.within[:-MOST_WITHIN]
 
     def _is_only_one(self, definition: Definition) -> bool:
@@ -356,8 +357,6 @@ class _Pass:
 
     def _premises_of(self, statement: Statement, formula: Parsed, sides: Sequence[Formula]) -> list[Premise]:
         """Return the equations between sides of a statement: of those next to each other, and of the first and last."""
-        if {*formula.relations} - {*EQUALITIES}:
-            return []
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
         display, special, words = statement.display, bool(self.beside.case()), self.beside.words
@@ -488,7 +487,11 @@ class _Pass:
                     return
             elif not goes_on_with(display.before):
                 return
-            elif isinstance(found, Parsed) and not self.survey.meanings.reason(each, found):
+            elif (
+                isinstance(found, Parsed)
+                and {*found.relations} == {"="}
+                and not self.survey.meanings.reason(each, found)
+            ):
                 formula = f"${display.latex}$"
                 behind = display.after.partition(".")[0].partition("$")[0].strip().removesuffix("and")
                 sentence = f"{display.before}{formula}{behind}"

@@ -17,10 +17,13 @@ from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.axes import Axes, axes_in
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 Sides = Sequence[Formula]
+_OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
+"""A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
 _CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
     r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
@@ -54,12 +57,15 @@ class Kinds:
         The symbols that may be matrices, or numbers.
     oblong : frozenset of str
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
+    axes : tuple of mapping
+        The unit vectors of each basis, with their places.
     """
 
     no_numbers: frozenset[str] = frozenset()
     columns: frozenset[str] = frozenset()
     open: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
+    axes: tuple[Axes, ...] = ()
 
 
 def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Kinds:
@@ -80,11 +86,12 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns = frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
+    known |= {*filter(_OF_FRAMES.match, occurring)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
     oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong)
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
 
 
 class _Closure:

@@ -14,7 +14,8 @@ import sympy
 
 from algebroproj_sym.expressions import entries, over, shape, text
 from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
-from algebroproj_sym.reading.defining.letters import FREE, MOST_TERMS, WHOLE, base_of, require_no_value
+from algebroproj_sym.reading.defining.letters import FREE, WHOLE, base_of, require_no_value
+from algebroproj_sym.reading.defining.parts import MOST_TERMS
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -122,6 +122,7 @@ class Vocabulary:
         self._taken: dict[str, str] = {}
         self._values: dict[str, Any] = {}
         self._mentioned: set[str] = set()
+        self._behind: dict[str, frozenset[str]] = {}
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
@@ -151,6 +152,17 @@ class Vocabulary:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         found._properties = found._properties | dict.fromkeys(letters, ("identity",))
         return found
+
+    def with_axes(self, *trees: Formula) -> Iterator[Vocabulary]:
+        """Yield the vocabulary in which the unit vectors of a basis are columns, for each basis in some formulas."""
+        letters = frozenset().union(*map(self.letters_of, trees))
+        for axes in self.kinds.axes:
+            if letters & {*axes} and not {*axes} & {*self.definitions, *self._sizes, *self._properties}:
+                found = self.copied()
+                found.forget()
+                found._values |= {symbol: sympy.eye(3)[:, place] for symbol, place in axes.items()}
+                if all(found._shape_of(each) is not None for each in trees):
+                    yield found
 
     def _multiplies_identity(self, tree: Formula) -> bool:
         """Whether a lone I stands beside a vector or a matrix in a product: nobody writes the identity there."""
@@ -194,12 +206,14 @@ class Vocabulary:
             return None
 
     def forget(self) -> None:
-        """Forget the values of all letters, so that they are computed again."""
+        """Forget the values of all letters and what they depend on, so that they are computed again."""
         self._values.clear()
+        self._behind.clear()
 
     def define(self, definition: Definition) -> None:
         """Add a definition."""
         self.definitions[definition.symbol] = definition
+        self._behind.clear()
         if definition.symbol in self._mentioned:
             self._values.clear()
         self._mentioned |= {*definition.symbols}
@@ -210,7 +224,7 @@ class Vocabulary:
         for each in [each for each in self.definitions.values() if symbol in each.symbols]:
             if each.symbol in self.definitions:
                 self.drop(each.symbol)
-        self._values.clear()
+        self.forget()
 
     def known(self, symbol: str) -> bool:
         """Whether a symbol with a superscript is a name of its own."""
@@ -231,6 +245,8 @@ class Vocabulary:
 
     def behind(self, symbol: str) -> frozenset[str]:
         """Return a symbol with all on which it may depend: what stands in equations with it alone on the left."""
+        if symbol in self._behind:
+            return self._behind[symbol]
         found, waiting = {symbol}, [symbol]
         given = {*self.definitions, *self.dependence.equated}
         while waiting:
@@ -242,7 +258,8 @@ class Vocabulary:
                     more |= self.definitions[each].free
             waiting += more - found
             found |= more
-        return frozenset(found)
+        self._behind[symbol] = frozenset(found)
+        return self._behind[symbol]
 
     def depends(self, symbols: Iterable[str], letter: str) -> bool:
         """Whether some symbols may depend on a letter: by equations, or as ``p(y|x)`` does on x."""

@@ -141,7 +141,7 @@ def _doubt_of_refutation(way: Way) -> str:
     if values := values_of(questions):
         if values == {FREE}:
             return "nothing above it gives the function"
-        return f"what a function, a sum or an integral in it {NOT_COMPUTED}"
+        return f"a function, a sum or an integral in it {NOT_COMPUTED}"
     if letters is not None:
         return ""
     elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]

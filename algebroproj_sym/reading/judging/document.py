@@ -52,6 +52,7 @@ from algebroproj_sym.reading.judging.words import (
     beside,
     has_ended,
     is_given_within,
+    is_item,
     last_sentence,
     takes_back,
     words_of,
@@ -151,8 +152,8 @@ class _Pass:
         """Return the displayed equations, and what is to be asked of them."""
         readings: list[Reading] = []
         asked: list[Asked] = []
-        for place, statement in enumerate(self.survey.statements, 1):
-            self.order = place
+        for order, statement in enumerate(self.survey.statements, 1):
+            self.order = order
             found = self.survey.formulas[id(statement)]
             if statement.display.environment == "inline":
                 if isinstance(found, Parsed):
@@ -215,7 +216,8 @@ class _Pass:
         elsewhere = number and leads_elsewhere(statement.display.after)
         says = is_given_within(before, number=number) and not (elsewhere or beside(statement, "").is_denied)
         self._stand_at(statement.display)
-        if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
+        tells = SAYS.search(before) or is_item(before, statement.display.after)
+        if len(formula.sides) == 2 and (says or (tells and not CASES.search(sentence))):
             definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
             if (
                 definition is not None

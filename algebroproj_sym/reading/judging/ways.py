@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from lark import Tree
+
+from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.instances import squares_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
@@ -20,14 +23,18 @@ from algebroproj_sym.reading.defining.premises import (
     with_given,
 )
 from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
-from algebroproj_sym.reading.defining.vocabulary import Numbers, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
 from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
+
+MOST_SOLVED = 4
+"""For how many vectors and matrices an equation is solved."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +99,26 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         for way in ways
         if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
+    ways += [each for way in ways if not way.reads for each in _by_components(way)]
+    ways += [each for way in ways if way.is_as_it_stands for each in _along_directions(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+
+
+def _by_components(way: Way) -> Iterator[Way]:
+    """Yield a way in which vectors are taken by their components along the unit vectors of a basis."""
+    trees = [*way.sides, *(side for each in way.under for side in (each.left, each.right))]
+    for known in way.vocabulary.with_axes(*trees):
+        yield replace(way, vocabulary=known, reads=f"{' = '.join(map(known.text, way.sides))}, by components")
+
+
+def _along_directions(way: Way) -> Iterator[Way]:
+    """Yield the ways in which a derivative by a vector is that along every direction."""
+    shown = f"{' = '.join(map(way.vocabulary.text, way.sides))}, along every direction"
+    with_identity = way.vocabulary.with_identity(*way.sides)
+    readings = ((way.vocabulary, shown), (with_identity, f"{shown}, where I is the identity"))
+    for known, reads in readings:
+        if known is not None and (found := along_directions(known, *way.sides)) is not None:
+            yield Way(*found, A_VALUE, reads)
 
 
 def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
@@ -138,6 +164,7 @@ def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Ite
 def _under_equations(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     """Yield a relation under near or cited equations above it: those of its letters alone, or all tied to it.
 
+    An equation of vectors is one for each component.
     All are taken together only where words, an arrow or a citation say that it follows.
     """
     if any(each.parameters for each in used_by(standing.vocabulary, left, right)):
@@ -152,6 +179,9 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     own = _supposed(standing, left, right)
     if alone:
         yield Way(left, right, standing.vocabulary, under=(*alone, *own))
+    for each in asserted:
+        if (each,) != alone and _has_components(each, speaks[each] & letters, standing):
+            yield Way(left, right, standing.vocabulary, under=(each, *own))
     tied = set(letters)
     together: list[Premise] = []
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
@@ -159,6 +189,19 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
         together += more
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=(*together, *own))
+
+
+def _has_components(premise: Premise, letters: Collection[str], standing: Standing) -> bool:
+    """Whether an equation has a printed matrix or unit vectors, and some letters: it is one for each component."""
+    sides = premise.left, premise.right
+    printed = any(_is_printed(part) for side in sides for part in side.iter_subtrees())
+    return bool(letters) and (printed or any(True for _ in standing.vocabulary.with_axes(*sides)))
+
+
+def _is_printed(tree: Formula) -> bool:
+    """Whether a formula is a matrix, or a vector as ``(x, y)``."""
+    inside = tree.children[0] if tree.data == "bracket" else tree
+    return tree.data == "matrix" or (isinstance(inside, Tree) and inside.data == "items" and len(inside.children) > 1)
 
 
 def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -183,7 +226,7 @@ def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula)
     last = neighbours(standing.premises, standing.part, standing.cited, 1)
     wanted = {*symbols_in(left), *symbols_in(right)}
     for each in neighbours(standing.premises, standing.part, standing.cited):
-        if (solution := each.solved(standing.vocabulary, wanted)) is not None:
+        for solution in _solutions(each, standing.vocabulary, wanted):
             yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
     letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
     tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
@@ -253,8 +296,18 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
     supposed = frozenset().union(*(each.symbols for each in standing.own))
     for each in neighbours(serving, part, cited):
         tied = (parameters | supposed) & each.symbols
-        if not tied and (solution := each.solved(standing.vocabulary, wanted)) is not None:
+        for solution in [] if tied else _solutions(each, standing.vocabulary, wanted):
             yield extended(standing.vocabulary, [solution])
+
+
+def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:
+    """Yield what an equation says of a number in which it is linear, or else of vectors and matrices."""
+    if (solution := premise.solved(vocabulary, wanted)) is not None:
+        yield solution
+        return
+    letters = sorted(each for each in premise.symbols.intersection(wanted) if vocabulary.is_matrix(each))
+    values = {each: solution_of(premise.left, premise.right, each) for each in letters}
+    yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
 
 
 def _with_sums(left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:

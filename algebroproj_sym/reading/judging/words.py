@@ -247,6 +247,23 @@ def is_given_within(words: str, *, number: bool) -> bool:
     return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
 
 
+def is_item(before: str, after: str) -> bool:
+    r"""Whether an inline formula is an item of a list, and stands there alone; the words before it speak of no case.
+
+    Examples
+    --------
+    >>> [is_item(before, "\n") for before in ("They are\n* ", "They are\n* with ", "If so, they are\n* ")]
+    [True, False, False]
+    """
+    lead, *items = _ITEM.split(before)
+    leading = last_sentence(lead).strip()
+    ends = re.match(r"[.,;]?[ \t]*(?:\n|$)", after) is not None
+    return ends and bool(items and leading) and not items[-1] and "?" not in leading and not CASES.search(leading)
+
+
+_ITEM = re.compile(r"\n\s*(?:[*+-]|\d+[.)]|\\item)[ \t]+")
+
+
 def takes_back(words: str) -> bool:
     """Whether the words between two displays begin with a sentence by which the first one does not hold.
 

@@ -12,6 +12,7 @@ from algebroproj_sym.reading.lexing.commands import (
     BARS,
     CLOSING,
     ELLIPSES,
+    MARKS,
     MATRIX,
     MAX_NESTING,
     OPENING,
@@ -20,7 +21,7 @@ from algebroproj_sym.reading.lexing.commands import (
     UPRIGHT,
 )
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.names import bracket_ahead, read_after, take_scripts
+from algebroproj_sym.reading.lexing.names import bracket_ahead, emit_power, read_after, take_scripts
 from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     UnreadableError,
@@ -76,7 +77,26 @@ def read_bracket(cursor: Cursor) -> None:
         raise cursor.fail(f"expected at most {MAX_NESTING} levels of nesting, got more")
     cursor.index += 1
     if not left:
+        _read_frame(cursor)
         read_after(cursor)
+
+
+_VECTOR = re.compile(r"\\(?:(?:mathbf|vec|overrightarrow)(?![a-z])|hat\{\\mathbf)")
+
+
+def _read_frame(cursor: Cursor) -> None:
+    r"""Read the frame below a vector in brackets, as in ``[\mathbf{v}]_n``: its column there is a letter of its own."""
+    shape = [token.type for token in cursor.out[-3:]]
+    if cursor.functions is None or cursor.peek() != "_" or shape != ["LS", "SYMBOL", "RS"]:
+        return
+    vector = cursor.out[-2]
+    ahead = replace(cursor)
+    _, frame, above = take_scripts(ahead)
+    if not _VECTOR.match(vector) or not frame.isalnum() or above not in ("", *MARKS):
+        return
+    take_scripts(cursor)
+    cursor.out[-3:] = [Token("SYMBOL", f"[{vector}] _{frame}", start_pos=vector.start_pos)]
+    emit_power(cursor, above, cursor.raised)
 
 
 def _read_place(cursor: Cursor) -> None:

@@ -192,7 +192,8 @@ class _Expressions(_Gathering):
         raise UnreadableError(f"{name} is read, and not computed", name.start_pos)
 
     def absolute(self, inside: Any) -> Any:
-        return _determinant(inside) if shape(inside) else _absolute(inside)
+        is_table = len(shape(inside)) == 2
+        return _determinant(inside) if is_table else self.norm(inside)
 
     def norm(self, inside: Any) -> Any:
         return sympy.sqrt(dot(inside, inside)) if shape(inside) else _absolute(inside)

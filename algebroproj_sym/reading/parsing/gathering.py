@@ -57,5 +57,10 @@ class _Gathering(Transformer[Token, Any]):
     def case(self, value: Any, condition: Token) -> Any:
         return value
 
+    def along(self, value: Any, variable: Any) -> Any:
+        raise UnreadableError("a change along a direction is computed with letters only")
+
+    applied = along
+
     def cases(self, *values: Any) -> Any:
         raise UnreadableError("a distinction of cases is read, and not computed")

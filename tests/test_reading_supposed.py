@@ -212,3 +212,8 @@ def test_a_space_behind_a_line_break_begins_no_formula():
 
 def test_a_column_beside_a_letter_like_the_identity_is_read():
     assert verdicts(r"\[ I + \begin{bmatrix} y \\ u \end{bmatrix} = \begin{bmatrix} C x \\ u \end{bmatrix} \]")
+
+
+def test_an_empty_cell_beside_a_vector_ends_no_reading():
+    latex = r"\[ \text{diag}(\mathbf{x}) = \begin{bmatrix} x_1 & 0 \\ & x_2 \end{bmatrix} \]"
+    assert verdicts(latex)[0] != "contradicts"

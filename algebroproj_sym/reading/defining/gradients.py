@@ -60,7 +60,7 @@ class _Gradients:
 
     def find(self, tree: Formula) -> Formula | None:
         """Return a derivative by the vector along a direction; None if a formula is none."""
-        head = str(tree.children[0])
+        head = str(tree.children[0]) if tree.children else ""
         if tree.data in ("symbol", "opaque") and (match := _QUOTIENT.fullmatch(head)):
             if match[3] not in (None, match[4]):
                 return None

@@ -29,6 +29,7 @@ def verdicts(latex):
         r"The height is \[ h = v t - g t^2. \] At $t = 0$ it is \[ h = 0. \]",
         r"It is \[ \frac{u}{c^2} + \frac{v}{d^2} = 0. \] If we use a grid where $c = d = h$, then \[ u + v = 0. \]",
         r"It is \[ m \ddot x = - k x. \] Introducing the parameter $w = \sqrt{k/m}$, \[ \ddot x + w^2 x = 0. \]",
+        r"It is \[ p = \frac{P(A, B)}{P(B > u)}. \] Since $P(B > u) = 1 - u$, we have \[ p = \frac{P(A, B)}{1-u}. \]",
         r"It is \[ p = \frac{P(A, B)}{P(B)}. \] Since $P(B) = 1 - u$, it becomes \[ p = \frac{P(A, B)}{1-u}. \]",
         OSCILLATES + r"Hence we have \[ \ddot x + w^2 x = 0, \] where $w = \sqrt{k/m}$.",
         OSCILLATES + r"Hence we have \[ \ddot x + w^2 x = 0 \] with $w^2 = k/m$ and $T = 2 \pi / w$.",
@@ -115,6 +116,12 @@ def test_words_behind_an_equation_that_speak_of_another_case_suppose_nothing(beh
         r"The place is \[ y = x^2. \] As $x = 1$, its slope is \[ \frac{dy}{dx} = 0. \]",
         r"The integral is \[ F = \int_0^1 x \, dx. \] With $x = 0$ it is \[ F = \int_0^1 0 \, dx. \]",
         r"The sum is \[ F = \sum_{i=1}^n i. \] With $i = 1$ it is \[ F = \sum_{i=1}^n 1. \]",
+        r"The law is \[ b x = b y. \] If $b = 0$, then \[ x = y. \]",
+        r"The law is \[ (a - b) x = (a - b) y. \] If $a = b$, then \[ x = y. \]",
+        r"The law is \[ b x = b y. \] Hence, since $b = 0$, we get \[ x = y. \]",
+        r"The law is \[ f(x) = a x^2. \] With $x = 1$ we have \[ f'(x) = 0. \]",
+        r"Since $a \equiv b \pmod 5$, we get \[ a = b. \]",
+        SUM + r"Since $b \equiv 0$ modulo five, we get \[ s = a. \]",
         SUM + r"If $b = 0$, then \[ s = a. \] \section{Other} The sum is \[ 2 s = 2 a. \]",
     ],
 )
@@ -166,6 +173,8 @@ def test_roots_arrows_and_cited_cases(latex, follows):
         r"The force is \[ F = m a = 2 \cdot 3 = 6. \]",
         r"The line is \[ y = 41 + 0.59 x = 41 + 0.59 \times 85 = 91.15. \]",
         r"The sum is \[ y = a + b = (-3) + 4 = 1. \]",
+        r"The force is \[ F = m a. \] \section{Example} For a stone, we have \[ F = 2 \cdot 3 = 6. \]",
+        r"The speed is \[ v = \sqrt{2 g h}. \] With numbers, it is \[ v = \sqrt{2 \cdot 9.81 \cdot 3}. \]",
         r"The weights are $w_t$ and $w_t^n$. \[ w_t^n = a b_t^n. \]",
         r"The weights are $w_t$ and $w_t^{n+1}$. \[ w_t^{n+1} = a b_t^n. \]",
         r"We have \[ f(x) > 0. \] The fit is a line. In this case, \[ f(x) = a + b x. \]",
@@ -185,6 +194,8 @@ def test_an_equation_gives_its_letter_or_numbers_in_a_case(latex):
         r"\[ m = 5. \] \[ a = 3. \] The force is \[ F = m a = 2 \cdot 3. \]",
         r"The force is \[ F = m m = 2 \cdot 3. \]",
         r"The force is \[ F = m a = 2 + 3. \]",
+        r"The force is \[ F = m a. \] For a stone, we have \[ F = 2 + 3. \]",
+        r"\[ m = 5. \] The force is \[ F = m a. \] For a stone, we have \[ F = 2 \cdot 3. \]",
         r"The balance is \[ m a = 2 \cdot 3. \]",
         r"The sum is \[ F = a + b. \] It is \[ c = d = F = 0. \]",
         r"The force is \[ F = m a = 2 \cdot 3 = 7. \]",
@@ -201,3 +212,8 @@ def test_a_space_behind_a_line_break_begins_no_formula():
 
 def test_a_column_beside_a_letter_like_the_identity_is_read():
     assert verdicts(r"\[ I + \begin{bmatrix} y \\ u \end{bmatrix} = \begin{bmatrix} C x \\ u \end{bmatrix} \]")
+
+
+def test_an_empty_cell_beside_a_vector_ends_no_reading():
+    latex = r"\[ \text{diag}(\mathbf{x}) = \begin{bmatrix} x_1 & 0 \\ & x_2 \end{bmatrix} \]"
+    assert verdicts(latex)[0] != "contradicts"

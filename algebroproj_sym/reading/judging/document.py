@@ -258,8 +258,9 @@ class _Pass:
         if len(formula.sides) > 1:
             self._note(statement, formula)
             self._restate(formula)
-            words = f"${statement.display.latex}$"
-            self.within += [(words, each) for each in self._premises_of(statement, formula, formula.sides)]
+            if {*formula.relations} == {"="}:
+                words = f"${statement.display.latex}$"
+                self.within += [(words, each) for each in self._premises_of(statement, formula, formula.sides)]
             del self.within[:-MOST_WITHIN]
 
     def _is_only_one(self, definition: Definition) -> bool:
@@ -389,8 +390,6 @@ class _Pass:
 
     def _premises_of(self, statement: Statement, formula: Parsed, sides: Sequence[Formula]) -> list[Premise]:
         """Return the equations between sides of a statement: of those next to each other, and of the first and last."""
-        if {*formula.relations} - {*EQUALITIES}:
-            return []
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
         display, special, words = statement.display, bool(self.beside.case()), self.beside.words
@@ -485,9 +484,18 @@ class _Pass:
         chained = len(formula.sides) > 2
         first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
         gives = first and self._gives(statement, left, right)
-        gives = gives or (index > 0 and self._is_instance(left, right))
+        others = [left] if index > 0 else self._said_of(left) if not symbols_in(right) else []
+        gives = gives or any(self._is_instance(each, right) for each in others)
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
         return asked.link, asked
+
+    def _said_of(self, left: Formula) -> list[Formula]:
+        """Return what equations above give as a letter."""
+        symbol, parameters = defined_by(left)
+        known = self.vocabulary.definitions.get(symbol)
+        pairs = [pair for each in self._serving for pair in ((each.left, each.right), (each.right, each.left))]
+        given = [known.tree] if known and not (known.parameters or parameters) else []
+        return given + [other for one, other in pairs if symbol and one == left]
 
     def _is_instance(self, left: Formula, right: Formula) -> bool:
         """Whether numbers are put in for letters that have no value: the equation gives them, in this case."""
@@ -519,7 +527,11 @@ class _Pass:
                     return
             elif not goes_on_with(display.before):
                 return
-            elif isinstance(found, Parsed) and not self.survey.meanings.reason(each, found):
+            elif (
+                isinstance(found, Parsed)
+                and {*found.relations} == {"="}
+                and not self.survey.meanings.reason(each, found)
+            ):
                 formula = f"${display.latex}$"
                 behind = display.after.partition(".")[0].partition("$")[0].strip().removesuffix("and")
                 sentence = f"{display.before}{formula}{behind}"

@@ -44,6 +44,7 @@ _ELSEWHERE = re.compile(
     re.IGNORECASE,
 )
 """Words behind a formula that may lead elsewhere."""
+_INSIDE = re.compile(r"\([^()$]*\)")
 _ORDER = re.compile(r"[<>≠≤≥≈∼∈]|\\(?:n?e?q?[lg]e?q?q?|neq?|approx|sim|in|lt|gt|to|ll|gg|not)(?![a-zA-Z])")
 
 
@@ -57,11 +58,8 @@ def supposes(beside: Beside, formula: str) -> bool:
     lead = re.split(r"[,:]|\band\b", without_formulas(before))[-1]
     leads = _LEADS.fullmatch(lead) is not None and _THEN.match(behind.replace("$", "")) is not None
     apart = _APART.search(f"{beside.sentence} {beside.condition}") or _ELSEWHERE.search(without_formulas(behind))
-    return (
-        bool(found)
-        and leads
-        and not (apart or beside.is_denied or any(map(_ORDER.search, FORMULA.findall(beside.sentence))))
-    )
+    formulas = (_INSIDE.sub("", each) for each in FORMULA.findall(beside.sentence))
+    return bool(found) and leads and not (apart or beside.is_denied or any(map(_ORDER.search, formulas)))
 
 
 def goes_on_with(behind: str) -> bool:

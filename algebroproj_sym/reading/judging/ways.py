@@ -177,11 +177,12 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     }
     asserted = [each for each in near if not each.special or (each.names & standing.cited and not each.context.kind)]
     alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
+    own = _supposed(standing, left, right)
     if alone:
-        yield Way(left, right, standing.vocabulary, under=alone)
+        yield Way(left, right, standing.vocabulary, under=(*alone, *own))
     for each in asserted:
         if (each,) != alone and _has_components(each, speaks[each] & letters, standing):
-            yield Way(left, right, standing.vocabulary, under=(each,))
+            yield Way(left, right, standing.vocabulary, under=(each, *own))
     tied = set(letters)
     together: list[Premise] = []
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
@@ -190,7 +191,7 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     if any(_are_parallel(one, other) for one, other in combinations(together, 2)):
         return
     if together and tuple(together) != alone:
-        yield Way(left, right, standing.vocabulary, under=tuple(together))
+        yield Way(left, right, standing.vocabulary, under=(*together, *own))
 
 
 def _has_components(premise: Premise, letters: Collection[str], standing: Standing) -> bool:
@@ -208,7 +209,7 @@ def _is_printed(tree: Formula) -> bool:
 
 def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     """Yield a relation with what its own sentence supposes put in, alone and with the equations above it."""
-    own = [each for each in standing.own if (each.left, each.right) not in ((left, right), (right, left))]
+    own = _supposed(standing, left, right)
     supposed = [each.gives for each in own if each.gives is not None]
     used = (left, right, *(each.tree for each in used_by(standing.vocabulary, left, right)))
     bound = {symbol for side in used for part in side.find_data("big") for symbol in symbols_in(part)}
@@ -227,12 +228,16 @@ def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula)
             yield Way(ours, theirs, extended(known, values.values()), A_VALUE)
     last = neighbours(standing.premises, standing.part, standing.cited, 1)
     wanted = {*symbols_in(left), *symbols_in(right)}
-    for each in last:
-        if (solution := each.solved(standing.vocabulary, wanted)) is not None:
+    for each in neighbours(standing.premises, standing.part, standing.cited):
+        for solution in _solutions(each, standing.vocabulary, wanted):
             yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
     letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
     tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
     yield Way(left, right, standing.vocabulary, A_VALUE, under=(*tied, *last))
+
+
+def _supposed(standing: Standing, left: Formula, right: Formula) -> list[Premise]:
+    return [each for each in standing.own if (each.left, each.right) not in ((left, right), (right, left))]
 
 
 def _squared(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
@@ -291,8 +296,10 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
         yield extended(known, derivatives_in((left, right), known, standing.survey.occurring))
     wanted = {*symbols_in(left), *symbols_in(right)}
     parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
+    supposed = frozenset().union(*(each.symbols for each in standing.own))
     for each in neighbours(serving, part, cited):
-        for solution in [] if parameters & each.symbols else _solutions(each, standing.vocabulary, wanted):
+        tied = (parameters | supposed) & each.symbols
+        for solution in [] if tied else _solutions(each, standing.vocabulary, wanted):
             yield extended(standing.vocabulary, [solution])
 
 

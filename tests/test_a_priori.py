@@ -200,9 +200,7 @@ def test_the_bound_holds_at_the_ends_of_the_range_and_next_to_singular_points(ch
         if not all(d.result in kappas and applies(d, kappas) for d in found.divisors):
             continue
         with np.errstate(all="ignore"):
-            batch = {
-                symbol.name: np.array([value]) for symbol, value in zip(chosen.kernel.symbols, point, strict=True)
-            }
+            batch = {symbol.name: np.array([value]) for symbol, value in zip(chosen.kernel.symbols, point, strict=True)}
             computed = call(function_of(chosen.kernel, algebroproj), chosen.kernel, batch)[0].tolist()
         for bound, value in zip(found.bounds, computed, strict=True):
             assert math.isfinite(value)

@@ -26,7 +26,8 @@ from algebroproj_sym.reading import (
 from algebroproj_sym.reading.documents.displays import MAX_FORMULAS
 from algebroproj_sym.reading.documents.statements import statements
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import parsed, text_of
+from algebroproj_sym.reading.parsing.grammar import parsed
+from algebroproj_sym.reading.parsing.writing import text_of
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 

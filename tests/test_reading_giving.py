@@ -2,7 +2,7 @@ r"""Equations that give a letter beside words of a case, in another section, or 
 
 import pytest
 
-from algebroproj_sym.reading import document_of, read_document
+from algebroproj_sym.reading import document_at, document_of, read_document
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
@@ -124,3 +124,19 @@ def test_what_a_letter_was_in_another_section_or_case_proves_nothing(latex):
 )
 def test_what_a_letter_still_is_proves(latex):
     assert verdicts(latex)[-1] == "follows"
+
+
+@pytest.mark.parametrize(
+    ("text", "follows"),
+    [
+        ("The two lengths are\n\n* $a = b + c$\n* $d = b - c$\n\n$$ a + d = 2 b $$\n", True),
+        ("The two lengths are\n\n1. $a = b + c$,\n2. $d = b - c$.\n\n$$ a + d = 2 b $$\n", True),
+        ("If the rod is short, they are\n\n* $a = b + c$\n* $d = b - c$\n\nIn general, $$ a + d = 2 b $$\n", False),
+        ("There are two cases:\n\n* $a = b + c$\n* $a = b - c$\n\n$$ a - c = b $$\n", False),
+        ("Which one is wrong?\n\n* $a = b + c$\n* $d = b - c$\n\n$$ a + d = 2 b $$\n", False),
+    ],
+)
+def test_an_inline_formula_that_is_an_item_of_a_list_gives_its_letter(tmp_path, text, follows):
+    (tmp_path / "lengths.md").write_text(text, encoding="utf-8")
+    readings = read_document(document_at(tmp_path / "lengths.md"))
+    assert (readings[-1].verdict == "follows") == follows

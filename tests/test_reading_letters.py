@@ -11,6 +11,7 @@ from algebroproj_sym.reading import (
     symbols_file,
     symbols_for,
 )
+from algebroproj_sym.reporting.readings import reading_lines, reading_record
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
@@ -164,8 +165,14 @@ def test_included_files_are_read_within_bounds(tmp_path):
     (tmp_path / "part.tex").write_text("a\n\n\\[ y = 1 \\]\n\\input{main}\\input{part}")
     (tmp_path / "not.tex").write_text(r"\[ z = 0 \]")
     (tmp_path.parent / "up.tex").write_text(r"\[ z = 0 \]")
-    found = read_document(document_at(tmp_path / "main.tex"), seconds=30)
-    assert [(each.line, each.read) for each in found] == [(2, "y = 1"), (4, "x = 2")]
+    document = document_at(tmp_path / "main.tex")
+    found = read_document(document, seconds=30)
+    assert [(str(each.where), each.read) for each in found] == [("line 3 of part.tex", "y = 1"), ("line 4", "x = 2")]
+    assert document.missing == ("../up",)
+    assert reading_record(found, document.missing)["equations"][0]["file"] == "part.tex"
+    shown = [*reading_lines("main.tex", found, document.missing, full=False)]
+    assert shown[0] == "definition: line 3 of part.tex; line 4"
+    assert shown[1].startswith("the included file ../up is not in the folder")
     for place in range(102):
         (tmp_path / f"wide{place}.tex").write_text(f"\\input{{wide{place + 1}}} " * 200)
     with pytest.raises(UnreadableDocumentError, match="at most 100 included files, got more"):

@@ -133,3 +133,22 @@ def test_a_comment_in_a_formula_says_nothing():
     text = "$$ a = b \\\\ % = c\n d = e $$"
     assert [each.read for each in read_document(document_of(text, latex=False))] == ["a = b", "d = e"]
     assert read("\\begin{align} a &= b \\\\% c\n d &= e \\end{align}") == ["a = b", "d = e"]
+
+
+@pytest.mark.parametrize(
+    ("latex", "found"),
+    [
+        (r"\[ F - m g = m a \rightarrow \frac{F}{m} = a + g \]", ["independent", "follows"]),
+        (r"\[ F - m g = m a \] \[ \rightarrow \] \[ \frac{F}{m} = a + g \]", ["independent", "follows"]),
+        (
+            r"\begin{align} 2 u &= v \\ & \rightarrow 4 u = 2 v \\ & \to 4 u = 3 v \end{align}",
+            ["independent", "follows", "contradicts"],
+        ),
+        (r"\[ x_n = 1/n \rightarrow 0 \]", ["not decided"]),
+        (r"\[ f: A \to B = C \]", ["not decided"]),
+        (r"\[ A \to B \] \[ C \to D \]", ["not decided", "not decided"]),
+        (r"\[ \lim_{x \to 0} f(x) = 3 \]", ["not decided"]),
+    ],
+)
+def test_an_arrow_between_equations_leads_from_one_to_the_next(latex, found):
+    assert [each.verdict for each in read_document(document_of(latex))] == found

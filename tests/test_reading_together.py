@@ -85,3 +85,25 @@ def test_a_number_behind_a_wide_space_is_that_of_the_equation(space: str) -> Non
     (first, second) = read_document(document_of(rf"\[ a = b c {space}(4) \] By (4) \[ 2 a = 2 b c {space}(5) \]"))
     assert (first.read, first.number, second.number) == ("a = b*c", "4", "5")
     assert (second.verdict, second.links[0].rests_on) == ("follows", ("(4), line 1",))
+
+
+_COLUMNS = (
+    r"\[ c_1 \begin{bmatrix} 0 \\ 1 \\ 1 \end{bmatrix} + c_2 \begin{bmatrix} 1 \\ 0 \\ 1 \end{bmatrix} "
+    r"+ c_3 \begin{bmatrix} 1 \\ 1 \\ 0 \end{bmatrix} = \begin{bmatrix} x \\ y \\ z \end{bmatrix} \] "
+)
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (r"\[ c_2 + c_3 = x \]", True),
+        (r"\[ 2 c_1 = 2 y - 2 c_3 \]", True),
+        (r"\[ x - y = c_2 - c_1 \]", True),
+        (r"\[ c_1 + c_3 = x \]", False),
+        (r"\[ c_1 + c_2 + c_3 = x \]", False),
+        (r"\[ x + y = c_1 + c_2 + c_3 \]", False),
+        (r"\section{Another vector} \[ c_2 + c_3 = x \]", False),
+    ],
+)
+def test_an_equation_of_vectors_is_one_for_each_component(latex, follows):
+    assert (read_document(document_of(_COLUMNS + latex))[-1].verdict == "follows") == follows

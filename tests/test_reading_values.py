@@ -103,3 +103,10 @@ def test_values_that_nothing_gives_contradict_nothing_even_in_an_identity():
     text = r"\begin{equation} e^{f(x)} = e^{g(x)} \end{equation}"
     (reading,) = read_document(document_of(text), SymbolsFile(identities=frozenset({"1"})), seconds=5.0)
     assert reading.links[0].verdict == "independent"
+
+
+def test_a_letter_that_a_sum_gives_may_be_the_wrong_one() -> None:
+    found = read_document(document_of(r"\[ w = \sum_{i=1}^M w_i \] \[ J = m (R^2 + h^2) \] \[ J = w (R^2 + h^2) \]"))[
+        -1
+    ]
+    assert (found.verdict, found.links[-1].suggestion) == ("not decided", "m instead of w")

@@ -47,6 +47,8 @@ def last_verdict(latex: str) -> str:
         r"Here $A$ and $B$ are matrices. \[ y = A x + B u \] \[ y = x A + u B \]",
         r"The Jacobian matrix is $J$. \[ d = J^{-1} e \] \[ d = e J^{-1} \]",
         r"\[ f = k^T x \] \[ f = x k^T \]",
+        r"\[ f = ||\mathbf{x} - \mathbf{c}||^2 \] \[ f = ||\mathbf{x}||^2 + ||\mathbf{c}||^2 \]",
+        r"\[ f = ||\mathbf{x}||||\mathbf{c}|| \] \[ f = ||\mathbf{x}^T\mathbf{c}|| \]",
         r"\[ S = x y^T \] \[ S = y^T x \]",
         r"\[ (X^T X)^{-1} X^T = X^{-1} \]",
         r"\[ \mathbf{x} = (A^T A)^{-1} A^T \mathbf{b} \] \[ \mathbf{x} = A^{-1} \mathbf{b} \]",
@@ -96,6 +98,9 @@ def test_what_holds_of_numbers_alone_does_not_follow_of_vectors_and_matrices(lat
         r"\[ p = \bar x \times 0.5 \] \[ p = 0.5 \times \bar x \]",
         r"\[ p = a \times b \] \[ p = b \times a \]",
         r"\[ \bar x = \frac1n\sum_{i=1}^n x_i \] \[ p = \bar x \times \bar y \] \[ p = \bar y \times \bar x \]",
+        r"\[ f = ||\mathbf{x} - \mathbf{c}||^2 \] "
+        r"\[ f = ||\mathbf{x}||^2 - 2 \mathbf{c}^T \mathbf{x} + ||\mathbf{c}||^2 \]",
+        r"\[ s = \sum_i ||\mathbf{x}_i||^2 \] \[ a s = \sum_i a ||\mathbf{x}_i||^2 \]",
     ],
 )
 def test_what_holds_of_vectors_and_matrices_follows(latex):

@@ -11,7 +11,8 @@ from algebroproj_sym.reading.documents.displays import Document, UnreadableDocum
 from algebroproj_sym.reading.judging.document import read_document
 from algebroproj_sym.reading.judging.verdicts import VERDICTS, Link, Reading, Verdict
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Builder, Side, formula_of, read_formula, symbols_in
+from algebroproj_sym.reading.parsing.evaluating import Builder, Side, formula_of, read_formula
+from algebroproj_sym.reading.parsing.grammar import symbols_in
 from algebroproj_sym.reading.parsing.matrices import in_letters
 from algebroproj_sym.reading.parsing.ordering import in_order
 from algebroproj_sym.reading.reporting.folder import write_folder

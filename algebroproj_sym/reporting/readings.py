@@ -5,20 +5,23 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from algebroproj_sym.showing.display import folded
 
 if TYPE_CHECKING:
     from algebroproj_sym.reading import Link, Reading
+    from algebroproj_sym.reading.documents.displays import Line
 
 MOST_REASONS = 8
 MOST_LINES = 12
 
 
-def reading_record(readings: Sequence[Reading]) -> dict[str, Any]:
-    """Return the equations for JSON."""
-    return {"schema": 1, "equations": [_equation(each) for each in readings], "summary": dict(summary_of(readings))}
+def reading_record(readings: Sequence[Reading], missing: Sequence[str] = ()) -> dict[str, Any]:
+    """Return the equations for JSON, and the included files that are missing."""
+    found = {"schema": 1, "equations": [_equation(each) for each in readings], "summary": dict(summary_of(readings))}
+    return {**found, "missing": list(missing)}
 
 
 def summary_of(readings: Iterable[Reading]) -> Counter[str]:
@@ -37,6 +40,7 @@ def _equation(reading: Reading) -> dict[str, Any]:
     rests_on = dict.fromkeys(name for each in reading.links for name in each.rests_on)
     hypotheses = dict.fromkeys(name for each in reading.links for name in each.hypotheses)
     return {
+        "file": reading.where.file or None,
         "line": reading.line,
         "number": reading.number,
         "latex": reading.latex,
@@ -58,7 +62,7 @@ def reason_of(reading: Reading) -> str:
     return reading.reason or (link.reason if link else "")
 
 
-def reading_lines(name: str, readings: Sequence[Reading], *, full: bool) -> Iterator[str]:
+def reading_lines(name: str, readings: Sequence[Reading], missing: Sequence[str] = (), *, full: bool) -> Iterator[str]:
     """Yield what a reader wants to see first: contradictions whole, and the others folded by verdict and reason."""
     if full:
         for each in readings:
@@ -72,11 +76,12 @@ def reading_lines(name: str, readings: Sequence[Reading], *, full: bool) -> Iter
             if each.verdict == "independent" and link is not None and link.suggestion:
                 yield f"{_heading(each)} would follow with {link.suggestion}: {link.reason}"
         for verdict in ("definition", "follows", "independent"):
-            lines = [str(each.line) for each in readings if each.verdict == verdict]
-            if lines:
-                yield f"{verdict}: {_some(lines)}"
+            if found := [each.where for each in readings if each.verdict == verdict]:
+                yield f"{verdict}: {_some(found)}"
         for verdict in ("not decided", "not read"):
             yield from _by_reason(verdict, [each for each in readings if each.verdict == verdict])
+    for file in dict.fromkeys(missing):
+        yield f"the included file {file} is not in the folder of the document, or cannot be read; it was left out"
     counts = summary_of(readings)
     if not readings:
         yield f"{name}: no displayed equation was found"
@@ -87,11 +92,11 @@ def reading_lines(name: str, readings: Sequence[Reading], *, full: bool) -> Iter
 
 
 def _by_reason(verdict: str, readings: Sequence[Reading]) -> Iterator[str]:
-    lines: dict[str, list[str]] = {}
+    lines: dict[str, list[Line]] = {}
     for each in readings:
         reason = reason_of(each)
         begin, _, rest = reason.partition(": ")
-        lines.setdefault(rest if begin.startswith("line ") else reason, []).append(str(each.line))
+        lines.setdefault(rest if begin.startswith("line ") else reason, []).append(each.where)
     ordered = sorted(lines.items(), key=lambda item: (-len(item[1]), item[0]))
     for reason, found in ordered[:MOST_REASONS]:
         yield f"{verdict}: {reason} ({_some(found)})"
@@ -100,15 +105,22 @@ def _by_reason(verdict: str, readings: Sequence[Reading]) -> Iterator[str]:
         yield f"{verdict}: {others} more for {len(ordered) - MOST_REASONS} other reasons; see them with --full"
 
 
-def _some(lines: Sequence[str]) -> str:
+def _some(lines: Sequence[Line]) -> str:
     different = list(dict.fromkeys(lines))
-    shown = f"line{'s' * (len(different) > 1)} " + ", ".join(different[:MOST_LINES])
+    of_files = [
+        (file, [str(each.number) for each in found])
+        for file, found in groupby(different[:MOST_LINES], key=lambda each: each.file)
+    ]
+    shown = "; ".join(
+        f"line{'s' * (len(numbers) > 1)} {', '.join(numbers)}" + (f" of {file}" if file else "")
+        for file, numbers in of_files
+    )
     return shown if len(different) <= MOST_LINES else f"{shown}, ... ({len(different)})"
 
 
 def _heading(reading: Reading) -> str:
     number = f" ({reading.number})" if reading.number else ""
-    return f"line {reading.line}{number}  {reading.verdict}"
+    return f"{reading.where}{number}  {reading.verdict}"
 
 
 def _whole(reading: Reading) -> Iterator[str]:

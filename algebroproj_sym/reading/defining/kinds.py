@@ -17,10 +17,13 @@ from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.axes import Axes, axes_in
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 Sides = Sequence[Formula]
+_OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
+"""A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
 _CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
     r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
@@ -32,6 +35,7 @@ _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
 _RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
 _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
+_OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
 """The relations whose sides are both numbers, or both none."""
@@ -53,12 +57,15 @@ class Kinds:
         The symbols that may be matrices, or numbers.
     oblong : frozenset of str
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
+    axes : tuple of mapping
+        The unit vectors of each basis, with their places.
     """
 
     no_numbers: frozenset[str] = frozenset()
     columns: frozenset[str] = frozenset()
     open: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
+    axes: tuple[Axes, ...] = ()
 
 
 def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Kinds:
@@ -79,11 +86,12 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns = frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
+    known |= {*filter(_OF_FRAMES.match, occurring)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
     oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong)
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
 
 
 class _Closure:
@@ -199,7 +207,7 @@ def is_mean(term: Formula) -> bool:
 
 
 def _is_printed_number(term: Any) -> bool:
-    return term.data == "number" and str(term.children[0]) != "0"
+    return (term.data == "number" and str(term.children[0]) != "0") or _lone(term) == r"\pi"
 
 
 def _is_cross(tree: Formula) -> bool:
@@ -239,15 +247,23 @@ def _bare(symbol: str) -> str:
 
 
 def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
-    """Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace."""
-    found = set[str]()
+    r"""Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace.
+
+    An angle is none by the mark of a bracket, nor by a hat: ``[\phi]^\wedge`` is a matrix of a number in the plane.
+    """
+    found, unless = set[str](), set[str]()
+    angles = set[str]()
     for side in sides:
         for tree in side.iter_subtrees():
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
-                found |= {*_factors(tree.children[0], deep=False)}
+                marked = tree.children[0]
+                (found if _lone(marked) and head == "T" else unless).update(_factors(marked, deep=False))
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                 found |= {*_factors(tree.children[1], deep=False)}
+            elif tree.data in ("function", "raised_function") and head in _OF_ANGLES:
+                angles |= {each for part in _trees(tree)[-1:] for each in symbols_in(part)}
+    found |= unless - angles
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
 

@@ -20,7 +20,7 @@ from typing import TypeVar
 from lark import Tree
 
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of, split_pieces
 from algebroproj_sym.reading.parsing.grammar import parsed
 
 _ALONE = r"(?: matrix|(?=\s*(?:[.,;)]|and\b|$)))"
@@ -175,8 +175,11 @@ def _kind_of(statement: Statement) -> str:
 
 
 def symbols_in_list(latex: str, most: int = 9) -> Iterator[str]:
-    """Yield the symbols of a list such as ``a, b``, if it has no more than so many and nothing else."""
-    parts = latex.split(",")
+    """Yield the symbols of a list such as ``a, b``, if it has no more than so many and nothing else.
+
+    ``(x, y, z)`` is one vector, and no list of vectors.
+    """
+    parts = split_pieces(pieces_of(latex), (",",))
     for part in parts if len(parts) <= most else ():
         try:
             tree = parsed(part).sides[0]

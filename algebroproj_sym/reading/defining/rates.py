@@ -11,7 +11,8 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import MOST_MATRIX_POWER, Formula, symbols_in
+from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 ONE: Formula = Tree("number", [Token("NUMBER", "1")])
 _ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
@@ -35,7 +36,8 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
 
     Examples
     --------
-    >>> from algebroproj_sym.reading.parsing.grammar import parsed, text_of
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> from algebroproj_sym.reading.parsing.writing import text_of
     >>> (side,) = parsed(r"\frac12 m x^2 + A y").sides
     >>> rate = {"x": parsed("v").sides[0], "y": parsed("w").sides[0]}
     >>> text_of(rate_of(side, rate), str)

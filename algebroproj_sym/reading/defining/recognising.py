@@ -15,6 +15,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 _RANDOM = re.compile(r"[XYZ](?:_.*)?")
+_STEP = re.compile(r"[a-su-z]( [-+] \d)?")
 EQUALITIES = ("=", ":=", "=:", "≡")
 """The relations that say that two sides are equal."""
 
@@ -61,6 +62,17 @@ def argument_of(tree: Formula) -> Formula:
     inside = tree.children[-1] if tree.data == "function" else None
     lone = isinstance(inside, Tree) and len(inside.children) == 1 and defined_by(inside)[0]
     return inside if isinstance(inside, Tree) and lone else tree
+
+
+def is_indexed_above(tree: Formula) -> bool:
+    r"""Whether a side is a letter with an index above it, as in ``w_t^n`` and ``x^{k+1}``, and hardly a power."""
+    base, exponent = tree.children if tree.data == "power" else (tree, tree)
+    while isinstance(exponent, Tree) and exponent.data in ("group", "items") and len(exponent.children) == 1:
+        exponent = exponent.children[0]
+    if not (isinstance(base, Tree) and isinstance(exponent, Tree)) or base.data != "symbol" or base is exponent:
+        return False
+    step = _STEP.fullmatch(" ".join(map(str, exponent.scan_values(lambda _: True))))
+    return step is not None and base.children[0] != "e" and (step[1] is not None or "_" in str(base.children[0]))
 
 
 def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:

@@ -14,11 +14,12 @@ import sympy
 
 from algebroproj_sym.expressions import entries, over, shape, text
 from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
-from algebroproj_sym.reading.defining.letters import FREE, MOST_TERMS, WHOLE, base_of, require_no_value
+from algebroproj_sym.reading.defining.letters import FREE, WHOLE, base_of, require_no_value
+from algebroproj_sym.reading.defining.parts import MOST_TERMS
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import slope_of
+from algebroproj_sym.reading.parsing.evaluating import slope_of
 
 _COUNTED = re.compile(r"\\sum_\{[a-z]=(0(?=.*-1)|[01](?!.*-1))\}\^\{([a-zA-Z](?:_\w)?)(-1)?\}")
 """From 1 to n, from 0 to n, or from 0 to n - 1: n is a number 0, 1, 2, ..."""

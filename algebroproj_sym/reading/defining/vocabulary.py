@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -19,7 +19,9 @@ from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Values, evaluated, symbols_in, text_of
+from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.writing import text_of
 
 MOST_DEFINITIONS = 20_000
 MOST_LETTERS = 60
@@ -120,6 +122,7 @@ class Vocabulary:
         self._taken: dict[str, str] = {}
         self._values: dict[str, Any] = {}
         self._mentioned: set[str] = set()
+        self._behind: dict[str, frozenset[str]] = {}
 
     def copied(self) -> Vocabulary:
         """Return the vocabulary with the definitions that there are now."""
@@ -144,11 +147,22 @@ class Vocabulary:
             return None
         found = self.copied()
         found.forget()
-        shapes = {each for each in map(self._shape_of, trees) if each and each[0] == each[1]}
+        shapes = {each for each in map(self._shape_of, trees) if each and len(each) == 2 and each[0] == each[1]}
         if len(shapes) == 1:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         found._properties = found._properties | dict.fromkeys(letters, ("identity",))
         return found
+
+    def with_axes(self, *trees: Formula) -> Iterator[Vocabulary]:
+        """Yield the vocabulary in which the unit vectors of a basis are columns, for each basis in some formulas."""
+        letters = frozenset().union(*map(self.letters_of, trees))
+        for axes in self.kinds.axes:
+            if letters & {*axes} and not {*axes} & {*self.definitions, *self._sizes, *self._properties}:
+                found = self.copied()
+                found.forget()
+                found._values |= {symbol: sympy.eye(3)[:, place] for symbol, place in axes.items()}
+                if all(found._shape_of(each) is not None for each in trees):
+                    yield found
 
     def _multiplies_identity(self, tree: Formula) -> bool:
         """Whether a lone I stands beside a vector or a matrix in a product: nobody writes the identity there."""
@@ -192,12 +206,14 @@ class Vocabulary:
             return None
 
     def forget(self) -> None:
-        """Forget the values of all letters, so that they are computed again."""
+        """Forget the values of all letters and what they depend on, so that they are computed again."""
         self._values.clear()
+        self._behind.clear()
 
     def define(self, definition: Definition) -> None:
         """Add a definition."""
         self.definitions[definition.symbol] = definition
+        self._behind.clear()
         if definition.symbol in self._mentioned:
             self._values.clear()
         self._mentioned |= {*definition.symbols}
@@ -208,7 +224,7 @@ class Vocabulary:
         for each in [each for each in self.definitions.values() if symbol in each.symbols]:
             if each.symbol in self.definitions:
                 self.drop(each.symbol)
-        self._values.clear()
+        self.forget()
 
     def known(self, symbol: str) -> bool:
         """Whether a symbol with a superscript is a name of its own."""
@@ -229,6 +245,8 @@ class Vocabulary:
 
     def behind(self, symbol: str) -> frozenset[str]:
         """Return a symbol with all on which it may depend: what stands in equations with it alone on the left."""
+        if symbol in self._behind:
+            return self._behind[symbol]
         found, waiting = {symbol}, [symbol]
         given = {*self.definitions, *self.dependence.equated}
         while waiting:
@@ -240,7 +258,8 @@ class Vocabulary:
                     more |= self.definitions[each].free
             waiting += more - found
             found |= more
-        return frozenset(found)
+        self._behind[symbol] = frozenset(found)
+        return self._behind[symbol]
 
     def depends(self, symbols: Iterable[str], letter: str) -> bool:
         """Whether some symbols may depend on a letter: by equations, or as ``p(y|x)`` does on x."""

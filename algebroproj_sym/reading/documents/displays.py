@@ -6,9 +6,10 @@ import json
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
+from typing import NamedTuple
 
 from algebroproj_sym.reading.documents.macros import Macro, expanded, macros_in, redefinitions
 from algebroproj_sym.reading.documents.tidying import tidied
@@ -25,7 +26,7 @@ _ENVIRONMENTS = (
     "IEEEeqnarray",
 )
 _BEGIN = re.compile(
-    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
+    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[(?!-?[\d.]+(?:em|ex|pt|[cm]m|in|pc)\])|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
     r"|\\(?:chapter|(?:sub)*section|paragraph)\b|(?m:^#+ )"
 )
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
@@ -53,14 +54,24 @@ class UnreadableDocumentError(ValueError):
     """A file is no document that can be read."""
 
 
+class Line(NamedTuple):
+    """A line of a document, counted from 1; the name of the file on which it stands, empty for the document itself."""
+
+    number: int
+    file: str = ""
+
+    def __str__(self) -> str:
+        return f"line {self.number} of {self.file}" if self.file else f"line {self.number}"
+
+
 @dataclass(frozen=True)
 class Display:
     """A formula of a document.
 
     Attributes
     ----------
-    line : int
-        The line of the file on which it begins, from 1.
+    where : Line
+        The line on which it begins.
     environment : str
         ``equation``, ``align`` and so on; ``display`` for one in brackets or dollars; ``inline``.
     latex : str
@@ -79,7 +90,7 @@ class Display:
         The place of its group of numbers (1a), (1b) among such groups; 0 for none.
     """
 
-    line: int
+    where: Line
     environment: str
     latex: str
     pieces: tuple[Piece, ...]
@@ -91,6 +102,11 @@ class Display:
     within: int
 
     @property
+    def line(self) -> int:
+        """The number of the line on which it begins."""
+        return self.where.number
+
+    @property
     def place(self) -> int:
         """Where its formula begins, counted in characters; -1 for one without."""
         return self.pieces[0].place if self.pieces else -1
@@ -98,14 +114,27 @@ class Display:
 
 @dataclass(frozen=True)
 class Document:
-    """A document: its formulas in order, and the line of each of its characters."""
+    """A document.
+
+    Attributes
+    ----------
+    formulas : tuple of Display
+        Its formulas in order.
+    starts : tuple of int
+        Where its lines begin, counted in characters.
+    lines : tuple of Line
+        Where they stand in files.
+    missing : tuple of str
+        The files that it includes and that are not in its folder, or cannot be read.
+    """
 
     formulas: tuple[Display, ...]
     starts: tuple[int, ...]
-    lines: tuple[int, ...]
+    lines: tuple[Line, ...]
+    missing: tuple[str, ...] = ()
 
-    def line_of(self, place: int) -> int:
-        """Return the line of the file on which a character stands."""
+    def line_of(self, place: int) -> Line:
+        """Return the line on which a character stands."""
         return self.lines[bisect_right(self.starts, place) - 1]
 
 
@@ -131,28 +160,35 @@ def document_at(path: Path) -> Document:
         return _notebook(path, text)
     if path.suffix != ".tex":
         return document_of(text, latex=False)
-    lines, characters = list[tuple[str, int]](), 0
-    for line, number in _with_included(text, path.resolve().parent, {path.resolve()}):
+    lines, characters = list[tuple[str, Line]](), 0
+    missing = list[str]()
+    for line, where in _with_included(text, path.resolve().parent, {path.resolve()}, missing):
         characters += len(line) + 1
         if characters > MAX_CHARACTERS + 1:
             raise UnreadableDocumentError(
                 f"{path}: expected at most {MAX_CHARACTERS} characters with its files, got more"
             )
-        lines.append((line, number))
-    return document_of("\n".join(line for line, _ in lines), lines=tuple(number for _, number in lines))
+        lines.append((line, where))
+    found = document_of("\n".join(line for line, _ in lines), lines=tuple(where for _, where in lines))
+    return replace(found, missing=tuple(missing))
 
 
-def _with_included(text: str, folder: Path, seen: set[Path]) -> Iterator[tuple[str, int]]:
-    r"""Yield the lines of a text with those of the files that it includes, which have the number of the line that does.
+def _with_included(
+    text: str, folder: Path, seen: set[Path], missing: list[str], file: str = ""
+) -> Iterator[tuple[str, Line]]:
+    r"""Yield the lines of a text with those of the files that it includes.
 
-    Only files in the folder of the document are read, each once, also packages: they may define macros.  What cannot be
-    read stays out.
+    Only files in the folder of the document are read, each once, also packages: they may define macros.  Those that
+    cannot be read are added to what is missing, but for packages.
     """
     for number, line in enumerate(text.split("\n"), 1):
         place = 0
         for match in _INCLUDED.finditer(_without_comments(line)):
             included = _file_in(folder, match[2], ".tex" if match[1] in ("input", "include", "subfile") else ".sty")
-            if included is None or included in seen:
+            if included is None:
+                missing += [match[2]] if match[1] != "usepackage" else []
+                continue
+            if included in seen:
                 continue
             if len(seen) > MAX_INCLUDED:
                 raise UnreadableDocumentError(f"expected at most {MAX_INCLUDED} included files, got more")
@@ -160,11 +196,12 @@ def _with_included(text: str, folder: Path, seen: set[Path]) -> Iterator[tuple[s
             try:
                 inside = included.read_text(encoding="utf-8") if included.stat().st_size <= MAX_CHARACTERS else ""
             except (OSError, UnicodeDecodeError):
+                missing.append(match[2])
                 continue
-            yield line[place : match.start()], number
-            yield from ((each, number) for each, _ in _with_included(inside, folder, seen))
+            yield line[place : match.start()], Line(number, file)
+            yield from _with_included(inside, folder, seen, missing, included.relative_to(folder).as_posix())
             place = match.end()
-        yield line[place:], number
+        yield line[place:], Line(number, file)
 
 
 def _file_in(folder: Path, name: str, suffix: str) -> Path | None:
@@ -175,7 +212,7 @@ def _file_in(folder: Path, name: str, suffix: str) -> Path | None:
     return None
 
 
-def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None = None) -> Document:
+def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None = None) -> Document:
     r"""Return the formulas of a text.
 
     Parameters
@@ -184,8 +221,8 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
         The text.
     latex : bool
         Whether it is LaTeX, with comments, or Markdown, with code.
-    lines : tuple of int, optional
-        The number of each of its lines in a file; by default from 1.
+    lines : tuple of Line, optional
+        Where each of its lines stands; by default they are counted from 1.
 
     Examples
     --------
@@ -193,7 +230,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     [(2, ' a = b '), (3, 'c')]
     """
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
-    numbers = lines or tuple(range(1, len(starts) + 1))
+    numbered = lines or tuple(map(Line, range(1, len(starts) + 1)))
     if latex:
         plain = _STRUCK.sub(_blank, _without_code(_without_comments(text)))
     else:
@@ -202,7 +239,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[int, ...] | None 
     changes = redefinitions(plain)
     for begin, end in spans:
         plain = plain[:begin] + " " * (end - begin) + plain[end:]
-    document = Document((), starts, numbers[: len(starts)])
+    document = Document((), starts, numbered[: len(starts)])
     formulas = tuple(islice(_formulas(plain, macros, changes, document), MAX_FORMULAS + 1))
     if len(formulas) > MAX_FORMULAS:
         raise UnreadableDocumentError(f"expected at most {MAX_FORMULAS} formulas, got more")
@@ -315,8 +352,8 @@ def _formulas(
         after = text[end + len(ending) : end + len(ending) + 300]
         pieces, reason = _expanded(_without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")
-        line = document.line_of(match.start())
-        yield Display(line, environment, inside, pieces, reason, words, _up_to_formula(after), part, numbered, group)
+        where = document.line_of(match.start())
+        yield Display(where, environment, inside, pieces, reason, words, _up_to_formula(after), part, numbered, group)
         words = words + f"${inside}$" if inline else ""
         place = end + len(ending)
 
@@ -391,7 +428,7 @@ def _notebook(path: Path, text: str) -> Document:
         written = [line for part in parts for line in [*(str(each).rstrip("\n") for each in part), ""]]
     except (ValueError, KeyError, TypeError, RecursionError) as error:
         raise UnreadableDocumentError(f"{path}: expected a Jupyter notebook, got something else") from error
-    return document_of("\n".join(written), latex=False, lines=tuple(_lines_of(written, text)))
+    return document_of("\n".join(written), latex=False, lines=tuple(map(Line, _lines_of(written, text))))
 
 
 def _lines_of(written: list[str], text: str) -> Iterator[int]:

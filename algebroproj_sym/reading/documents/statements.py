@@ -30,6 +30,8 @@ _ARROWS = (
     r"\Longleftrightarrow",
     r"\iff",
 )
+_STEPS = (*_ARROWS, r"\rightarrow", r"\longrightarrow", r"\to", "→")
+"""What leads from one equation to the next; thin arrows do so only between equations."""
 _SPACES = (r"\;", r"\:", r"\,", r"\ ", "~", *_WIDE)
 _MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
 _IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
@@ -89,12 +91,12 @@ def statements(document: Document) -> list[Statement]:
                     number = number or own
             label = label_of("".join(rows)) or label_of(display.latex)
             for pieces, condition in parts:
-                if display.pieces and all(piece.text in _ARROWS for piece in _without_idle(pieces)):
+                if display.pieces and all(piece.text in _STEPS for piece in _without_idle(pieces)):
                     arrow = True
                     continue
                 for place, part in enumerate(_implied(pieces)):
                     text = "".join(piece.text for piece in part).strip()
-                    implied = place > 0 or arrow or (bool(pieces) and pieces[0].text in _ARROWS)
+                    implied = place > 0 or arrow or (bool(pieces) and pieces[0].text in _STEPS)
                     arrow = False
                     if found and not place and _goes_on_behind(part, found[-1]) and not display.before.strip():
                         part = [*_last_side(found[-1].pieces), *part]
@@ -158,8 +160,18 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
 
 def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:
     """Return the equations between arrows; all in one if an arrow leads from or to what is no equation."""
-    parts = [part for part in split_pieces(pieces, _ARROWS) if _without_idle(part)]
-    return parts if parts and all(map(_has_relation, parts)) else [list(pieces)]
+    for arrows in (_STEPS, _ARROWS):
+        parts = [part for part in split_pieces(pieces, arrows) if _without_idle(part)]
+        if parts and all(map(_has_relation, parts)) and (arrows is _ARROWS or _are_equations(parts)):
+            return parts
+    return [list(pieces)]
+
+
+def _are_equations(parts: Sequence[Sequence[Piece]]) -> bool:
+    r"""Whether thin arrows lead from equation to equation, and not from value to value, as in ``n = 2 \to n = 1``."""
+    texts = ["".join(piece.text for piece in part if not piece.text.isspace()) for part in parts]
+    given = [text.partition("=")[0] for text in texts if re.fullmatch(r"[^=]*=\{?[\d.,/]+\}?", text)]
+    return all("=" in text and ":" not in text for text in texts) and len({*given}) == len(given)
 
 
 def _rows_of(display: Display) -> Iterator[str]:
@@ -343,7 +355,7 @@ def _is_script(before: Sequence[Piece]) -> bool:
 
 def _names(words: str) -> bool:
     r"""Whether words before a relation name what is equal, as in ``\text{error} = a - b``, and do not lead to it."""
-    found = re.fullmatch(r"[a-zA-Z][\w.]*(?:[ ~-]+\w+){0,3}", words.strip(" {}~"))
+    found = re.fullmatch(r"[a-zA-Z][\w.]*(?:[ ~-]+\w+){0,5}", words.strip(" {}~"))
     return found is not None and _LEADS.search(words) is None
 
 

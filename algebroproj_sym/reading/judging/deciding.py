@@ -141,7 +141,7 @@ def _doubt_of_refutation(way: Way) -> str:
     if values := values_of(questions):
         if values == {FREE}:
             return "nothing above it gives the function"
-        return f"what a function, a sum or an integral in it {NOT_COMPUTED}"
+        return f"a function, a sum or an integral in it {NOT_COMPUTED}"
     if letters is not None:
         return ""
     elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
@@ -182,15 +182,18 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
     doubt = _doubt_of_refutation(way)
     doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
     plain = way is asked.ways[0]
-    certain = (plain and asked.certain) or (
-        repair is not None
-        and (
-            repair.kind in STRONG
-            or (repair.kind == MULTIPLE and asked.chained)
-            or (repair.kind == "letter" and _holds_beside(way, repaired))
+    certain = not doubt and (
+        (plain and asked.certain)
+        or (
+            repair is not None
+            and (
+                repair.kind in STRONG
+                or (repair.kind == MULTIPLE and asked.chained)
+                or (repair.kind == "letter" and _holds_beside(way, repaired))
+            )
         )
     )
-    asserted = (certain and not doubt) or (plain and asked.identity and not (doubt and has_letters(way)))
+    asserted = certain or (plain and asked.identity and not (doubt and has_letters(way)))
     reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
     undecided = doubt.endswith(NOT_COMPUTED)
     return replace(

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
+from algebroproj_sym.reading.defining.instances import numbers_put_in
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     Premise,
@@ -23,6 +24,7 @@ from algebroproj_sym.reading.defining.recognising import (
     defined_by,
     given_by,
     is_circular,
+    is_indexed_above,
     is_named,
     is_one_value,
     is_table,
@@ -40,6 +42,7 @@ from algebroproj_sym.reading.judging.questions import (
     rests_of,
     used_by,
 )
+from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, ways_of
 from algebroproj_sym.reading.judging.words import (
@@ -49,12 +52,16 @@ from algebroproj_sym.reading.judging.words import (
     beside,
     has_ended,
     is_given_within,
+    is_item,
     last_sentence,
     takes_back,
     words_of,
 )
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+
+MOST_WITHIN = 12
+"""How many formulas within the text before an equation may stand in its sentence."""
 
 
 def read_document(
@@ -116,8 +123,8 @@ def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
 
 def _where(statement: Statement) -> str:
     number = statement.number or statement.label
-    line = f"line {statement.display.line}"
-    return f"({number}), {line}" if number else line
+    where = str(statement.display.where)
+    return f"({number}), {where}" if number else where
 
 
 class _Pass:
@@ -129,11 +136,13 @@ class _Pass:
         self.vocabulary = survey.vocabulary()
         self.asserted: dict[str, int] = {}
         self.premises: list[Premise] = []
+        self.within: list[tuple[str, Premise]] = []
         self.alone: dict[str, int] = {}
         self.given_at: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
         self.part = 0
+        self.order = 0
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
         self.carried = ""
@@ -143,7 +152,8 @@ class _Pass:
         """Return the displayed equations, and what is to be asked of them."""
         readings: list[Reading] = []
         asked: list[Asked] = []
-        for statement in self.survey.statements:
+        for order, statement in enumerate(self.survey.statements, 1):
+            self.order = order
             found = self.survey.formulas[id(statement)]
             if statement.display.environment == "inline":
                 if isinstance(found, Parsed):
@@ -196,16 +206,18 @@ class _Pass:
         self.part = display.part
 
     def _named(self, statement: Statement, names: frozenset[str]) -> bool:
-        return bool(names & {statement.number, statement.label, f"line {statement.display.line}", "all"} - {""})
+        return bool(names & {statement.number, statement.label, str(statement.display.where), "all"} - {""})
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
         if self.survey.meanings.reason(statement, formula):
             return
         before, sentence = statement.display.before, last_sentence(statement.display.before)
         number = not any(map(symbols_in, formula.sides[1:]))
-        says = is_given_within(before, number=number) and not beside(statement, "").is_denied
+        elsewhere = number and leads_elsewhere(statement.display.after)
+        says = is_given_within(before, number=number) and not (elsewhere or beside(statement, "").is_denied)
         self._stand_at(statement.display)
-        if len(formula.sides) == 2 and (says or (SAYS.search(before) and not CASES.search(sentence))):
+        tells = SAYS.search(before) or is_item(before, statement.display.after)
+        if len(formula.sides) == 2 and (says or (tells and not CASES.search(sentence))):
             definition = self._definition(statement, formula, explicit=bool(says), late=bool(says))
             if (
                 definition is not None
@@ -217,6 +229,9 @@ class _Pass:
         if len(formula.sides) > 1:
             self._note(statement, formula)
             self._restate(formula)
+            words = f"${statement.display.latex}$"
+            self.within += [(words, each) for each in self._premises_of(statement, formula, formula.sides)]
+            del self.within[:-MOST_WITHIN]
 
     def _is_only_one(self, definition: Definition) -> bool:
         """Whether a letter is given by letters, and by no other equation of the document."""
@@ -243,9 +258,9 @@ class _Pass:
         display = statement.display
         number = statement.number or statement.label
         if isinstance(found, UnreadableError):
-            line = self.survey.document.line_of(found.place) if found.place is not None else display.line
-            reason = f"line {line}: {found}"
-            return Reading(display.line, number, statement.latex, None, reason, (), statement), []
+            where = self.survey.document.line_of(found.place) if found.place is not None else display.where
+            reason = f"{where}: {found}"
+            return Reading(number, statement.latex, None, reason, (), statement), []
         sides = [self.vocabulary.text(side) for side in found.sides]
         read = sides[0] + "".join(
             f" {relation} {side}" for relation, side in zip(found.relations, sides[1:], strict=True)
@@ -256,7 +271,7 @@ class _Pass:
         if reason := self.survey.meanings.reason(statement, found):
             self._note(statement, found)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
-            return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), []
+            return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         definition = self._definition(statement, found, explicit=False)
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None:
@@ -278,7 +293,7 @@ class _Pass:
             self._note(statement, found)
             self._renew(statement, found)
         self._assert(statement, found, defines=definition is not None)
-        return Reading(display.line, number, statement.latex, read, "", tuple(links), statement, found), asked
+        return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
 
     def _renew(self, statement: Statement, formula: Parsed) -> None:
         """Forget what a letter was in another section or context, and what rests on it, where one gives it anew.
@@ -336,15 +351,21 @@ class _Pass:
             return
         if self.beside.is_denied or is_update(*formula.sides[:2]) or self._is_of_one_index(formula):
             return
-        sides = formula.sides[defines:]
+        for each in self._premises_of(statement, formula, formula.sides[defines:]):
+            self.premises.append(each)
+            sides = map(argument_of, (each.left, each.right))
+            self.alone |= dict.fromkeys(map(given_by, sides), statement.display.part)
+
+    def _premises_of(self, statement: Statement, formula: Parsed, sides: Sequence[Formula]) -> list[Premise]:
+        """Return the equations between sides of a statement: of those next to each other, and of the first and last."""
+        if {*formula.relations} - {*EQUALITIES}:
+            return []
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
-        special, words = bool(self.beside.case()), self.beside.words
-        where, display = _where(statement), statement.display
-        for left, right in pairs:
-            given = where, display.part, display.place, names, special, words
-            self.premises.append(Premise(left, right, *given, chained=len(formula.sides) > 2, context=self.context))
-            self.alone |= dict.fromkeys((given_by(argument_of(each)) for each in (left, right)), display.part)
+        display, special, words = statement.display, bool(self.beside.case()), self.beside.words
+        given = _where(statement), display.part, display.place, names, special, words
+        chained = len(formula.sides) > 2
+        return [Premise(left, right, *given, chained=chained, context=self.context) for left, right in pairs]
 
     # -- definitions
 
@@ -385,6 +406,11 @@ class _Pass:
         It may not be a condition, or hold but roughly.  Where an equation near it may give the letter as well, its
         sentence must say that it is introduced.
         """
+        if is_indexed_above(left):
+            above = any(
+                left in (each.left, each.right) and each.part == statement.display.part for each in self.premises
+            )
+            return not (above or self.beside.case_of_sentence or left in right.iter_subtrees() or not symbols_in(right))
         square = left.data == "power" and not symbols_in(left.children[1])  # type: ignore[arg-type]  # two trees
         base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
         symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
@@ -400,13 +426,13 @@ class _Pass:
             return False
         if self.beside.defines:
             return not is_circular(symbol, right, self.vocabulary)
-        if known and known.part == part:
-            return False
         if derivatives_in((left,), self.vocabulary, self.survey.occurring):
             return False
         near = neighbours(self.premises, part, self._cited)
         tied = not self.beside.names and any(each.gives is None and symbol in each.symbols for each in near)
-        return not (tied or self.alone.get(given_by(base)) == part or is_circular(symbol, right, self.vocabulary))
+        here = (known is not None and known.part == part) or self.alone.get(given_by(base)) == part
+        anew = not (self.beside.follows or self._cited) and (self.beside.names or self.beside.renews)
+        return not (tied or (here and not anew) or is_circular(symbol, right, self.vocabulary))
 
     # -- relations
 
@@ -424,15 +450,43 @@ class _Pass:
         chained = len(formula.sides) > 2
         first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
         gives = first and self._gives(statement, left, right)
+        gives = gives or (index > 0 and self._is_instance(left, right))
         asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
         return asked.link, asked
+
+    def _is_instance(self, left: Formula, right: Formula) -> bool:
+        """Whether numbers are put in for letters that have no value: the equation gives them, in this case."""
+        given = numbers_put_in(left, right)
+        return bool(given) and not any(
+            known.usable and not self.vocabulary.letters_of(known.tree)
+            for symbol in given
+            if (known := self.vocabulary.definitions.get(symbol))
+        )
 
     def _standing(self, statement: Statement) -> Standing:
         """Return where a statement stands."""
         vocabulary = self.vocabulary.copied()
         self._forget_elsewhere(vocabulary)
         place = statement.display.part, self._serving, self._cited
-        return Standing(self.survey, vocabulary, self.beside, *place, self.given_at)
+        own = [each for words, each in self.within if supposes(self.beside, words)]
+        return Standing(self.survey, vocabulary, self.beside, *place, self.given_at, (*own, *self._explained_behind()))
+
+    def _explained_behind(self) -> Iterator[Premise]:
+        """Yield the equations within the text with which the sentence of a display goes on: "where $w^2 = k/m$"."""
+        following = self.survey.statements[self.order : self.order + MOST_WITHIN]
+        for each in following if self.display and not has_ended(self.display) else ():
+            found, display = self.survey.formulas[id(each)], each.display
+            if display.environment != "inline":
+                if display is not self.display:
+                    return
+            elif not goes_on_with(display.before):
+                return
+            elif isinstance(found, Parsed) and not self.survey.meanings.reason(each, found):
+                formula = f"${display.latex}$"
+                behind = display.after.partition(".")[0].partition("$")[0].strip().removesuffix("and")
+                sentence = f"{display.before}{formula}{behind}"
+                if supposes(replace(self.beside, sentence=sentence), formula):
+                    yield from self._premises_of(each, found, found.sides)
 
     @property
     def _cited(self) -> frozenset[str]:

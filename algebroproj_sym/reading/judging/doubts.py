@@ -20,7 +20,7 @@ from algebroproj_sym.reading.judging.questions import used_by
 from algebroproj_sym.reading.judging.words import Beside, words_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
-NOT_COMPUTED = "stands for is not computed"
+NOT_COMPUTED = "has a value that is not computed"
 NOT_GIVEN = "its letters are defined nowhere above it"
 A_CONDITION = "it may be a condition"
 A_VALUE = "a value that it rests on may be one of another case"
@@ -66,7 +66,7 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
         return formula.chose
     unusable = sorted(s for s in symbols if s in vocabulary.definitions and not vocabulary.definitions[s].usable)
     if unusable:
-        return f"what {vocabulary.name(unusable[0])} {NOT_COMPUTED}"
+        return f"{vocabulary.name(unusable[0])} {NOT_COMPUTED}"
     if within:
         return _doubt_of_letters(formula, index, vocabulary, used, chained=len(formula.sides) > 2)
     if used and (word := beside.strange(_operators(formula).union(*(each.words for each in used)))):

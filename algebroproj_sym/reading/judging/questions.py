@@ -14,7 +14,7 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
-from algebroproj_sym.reading.defining.letters import lettered
+from algebroproj_sym.reading.defining.letters import lettered, require_no_value
 from algebroproj_sym.reading.defining.premises import Premise
 from algebroproj_sym.reading.defining.values import values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
@@ -76,7 +76,7 @@ def rests_of(vocabulary: Vocabulary, *trees: Formula) -> tuple[str, ...]:
     return tuple(dict.fromkeys(each.where for each in used_by(vocabulary, *trees)))
 
 
-def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:
+def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_entries: bool = False) -> list[Question]:
     """Return the question whether two sides are equal; of matrices with real functions, one for each entry.
 
     Where a sign is ± or ∓, both statements are asked.
@@ -88,10 +88,12 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
     """
     if any(_has_two_signs(tree) for tree in (left, right)):
         both = [[_with_signs(tree, upper) for tree in (left, right)] for upper in (True, False)]
-        return [question for sides in both for question in questions_of(vocabulary, *sides)]
+        return [one for sides in both for one in questions_of(vocabulary, *sides, by_entries=by_entries)]
     properties = {vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)}
     if properties - {(), ("identity",)}:
         raise UnsizedError("a property of a letter says more than its entries")
+    for part in (big for tree in (left, right, *_trees_of(vocabulary, left, right)) for big in tree.find_data("big")):
+        require_no_value(str(part.children[0]), symbols_in(part), vocabulary.definitions)
     values = [vocabulary.value(tree) for tree in (left, right)]
     shapes = [shape(value) for value in values]
     if shapes[0] != shapes[1]:
@@ -118,9 +120,13 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
     has_functions = any(map(is_elementary, values))
     if has_functions and (found := complex_letters_in(vocabulary, left, right)):
         raise UnreadableError(f"{min(map(vocabulary.name, found))} may be complex, and functions are real")
-    if shape(values[0]) and has_functions:
+    if shape(values[0]) and (has_functions or by_entries):
         return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
     return [Question(_text(values[0]), _text(values[1]))]
+
+
+def _trees_of(vocabulary: Vocabulary, *trees: Formula) -> list[Formula]:
+    return [each.tree for each in used_by(vocabulary, *trees)]
 
 
 def complex_letters_in(vocabulary: Vocabulary, *trees: Formula) -> frozenset[str]:
@@ -169,7 +175,7 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
         return questions_of(vocabulary, left, right)
     except UnreadableError as unread:
         try:
-            return _with_values(vocabulary, left, right) or [lettered(vocabulary, left, right)]
+            return _with_values(vocabulary, left, right) or lettered(vocabulary, left, right)
         except (UnreadableError, RecursionError) as error:
             return str(error if isinstance(unread, UnsizedError) else unread).partition("\n")[0][:200]
     except (TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
@@ -190,8 +196,8 @@ def _asked_under(way: Way) -> list[Question] | str:
         return asked_of(way.vocabulary, *way.sides)
     for known in (way.vocabulary, with_values(way.vocabulary)):
         with suppress(*_UNASKED):
-            questions = questions_of(known, *way.sides)
-            given = [one for each in way.under for one in questions_of(known, each.left, each.right)]
+            questions = questions_of(known, *way.sides, by_entries=True)
+            given = [one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)]
             if all(map(_is_rational, [*questions, *given])):
                 constraints = tuple(f"{one.lhs} = {one.rhs}" for one in given)
                 return [replace(question, constraints=constraints) for question in questions]
@@ -236,17 +242,17 @@ def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[
     questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = iter([*outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions)))] if questions else ())
     return [
-        (both_sides(each), _with_letters(each[0], _of_entries([*islice(decided, len(each))])))
+        (both_sides(each), _with_letters(each, _of_entries([*islice(decided, len(each))])))
         if isinstance(each, list)
         else (None, Outcome("open", "none", 0.0, each))
         for each in asked
     ]
 
 
-def _with_letters(question: Question, outcome: Outcome) -> Outcome:
+def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
     """Return an outcome with what its letters are taken for among its hypotheses."""
-    taken = tuple(f"{name} is {text}" for name, text in (question.letters or {}).items())
-    return replace(outcome, hypotheses=(*outcome.hypotheses, *taken))
+    letters = {name: text for each in questions for name, text in (each.letters or {}).items()}
+    return replace(outcome, hypotheses=(*outcome.hypotheses, *(f"{name} is {text}" for name, text in letters.items())))
 
 
 def both_sides(questions: Sequence[Question]) -> tuple[str, str] | None:

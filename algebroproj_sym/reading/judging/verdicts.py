@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
+from algebroproj_sym.reading.documents.displays import Line
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.parsing.grammar import Parsed
 
@@ -58,8 +59,6 @@ class Reading:
 
     Attributes
     ----------
-    line : int
-        Where its display begins.
     number : str
         Its number, else its label, else empty.
     latex : str
@@ -76,7 +75,6 @@ class Reading:
         What was parsed.
     """
 
-    line: int
     number: str
     latex: str
     read: str | None
@@ -84,6 +82,16 @@ class Reading:
     links: tuple[Link, ...]
     statement: Statement
     formula: Parsed | None = None
+
+    @property
+    def where(self) -> Line:
+        """The line on which its display begins."""
+        return self.statement.display.where
+
+    @property
+    def line(self) -> int:
+        """The number of that line."""
+        return self.where.number
 
     @property
     def verdict(self) -> Verdict:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from lark import Tree
+
+from algebroproj_sym.reading.defining.gradients import along_directions
+from algebroproj_sym.reading.defining.instances import squares_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
@@ -19,14 +23,18 @@ from algebroproj_sym.reading.defining.premises import (
     with_given,
 )
 from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
-from algebroproj_sym.reading.defining.vocabulary import Numbers, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
 from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
+
+MOST_SOLVED = 4
+"""For how many vectors and matrices an equation is solved."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +57,8 @@ class Standing:
         The labels and numbers that words before it name.
     given_at : mapping of str to int
         Where each letter was alone on a side for the last time.
+    own : sequence of Premise
+        The equations within the text that its own sentence supposes.
     """
 
     survey: Survey
@@ -58,6 +68,7 @@ class Standing:
     premises: Sequence[Premise]
     cited: frozenset[str]
     given_at: Mapping[str, int]
+    own: Sequence[Premise] = ()
 
     @property
     def follows(self) -> bool:
@@ -78,6 +89,8 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_with_sums(left, right, known),
         *(replace(each, doubt=doubt) if ranged else each for each in _with_premises(standing, formula, index)),
         *_under_equations(standing, left, right),
+        *_as_its_sentence_supposes(standing, left, right),
+        *_squared(standing, formula, index),
         *_said_before(standing, left, right),
         *_without_definitions(standing, left, right),
     ]
@@ -86,7 +99,26 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         for way in ways
         if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
+    ways += [each for way in ways if not way.reads for each in _by_components(way)]
+    ways += [each for way in ways if way.is_as_it_stands for each in _along_directions(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+
+
+def _by_components(way: Way) -> Iterator[Way]:
+    """Yield a way in which vectors are taken by their components along the unit vectors of a basis."""
+    trees = [*way.sides, *(side for each in way.under for side in (each.left, each.right))]
+    for known in way.vocabulary.with_axes(*trees):
+        yield replace(way, vocabulary=known, reads=f"{' = '.join(map(known.text, way.sides))}, by components")
+
+
+def _along_directions(way: Way) -> Iterator[Way]:
+    """Yield the ways in which a derivative by a vector is that along every direction."""
+    shown = f"{' = '.join(map(way.vocabulary.text, way.sides))}, along every direction"
+    with_identity = way.vocabulary.with_identity(*way.sides)
+    readings = ((way.vocabulary, shown), (with_identity, f"{shown}, where I is the identity"))
+    for known, reads in readings:
+        if known is not None and (found := along_directions(known, *way.sides)) is not None:
+            yield Way(*found, A_VALUE, reads)
 
 
 def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
@@ -132,6 +164,7 @@ def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Ite
 def _under_equations(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     """Yield a relation under near or cited equations above it: those of its letters alone, or all tied to it.
 
+    An equation of vectors is one for each component.
     All are taken together only where words, an arrow or a citation say that it follows.
     """
     if any(each.parameters for each in used_by(standing.vocabulary, left, right)):
@@ -141,10 +174,13 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     speaks = {
         each: standing.vocabulary.letters_of(each.left) | standing.vocabulary.letters_of(each.right) for each in near
     }
-    asserted = [each for each in near if not each.special]
+    asserted = [each for each in near if not each.special or (each.names & standing.cited and not each.context.kind)]
     alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
     if alone:
         yield Way(left, right, standing.vocabulary, under=alone)
+    for each in asserted:
+        if (each,) != alone and _has_components(each, speaks[each] & letters, standing):
+            yield Way(left, right, standing.vocabulary, under=(each,))
     tied = set(letters)
     together: list[Premise] = []
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
@@ -152,6 +188,66 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
         together += more
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=tuple(together))
+
+
+def _has_components(premise: Premise, letters: Collection[str], standing: Standing) -> bool:
+    """Whether an equation has a printed matrix or unit vectors, and some letters: it is one for each component."""
+    sides = premise.left, premise.right
+    printed = any(_is_printed(part) for side in sides for part in side.iter_subtrees())
+    return bool(letters) and (printed or any(True for _ in standing.vocabulary.with_axes(*sides)))
+
+
+def _is_printed(tree: Formula) -> bool:
+    """Whether a formula is a matrix, or a vector as ``(x, y)``."""
+    inside = tree.children[0] if tree.data == "bracket" else tree
+    return tree.data == "matrix" or (isinstance(inside, Tree) and inside.data == "items" and len(inside.children) > 1)
+
+
+def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation with what its own sentence supposes put in, alone and with the equations above it."""
+    own = [each for each in standing.own if (each.left, each.right) not in ((left, right), (right, left))]
+    supposed = [each.gives for each in own if each.gives is not None]
+    used = (left, right, *(each.tree for each in used_by(standing.vocabulary, left, right)))
+    bound = {symbol for side in used for part in side.find_data("big") for symbol in symbols_in(part)}
+    places = {(each.symbol, each.place) for each in supposed}
+    twice = len({symbol for symbol, _ in places}) < len(places)
+    if not own or twice or bound.intersection(each.symbol for each in supposed):
+        return
+    above = applicable(standing.premises, standing.part, standing.cited)
+    for premises in ([], above):
+        given = [each.gives for each in premises if each.gives is not None]
+        known = extended(standing.vocabulary, [*given, *supposed])
+        yield Way(left, right, known, A_VALUE)
+        values = given_values([*premises, *own], known, (left, right))
+        if values:
+            ours, theirs = (with_given(side, values) for side in (left, right))
+            yield Way(ours, theirs, extended(known, values.values()), A_VALUE)
+    last = neighbours(standing.premises, standing.part, standing.cited, 1)
+    wanted = {*symbols_in(left), *symbols_in(right)}
+    for each in last:
+        if (solution := each.solved(standing.vocabulary, wanted)) is not None:
+            yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
+    letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
+    tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
+    yield Way(left, right, standing.vocabulary, A_VALUE, under=(*tied, *last))
+
+
+def _squared(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield the squares of a letter and of a root that it is, as they rest on others.
+
+    Both have one sign, or words speak of a root, or of what is never negative.
+    """
+    squares = squares_of(*formula.sides[index : index + 2])
+    if squares is None or standing.vocabulary.is_matrix(symbols_in(squares[0])[0]):
+        return
+    left, right, is_open = squares
+    if not (is_open or standing.beside.speaks_of_a_length):
+        return
+    of_squares = replace(formula, sides=(left, right), relations=("=",))
+    shown = " = ".join(map(standing.vocabulary.text, formula.sides[index : index + 2]))
+    reads = shown if is_open else f"{shown}, where both sides have one sign"
+    for way in (*_with_premises(standing, of_squares, 0), *_under_equations(standing, left, right)):
+        yield replace(way, reads=reads, doubt=A_VALUE)
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -193,9 +289,18 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
     wanted = {*symbols_in(left), *symbols_in(right)}
     parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
     for each in neighbours(serving, part, cited):
-        tied = parameters & each.symbols
-        if not tied and (solution := each.solved(standing.vocabulary, wanted)) is not None:
+        for solution in [] if parameters & each.symbols else _solutions(each, standing.vocabulary, wanted):
             yield extended(standing.vocabulary, [solution])
+
+
+def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:
+    """Yield what an equation says of a number in which it is linear, or else of vectors and matrices."""
+    if (solution := premise.solved(vocabulary, wanted)) is not None:
+        yield solution
+        return
+    letters = sorted(each for each in premise.symbols.intersection(wanted) if vocabulary.is_matrix(each))
+    values = {each: solution_of(premise.left, premise.right, each) for each in letters}
+    yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
 
 
 def _with_sums(left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:

@@ -24,7 +24,7 @@ CASES = re.compile(
 )
 """Words by which an equation may be about a case, so that it contradicts nothing."""
 CONDITIONAL = re.compile(
-    r"\b(?:if|when|whenever|unless|provided|in (?:the|this|that) case|"
+    r"\b(?:if|when|whenever|unless|provided|(?:in|for) (?:the|this|that) (?:special |particular )?case|"
     r"for (?:very |sufficiently |all )?(?:small|large|weak|thin|low|high|slow|fast|short|long))\b",
     re.IGNORECASE,
 )
@@ -56,8 +56,14 @@ _ONLY_SOMETIMES = re.compile(
     CONDITIONAL.pattern + r"|\b(?:cases?|assum\w+|suppos\w+|otherwise|instead|special\w*)\b", re.IGNORECASE
 )
 """Words by which an equation says what a letter is in a case; in its own clause, that it is the condition itself."""
-_FORM = re.compile(r"\b(?:assum\w+|suppos\w+)\b.*\b(?:form|given by|defined as)\W*$", re.IGNORECASE | re.DOTALL)
+_FORM = re.compile(r"\b(?:assum\w+|suppos\w+)\b.*\b(?:form|given by|as)\W*$", re.IGNORECASE | re.DOTALL)
 """What is assumed to have a form is given by it."""
+_IN_THIS_CASE = re.compile(
+    r"\b(?:in (?:this|that|which|such a|the (?!limit|station|stead|ideal)[a-z]+) case|"
+    r"(?:for|in) the (?:special )?case of)\b",
+    re.IGNORECASE,
+)
+"""Words for a case of which an earlier sentence speaks, so that they are no condition themselves."""
 _ASSERTS = re.compile(
     r"\b(?:then|we|one|it|this|is|are|be|becomes?|gives?|yields?|holds?|reads?|has|have|equals?|follows)\b",
     re.IGNORECASE,
@@ -169,6 +175,11 @@ class Beside:
         return _DEFINED.search(_main_clause(self.sentence)) is not None and not self.case_of_sentence
 
     @property
+    def speaks_of_a_length(self) -> bool:
+        """Whether its own sentence speaks of a root, or of a quantity that is never negative, such as a speed."""
+        return _LENGTH.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
+
+    @property
     def renews(self) -> bool:
         """Whether its own sentence speaks of another thing than the text before it."""
         return _ANEW.search(self.sentence) is not None
@@ -236,6 +247,23 @@ def is_given_within(words: str, *, number: bool) -> bool:
     return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
 
 
+def is_item(before: str, after: str) -> bool:
+    r"""Whether an inline formula is an item of a list, and stands there alone; the words before it speak of no case.
+
+    Examples
+    --------
+    >>> [is_item(before, "\n") for before in ("They are\n* ", "They are\n* with ", "If so, they are\n* ")]
+    [True, False, False]
+    """
+    lead, *items = _ITEM.split(before)
+    leading = last_sentence(lead).strip()
+    ends = re.match(r"[.,;]?[ \t]*(?:\n|$)", after) is not None
+    return ends and bool(items and leading) and not items[-1] and "?" not in leading and not CASES.search(leading)
+
+
+_ITEM = re.compile(r"\n\s*(?:[*+-]|\d+[.)]|\\item)[ \t]+")
+
+
 def takes_back(words: str) -> bool:
     """Whether the words between two displays begin with a sentence by which the first one does not hold.
 
@@ -267,10 +295,11 @@ def _main_clause(sentence: str) -> str:
     >>> _main_clause("If the orbit is closed, its period is:"), _main_clause("If $a$ is real, and $b$ is")
     (' its period is', 'If $a$ is real, and $b$ is')
     """
-    bare = _FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)
+    bare = FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)
+    bare = _IN_THIS_CASE.sub(" then ", bare)
     clauses = [each for each in re.split(r"[,;:]|\b(?=then\b)", bare) if each.strip()]
     last = clauses[-1] if clauses else ""
-    return last if _ASSERTS.search(_FORMULA.sub(" ", last)) and not _GOES_ON.match(last) else sentence
+    return last if _ASSERTS.search(FORMULA.sub(" ", last)) and not _GOES_ON.match(last) else sentence
 
 
 def _case_in(words: str) -> str:
@@ -285,7 +314,7 @@ def last_sentence(words: str) -> str:
 
 def words_of(text: str) -> frozenset[str]:
     """Return the words of a text, without formulas and commands, in small letters."""
-    return frozenset(each.lower() for each in _WORD.findall(_without_formulas(text)))
+    return frozenset(each.lower() for each in _WORD.findall(without_formulas(text)))
 
 
 def strange_word(sentence: str, known: Collection[str]) -> str:
@@ -296,23 +325,30 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     >>> strange_word("Hence, for the ring, we obtain", {"disc"}), strange_word("This gives $x$ and thus", ())
     ('ring', '')
     """
-    words = (each for each in _WORD.findall(_without_formulas(sentence)) if not _NEUTRAL.fullmatch(each))
+    words = (each for each in _WORD.findall(without_formulas(sentence)) if not _NEUTRAL.fullmatch(each))
     return next((each for each in words if each.lower() not in known), "")
 
 
 _NAMES = re.compile(
     r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
     r"(?:is|are) (?:then |here )?(?:computed|calculated|evaluated|determined|expressed|set|chosen|modell?ed))\b"
-    r"|\b[Tt]he\b[^,]* (?:is|are)\W*$|\bwith\b[^,]*\bterms?\W*$",
+    r"|\b[Tt]he\b[^,]* (?:is|are)(?: just| simply)?\W*$|"
+    r"\b(?:writ(?:e|ten)|expresse?d?|computed?|calculated?|modell?(?:ed)?|give[ns]?|find|found)\b[^,;]* as\W*$|"
+    r"\bwith\b[^,]*\bterms?\W*$",
     re.IGNORECASE,
 )
 _DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe (?:\w+ )?define\b", re.IGNORECASE)
+_LENGTH = re.compile(
+    r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|positive|"
+    r"(?:square )?roots?)\b",
+    re.IGNORECASE,
+)
 _ANEW = re.compile(
     r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"
     r"denote\w*|this time)\b",
     re.IGNORECASE,
 )
-_FORMULA = re.compile(r"\$[^$]*\$")
+FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
@@ -327,6 +363,6 @@ _CLAUSE = re.compile(r"\b(?:where|with|which)\b")
 _WORD = re.compile(r"[^\W\d_]{2,}")
 
 
-def _without_formulas(text: str) -> str:
+def without_formulas(text: str) -> str:
     """Return words without formulas, references, and what names the letters of an equation alone."""
     return re.sub(r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|\b[Ii]n terms of [^,.$]*", " ", text)

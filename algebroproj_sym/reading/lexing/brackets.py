@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from lark import Token
 
-from algebroproj_sym.reading.lexing.commands import BARS, CLOSING, ELLIPSES, MATRIX, MAX_NESTING, OPENING, UPRIGHT
+from algebroproj_sym.reading.lexing.commands import (
+    BARS,
+    CLOSING,
+    ELLIPSES,
+    MARKS,
+    MATRIX,
+    MAX_NESTING,
+    OPENING,
+    SIZE,
+    TRANSPOSED,
+    UPRIGHT,
+)
 from algebroproj_sym.reading.lexing.cursor import Cursor
-from algebroproj_sym.reading.lexing.names import bracket_ahead, read_after, take_scripts
+from algebroproj_sym.reading.lexing.names import bracket_ahead, emit_power, read_after, take_scripts
 from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     UnreadableError,
+    bare,
     outside_braces,
     outside_brackets,
     says_more,
@@ -50,6 +64,7 @@ def read_bracket(cursor: Cursor) -> None:
         else:
             _close(cursor, kind)
     elif text in OPENING:
+        _part_row(cursor)
         cursor.emit(OPENING[text], text)
         cursor.opened.append(OPENING[text])
         left = True
@@ -62,7 +77,26 @@ def read_bracket(cursor: Cursor) -> None:
         raise cursor.fail(f"expected at most {MAX_NESTING} levels of nesting, got more")
     cursor.index += 1
     if not left:
+        _read_frame(cursor)
         read_after(cursor)
+
+
+_VECTOR = re.compile(r"\\(?:(?:mathbf|vec|overrightarrow)(?![a-z])|hat\{\\mathbf)")
+
+
+def _read_frame(cursor: Cursor) -> None:
+    r"""Read the frame below a vector in brackets, as in ``[\mathbf{v}]_n``: its column there is a letter of its own."""
+    shape = [token.type for token in cursor.out[-3:]]
+    if cursor.functions is None or cursor.peek() != "_" or shape != ["LS", "SYMBOL", "RS"]:
+        return
+    vector = cursor.out[-2]
+    ahead = replace(cursor)
+    _, frame, above = take_scripts(ahead)
+    if not _VECTOR.match(vector) or not frame.isalnum() or above not in ("", *MARKS):
+        return
+    take_scripts(cursor)
+    cursor.out[-3:] = [Token("SYMBOL", f"[{vector}] _{frame}", start_pos=vector.start_pos)]
+    emit_power(cursor, above, cursor.raised)
 
 
 def _read_place(cursor: Cursor) -> None:
@@ -70,13 +104,32 @@ def _read_place(cursor: Cursor) -> None:
     cursor.index += 1
     _, below, above = take_scripts(cursor)
     place = f"{below}^{above}" if above else below
-    if cursor.out[-1].type == "SYMBOL":
+    if SIZE.fullmatch(place):
+        read_after(cursor)
+    elif cursor.out[-1].type == "SYMBOL":
         cursor.chose = "a value at a place is a letter of its own"
         name = cursor.out.pop()
         cursor.out.append(Token("SYMBOL", f"{name} at_{place}", start_pos=name.start_pos))
         read_after(cursor)
     else:
         cursor.emit("MARK", f"_at_{place}")
+
+
+def _part_row(cursor: Cursor) -> None:
+    r"""Part the entries of a row that ties hold apart, as in ``(x ~ y ~ z)^\top``: small letters and numbers."""
+    inside = bracket_ahead(cursor)
+    behind = replace(cursor, index=cursor.index + len(inside))
+    if behind.peek() != "^" or not any(piece.text == "~" for piece in inside):
+        return
+    _, _, above = take_scripts(behind)
+    entries = [part for part in split_pieces(inside[1:-1], ("~",)) if bare(part)]
+    if above in TRANSPOSED and len(entries) > 1 and all(_ENTRY.fullmatch(bare(part)) for part in entries):
+        parted = [each for part in entries for each in (Piece(",", part[0].place), *part)][1:]
+        cursor.pieces[cursor.index : cursor.index + len(inside)] = [inside[0], *parted, inside[-1]]
+
+
+_ENTRY = re.compile(r"-?(?:\d+|\d*(?:[a-z]+|\\(?!math)[a-z]+)'*(?:[_^].*)?)")
+r"""An entry of a row: a number or a small letter with its scripts."""
 
 
 def _is_shown(inside: Sequence[Piece]) -> bool:

@@ -24,6 +24,7 @@ from algebroproj_sym.reading.lexing.commands import (
     NO_LETTERS,
     OPENING,
     PART_OF_NAME,
+    SIZE,
     STYLES,
     UPRIGHT,
 )
@@ -232,8 +233,9 @@ def _at_letter_in_braces(cursor: Cursor) -> bool:
 def _read_differential(cursor: Cursor, letter: str, start: int) -> None:
     inner = bare(cursor.group()) if _at_letter_in_braces(cursor) else take_letter(cursor)
     primes, below, above = take_scripts(cursor)
-    emit_name(cursor, f"{letter} {written(inner, primes, below, '')}", start)
-    if above:
+    is_named = PART_OF_NAME.fullmatch(above) is not None
+    emit_name(cursor, f"{letter} {written(inner, primes, below, above if is_named else '')}", start)
+    if above and not is_named:
         emit_power(cursor, above, cursor.raised)
     read_after(cursor)
 
@@ -348,5 +350,5 @@ def read_after(cursor: Cursor) -> None:
             emit_power(cursor, inside, raised)
         elif inside in (r"\times", r"\wedge"):
             cursor.emit("MARK", "hat")
-        elif not (cursor.out[-1].type == "NORM_CLOSE" and inside in ("2", "F")):
+        elif not (SIZE.fullmatch(inside) or (cursor.out[-1].type == "NORM_CLOSE" and inside in ("2", "F"))):
             cursor.emit("MARK", f"_{inside}")

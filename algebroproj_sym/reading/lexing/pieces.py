@@ -116,6 +116,32 @@ def outside_brackets(texts: Sequence[str]) -> list[str]:
     return kept
 
 
+def with_norms(pieces: Sequence[Piece]) -> list[Piece]:
+    r"""Return pieces with ``\|`` for two bars, if all bars are double, and pairs of them enclose a formula.
+
+    Examples
+    --------
+    >>> ["".join(each.text for each in with_norms(pieces_of(text))) for text in ("||x - y||", "|a||b|", "(p||q)")]
+    ['\\|x - y\\|', '|a||b|', '(p||q)']
+    """
+    bars = [place for place, piece in enumerate(pieces) if piece.text == "|"]
+    first, second = bars[::2], bars[1::2]
+    doubled = len(bars) % 4 == 0 and all(b - a == 1 for a, b in zip(first, second, strict=True))
+    if not doubled or not all(_is_balanced(pieces[a + 1 : b]) for a, b in zip(second[::2], first[1::2], strict=True)):
+        return [*pieces]
+    whole = [Piece(r"\|", each.place) if place in first else each for place, each in enumerate(pieces)]
+    return [each for place, each in enumerate(whole) if place not in second]
+
+
+def _is_balanced(pieces: Sequence[Piece]) -> bool:
+    depth = 0
+    for text in (piece.text for piece in pieces):
+        depth += (text == "{" or text in OPENING) - (text == "}" or text in CLOSING)
+        if depth < 0:
+            return False
+    return bool(pieces) and depth == 0
+
+
 def bare(pieces: Sequence[Piece]) -> str:
     """Return the text of pieces without braces, spaces and upright style."""
     text = "".join({r"\{": "⦃", r"\}": "⦄"}.get(piece.text, BOLD.get(piece.text, piece.text)) for piece in pieces)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+
 from algebroproj_sym.reading.lexing.commands import BIG, DROPPED
 from algebroproj_sym.reading.lexing.cursor import Cursor
 from algebroproj_sym.reading.lexing.names import (
@@ -111,6 +114,31 @@ def read_command_before_letter(cursor: Cursor) -> None:
         read_after(cursor)
 
 
+_FRAME = re.compile(r"(?![Tt]$)[a-zA-Z][a-zA-Z0-9_/]*")
+"""What stands behind a letter of two frames, as in ``{}^A R^B``: it is no power."""
+
+
+def _take_frame(cursor: Cursor) -> str:
+    r"""Return the frame behind a letter that has one before it, as in ``{}^A \omega {}^B``; empty for none.
+
+    One before a letter is of that letter.
+    """
+    ahead = replace(cursor)
+    ahead.skip()
+    if ahead.text != "{" or bare(ahead.group()):
+        return ""
+    ahead.skip()
+    if ahead.text != "^":
+        return ""
+    ahead.index += 1
+    frame = bare(ahead.group())
+    ahead.skip()
+    if _FRAME.fullmatch(frame) is None or ahead.text in ("{", "_", "^") or at_symbol(ahead):
+        return ""
+    cursor.index = ahead.index
+    return frame
+
+
 def _read_with_scripts(cursor: Cursor, below: str, above: str, start: int) -> None:
     """Read a letter, and put scripts before its own."""
     cursor.skip()
@@ -124,10 +152,12 @@ def _read_with_scripts(cursor: Cursor, below: str, above: str, start: int) -> No
         raise cursor.fail("scripts are read beside a letter only")
     letter = take_letter(cursor)
     primes, own_below, own_above = take_scripts(cursor)
+    own_above = own_above or (_take_frame(cursor) if above else "")
     subscript = f"{below}_{own_below}" if below else own_below
     if above:
         subscript = f"{above}^{subscript}"
-    axis = own_above if is_axis(cursor, letter, own_above) else ""
+    frame = bool(above) and cursor.functions is not None and _FRAME.fullmatch(own_above) is not None
+    axis = own_above if frame or is_axis(cursor, letter, own_above) else ""
     emit_name(cursor, written(letter, primes, subscript, axis), start)
     if not axis:
         emit_power(cursor, own_above, cursor.raised)

@@ -50,7 +50,7 @@ from algebroproj_sym.reading.lexing.names import (
     read_symbol,
     take_scripts,
 )
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, with_norms
 from algebroproj_sym.reading.lexing.prescripts import (
     is_lone_letter,
     read_before_letter,
@@ -85,7 +85,7 @@ def tokens_of(
     """
     if len(pieces) > MAX_PIECES:
         raise UnreadableError(f"expected a formula of at most {MAX_PIECES} pieces, got {len(pieces)}", pieces[0].place)
-    inner = Cursor(list(pieces), known, functions, wide_arguments, step=_step)
+    inner = Cursor(with_norms(pieces), known, functions, wide_arguments, step=_step)
     inner.until_end()
     return inner.out, inner.chose
 

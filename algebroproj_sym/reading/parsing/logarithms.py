@@ -20,7 +20,8 @@ def with_sums(tree: Formula) -> Formula:
 
     Examples
     --------
-    >>> from algebroproj_sym.reading.parsing.grammar import parsed, text_of
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> from algebroproj_sym.reading.parsing.writing import text_of
     >>> (side,) = parsed(r"\ln \left( c \prod_i a_i^2 \right)").sides
     >>> text_of(with_sums(side), str)
     'log(c) + [\\sum_{i}](2*log(a_i))'

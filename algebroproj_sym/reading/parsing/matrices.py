@@ -11,7 +11,9 @@ from lark import Token, v_args
 
 from algebroproj_sym.expressions import over
 from algebroproj_sym.expressions.letters import Adjugate, Cross, Dot, Skew, Vee
-from algebroproj_sym.reading.parsing.grammar import Formula, Names, _Expressions, transformed
+from algebroproj_sym.reading.parsing.evaluating import Names, _Expressions
+from algebroproj_sym.reading.parsing.gathering import transformed
+from algebroproj_sym.reading.parsing.grammar import Formula
 
 _OF_MATRICES = {"det": sympy.Determinant, "adj": Adjugate, "tr": sympy.Trace, "Tr": sympy.Trace, "trace": sympy.Trace}
 

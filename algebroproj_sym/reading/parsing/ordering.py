@@ -10,7 +10,8 @@ from lark import Token
 from algebroproj_sym.expressions import Matrix, over, shape
 from algebroproj_sym.expressions.arranging import arranged, negated, power_of, product_of, sum_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Names
+from algebroproj_sym.reading.parsing.evaluating import Names
+from algebroproj_sym.reading.parsing.grammar import Formula
 
 
 def in_order(tree: Formula, names: Names) -> Any:

@@ -70,11 +70,11 @@ def _numbers(readings: Sequence[Reading]) -> dict[int, str]:
     numbers = {}
     for each in readings:
         own = each.number if re.fullmatch(r"\d+(\.\d+)*[a-z]?", each.number) else ""
-        wanted = own or f"{each.statement.display.part + 1}/line{each.line}"
-        number, count = wanted, 1
+        by_line = f"{each.statement.display.part + 1}/line{each.line}"
+        number, count = own or by_line, 1
         while number in taken:
             count += 1
-            number = f"{each.statement.display.part + 1}/line{each.line}-{count}"
+            number = f"{by_line}-{count}"
         taken.add(number)
         numbers[id(each)] = number
     return numbers
@@ -107,13 +107,13 @@ def _module(paper: str, part: int, readings: Sequence[Reading], numbers: dict[in
         if undone or reading.read is None or not claims:
             reason = next((link.reason for link in undone if link.reason), reading.reason) or _NO_CLAIM
             verdict = undone[0].verdict if undone else reading.verdict
-            yield f"# derive: line {reading.line}, {verdict}: {' '.join(reason.split())}\n"
+            yield f"# derive: {reading.where}, {verdict}: {' '.join(reason.split())}\n"
 
 
 def _claim(number: str, reading: Reading, link: Link) -> str:
     assert link.sides is not None
     left, right = link.sides
-    title = json.dumps(f"line {reading.line}")
+    title = json.dumps(str(reading.where))
     if link.verdict == "definition":
         return f'section.definition("{number}", {title}, printed=parse({json.dumps(right)}))\n'
     options = [f'"{number}"', title, f"printed=parse({json.dumps(right)})", f"derived=parse({json.dumps(left)})"]

@@ -1,0 +1,274 @@
+"""Parts of relations of vectors and matrices as letters: each has a shape, and a text once all sizes are known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from algebroproj_sym.reading.defining.dependence import letters_of_symbol
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+
+MOST_PARTS = 1_000
+"""How many parts a side may have, with all definitions put in."""
+
+
+class Size:
+    """A number of rows or columns, which may be found to be another one."""
+
+    def __init__(self, value: int | None = None) -> None:
+        self._value = value
+        self._same: Size | None = None
+
+    @property
+    def root(self) -> Size:
+        """The one that stands for all that are found to be the same."""
+        found = self
+        while found._same is not None:
+            found = found._same
+        return found
+
+    @property
+    def value(self) -> int | None:
+        """The number; None as long as nothing says it."""
+        return self.root._value
+
+    def unite(self, other: Size) -> None:
+        """Take two sizes for the same."""
+        one, two = self.root, other.root
+        if one is two or (one._value is not None and one._value == two._value):
+            return
+        if one._value is not None and two._value is not None:
+            raise UnreadableError(f"the shapes do not fit: {one._value} and {two._value} rows or columns")
+        if one._value is None:
+            one._same = two
+        else:
+            two._same = one
+
+
+Shape = tuple[Size, Size]
+Term = tuple[bool, list["Part"]]
+Blocks = list[list["Part"]]
+MOST_TERMS = 100
+
+
+class Part:
+    """A part of a relation.
+
+    Attributes
+    ----------
+    shape : tuple of Size
+        Its rows and columns.
+    text : callable
+        Its text, once all sizes are known.
+    square : callable or None
+        The text of its square, if that is simpler.
+    weight : int
+        Of how many parts it is made.
+    is_zero : bool
+        Whether it is the number 0.
+    is_table : bool
+        Whether it is written as a matrix that is no vector: as a bold capital.
+    terms : list of (bool, list of Part)
+        The products of which it is the sum, each with whether it is taken away.
+    symbols : frozenset of str
+        The symbols in it.
+    blocks : list of list of Part
+        The rows of blocks of which it is made, if nothing says their sizes; it has no text of its own then.
+    """
+
+    def __init__(self, shape: Shape, text: Callable[[], str], *inside: Part) -> None:
+        self.shape = shape
+        self.text = text
+        self.square: Callable[[], str] | None = None
+        self.blocks: Blocks = []
+        self.weight: int = 1 + sum(part.weight for part in inside)
+        self.is_zero = False
+        self.is_table = False
+        self.terms: list[Term] = [(False, [self])]
+        self.symbols: frozenset[str] = frozenset().union(*(part.symbols for part in inside))
+        if self.weight > MOST_PARTS:
+            raise UnreadableError(f"expected at most {MOST_PARTS} parts with all definitions put in, got more")
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it has one row and one column."""
+        return self.shape[0].value == 1 and self.shape[1].value == 1
+
+    @property
+    def is_line(self) -> bool:
+        """Whether it is a column or a row, and no number."""
+        return not self.is_number and 1 in (self.shape[0].value, self.shape[1].value)
+
+
+def number_of(text: Callable[[], str], *inside: Part) -> Part:
+    """Return a part that is a number."""
+    return Part((Size(1), Size(1)), text, *inside)
+
+
+def constant(text: str) -> Part:
+    """Return a printed number."""
+    found = number_of(lambda: text)
+    found.is_zero = text == "0"
+    return found
+
+
+def same_shape(left: Part, right: Part) -> None:
+    """Take the shapes of two parts for the same."""
+    for one, other in zip(left.shape, right.shape, strict=True):
+        one.unite(other)
+    if left.blocks or right.blocks:
+        if [*map(len, left.blocks)] != [*map(len, right.blocks)]:
+            raise _unknown_sizes()
+        for first, second in zip(left.blocks, right.blocks, strict=True):
+            for one_block, other_block in zip(first, second, strict=True):
+                same_shape(one_block, other_block)
+
+
+def scalar(part: Part, what: str) -> Part:
+    """Return a part that has to be a number."""
+    if not part.is_number:
+        for size in part.shape:
+            if size.value not in (None, 1):
+                raise UnreadableError(f"{what} is of a number, got a matrix")
+        raise UnreadableError(f"{what} is of a number, got a letter of unknown size")
+    return part
+
+
+def column(part: Part, size: int | None = None) -> Part:
+    """Return a part that has to be a column."""
+    part.shape[1].unite(Size(1))
+    if size is not None:
+        part.shape[0].unite(Size(size))
+    return part
+
+
+def refused(what: str) -> UnreadableError:
+    """Return that something is not computed."""
+    return UnreadableError(f"{what} is read, and not computed with letters")
+
+
+def _unknown_sizes() -> UnreadableError:
+    return UnreadableError("a matrix of blocks has blocks of unknown size")
+
+
+def _without_text() -> str:
+    raise _unknown_sizes()
+
+
+def total_of(sizes: list[Size]) -> Size:
+    """Return how many rows or columns blocks have together; a size of its own if nothing says how many one has."""
+    return Size(None if any(size.value is None for size in sizes) else sum(size.value or 0 for size in sizes))
+
+
+def of_blocks(rows: Blocks) -> Part:
+    """Return the matrix of some blocks; its text is that of the only one, and there is none if there are more."""
+    if len(rows) == len(rows[0]) == 1:
+        return rows[0][0]
+    shape = total_of([row[0].shape[0] for row in rows]), total_of([each.shape[1] for each in rows[0]])
+    found = Part(shape, _without_text, *(each for row in rows for each in row))
+    found.blocks = rows
+    return found
+
+
+def transposed(part: Part) -> Part:
+    """Return a part with its columns as rows."""
+    if part.blocks:
+        return of_blocks([[transposed(each) for each in row] for row in zip(*part.blocks, strict=True)])
+    return Part(part.shape[::-1], lambda: f"({part.text()}).T", part)
+
+
+def _times_blocks(left: Part, right: Part) -> Part:
+    if left.is_number or right.is_number:
+        rows = (right if left.is_number else left).blocks
+        return of_blocks(
+            [[times(left, each) if left.is_number else times(each, right) for each in row] for row in rows]
+        )
+    if not (left.blocks and right.blocks) or len(left.blocks[0]) != len(right.blocks):
+        raise _unknown_sizes()
+    columns = [*zip(*right.blocks, strict=True)]
+    return of_blocks([[_row_times_column(row, each) for each in columns] for row in left.blocks])
+
+
+def _row_times_column(row: Sequence[Part], column: Sequence[Part]) -> Part:
+    for one, other in zip(row, column, strict=True):
+        one.shape[1].unite(other.shape[0])
+    return sum_of([(False, times(one, other)) for one, other in zip(row, column, strict=True)])
+
+
+def times(left: Part, right: Part) -> Part:
+    """Return a product."""
+    if left.blocks or right.blocks:
+        return _times_blocks(left, right)
+    if left.is_number or right.is_number:
+        shape = (right if left.is_number else left).shape
+    else:
+        left.shape[1].unite(right.shape[0])
+        shape = (left.shape[0], right.shape[1])
+    found = Part(shape, lambda: f"{left.text()}*{right.text()}", left, right)
+    if len(left.terms) * len(right.terms) <= MOST_TERMS:
+        found.terms = [(a != b, [*one, *other]) for a, one in left.terms for b, other in right.terms]
+    return found
+
+
+def sum_of(signed: list[tuple[bool, Part]]) -> Part:
+    """Return a sum of parts, each with whether it is taken away."""
+    first = signed[0][1]
+    for _, value in signed[1:]:
+        same_shape(first, value)
+    if first.blocks:
+        rows = zip(*(value.blocks for _, value in signed), strict=True)
+        signs = [minus for minus, _ in signed]
+        return of_blocks(
+            [[sum_of([*zip(signs, cells, strict=True)]) for cells in zip(*row, strict=True)] for row in rows]
+        )
+    text = lambda: "(" + "".join(f" {'-' if minus else '+'} {part.text()}" for minus, part in signed) + ")"  # noqa: E731
+    found = Part(first.shape, text, *(part for _, part in signed))
+    found.terms = [(minus != other, factors) for minus, part in signed for other, factors in part.terms]
+    return found
+
+
+def in_order(numbers: list[Part], rest: Part | None) -> Part:
+    """Return a product whose numbers stand in the order of their texts, so that the same product has the same text."""
+    shape = (Size(1), Size(1)) if rest is None else rest.shape
+    parts = [*numbers, *([] if rest is None else [rest])]
+
+    def text() -> str:
+        return "*".join([*sorted(each.text() for each in numbers), *([] if rest is None else [rest.text()])]) or "1"
+
+    return Part(shape, text, *parts)
+
+
+def without(index: str, symbol: str) -> frozenset[str]:
+    """Return on what a sum over an index depends by a symbol: by x_i on x alone."""
+    letters = letters_of_symbol(symbol)
+    return letters - {index} if index in letters else frozenset((symbol,))
+
+
+def divided(above: Part, below: Part) -> Part:
+    """Return a quotient."""
+    scalar(below, "a quotient")
+    found = Part(above.shape, lambda: f"{above.text()}/({below.text()})", above, below)
+    inverse = number_of(lambda: f"1/({below.text()})", below)
+    found.terms = [(minus, [*factors, inverse]) for minus, factors in above.terms]
+    return found
+
+
+def joined(kind: str, left: Part, right: Part) -> Part:
+    """Return a product with a point or a cross, or ``A : B``, the sum of the products of their entries."""
+    if kind in (":", "colon") and 1 not in (left.shape[1].value, right.shape[1].value):
+        same_shape(left, right)
+        return number_of(lambda: f"trace(({left.text()}).T*{right.text()})", left, right)
+    if kind not in ("DOT", "CROSS"):
+        raise refused("a product in a circle")
+    if left.is_number or right.is_number:
+        return times(left, right)
+    if kind == "DOT" and left.shape[1].value == 1 and right.shape[1].value == 1:
+        left.shape[0].unite(right.shape[0])
+        return number_of(lambda: f"dot({left.text()}, {right.text()})", left, right)
+    if kind == "CROSS":
+        column(left, 3)
+        column(right, 3)
+        return Part((Size(3), Size(1)), lambda: f"cross({left.text()}, {right.text()})", left, right)
+    ends = (left.shape[1].value, right.shape[1].value)
+    if kind == "DOT" and 1 in ends and None in ends and not (left.is_table and ends[1] == 1):
+        raise UnreadableError("the point may be a product of matrices, or of vectors")
+    return times(left, right)

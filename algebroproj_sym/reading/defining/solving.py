@@ -1,0 +1,131 @@
+r"""An equation of vectors and matrices solved for a letter that is in it once in each term, as x in ``A x + b = c``.
+
+No factor changes its side: what stands before the letter is inverted before it, and what stands behind it, behind it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+
+_Factors = tuple[Formula, ...]
+_IN_BRACKETS = ("group", "bracket", "items")
+
+
+class _OtherwiseError(Exception):
+    """The letter is in it otherwise than as a factor of a term."""
+
+
+@dataclass
+class _Linear:
+    """The terms of a formula: those with the letter, as the factors on both sides of it, and the other ones."""
+
+    with_letter: list[tuple[bool, _Factors, _Factors]]
+    others: list[tuple[bool, Formula]]
+
+
+def solution_of(left: Formula, right: Formula, letter: str) -> Formula | None:
+    r"""Return what an equation says of a letter; None if it is not linear in it, with all factors on one side.
+
+    What has to be inverted is taken to be invertible, so it must not be the matrix of a cross product.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> from algebroproj_sym.reading.parsing.writing import text_of
+    >>> found = solution_of(*parsed(r"b + (A + C) x = d").sides, "x")
+    >>> text_of(found, str)
+    '((A + C))**(-1)*(-b + d)'
+    >>> text_of(solution_of(*parsed(r"K S = P").sides, "K"), str)
+    '(P)*(S)**(-1)'
+    """
+    try:
+        found, other = _linear(left, letter, minus=False), _linear(right, letter, minus=True)
+        terms = [*found.with_letter, *other.with_letter]
+        rest = [(not minus, each) for minus, each in [*found.others, *other.others]]
+        if not terms or not rest:
+            return None
+        value: Formula = Tree("group", [_sum(rest)])
+        if all(not behind for _, _, behind in terms):
+            return _times(_inverse([(minus, _product(before)) for minus, before, _ in terms]), value)
+        if all(not before for _, before, _ in terms):
+            return _times(value, _inverse([(minus, _product(behind)) for minus, _, behind in terms]))
+    except _OtherwiseError:
+        return None
+    return None
+
+
+def _linear(tree: Formula, letter: str, *, minus: bool) -> _Linear:
+    if tree.data in _IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
+        return _linear(tree.children[0], letter, minus=minus)
+    if tree.data == "symbol" and tree.children[0] == letter:
+        return _Linear([(minus, (), ())], [])
+    if letter not in symbols_in(tree):
+        return _Linear([], [(minus, tree)])
+    if tree.data == "sum":
+        return _of_sum(tree, letter, minus=minus)
+    if tree.data == "fraction" and letter not in symbols_in(below := _trees(tree)[1]):
+        return _of_product([Tree("fraction", [_ONE, below]), _trees(tree)[0]], letter, minus=minus)
+    if tree.data == "run":
+        return _of_product(_trees(tree), letter, minus=minus)
+    raise _OtherwiseError
+
+
+def _trees(tree: Formula) -> list[Formula]:
+    return [each for each in tree.children if isinstance(each, Tree)]
+
+
+def _of_sum(tree: Formula, letter: str, *, minus: bool) -> _Linear:
+    parts: list[Any] = [*tree.children]
+    signed = parts if isinstance(parts[0], Token) else [Token("SIGN", "+"), *parts]
+    found = _Linear([], [])
+    for sign, term in zip(signed[::2], signed[1::2], strict=True):
+        if sign not in ("+", "-"):
+            raise _OtherwiseError
+        each = _linear(term, letter, minus=minus != (sign == "-"))
+        found.with_letter += each.with_letter
+        found.others += each.others
+    return found
+
+
+def _of_product(factors: list[Formula], letter: str, *, minus: bool) -> _Linear:
+    inside = [place for place, each in enumerate(factors) if letter in symbols_in(each)]
+    if len(inside) != 1:
+        raise _OtherwiseError
+    before, after = tuple(factors[: inside[0]]), tuple(factors[inside[0] + 1 :])
+    found = _linear(factors[inside[0]], letter, minus=minus)
+    return _Linear(
+        [(minus, (*before, *first), (*last, *after)) for minus, first, last in found.with_letter],
+        [(minus, _product((*before, each, *after))) for minus, each in found.others],
+    )
+
+
+def _inverse(terms: list[tuple[bool, Formula]]) -> Formula | None:
+    r"""Return the inverse of a sum; None for that of 1."""
+    if terms == [(False, _ONE)]:
+        return None
+    if len(terms) == 1 and any(each.children[-1] == "hat" for each in terms[0][1].find_data("marked")):
+        raise _OtherwiseError
+    exponent: Formula = Tree("sum", [Token("SIGN", "-"), _ONE])
+    return Tree("power", [Tree("group", [_sum(terms)]), exponent])
+
+
+_ONE: Formula = Tree("number", [Token("NUMBER", "1")])
+
+
+def _product(factors: _Factors) -> Formula:
+    parts = [Tree("group", [each]) if each.data == "sum" else each for each in factors]
+    return Tree("run", [*parts]) if len(parts) > 1 else parts[0] if parts else _ONE
+
+
+def _times(*factors: Formula | None) -> Formula:
+    return _product(tuple(each for each in factors if each is not None))
+
+
+def _sum(terms: list[tuple[bool, Formula]]) -> Formula:
+    signed: list[Any] = [part for minus, term in terms for part in (Token("SIGN", "-" if minus else "+"), term)]
+    return Tree("sum", signed)

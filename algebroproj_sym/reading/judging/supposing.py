@@ -1,0 +1,74 @@
+"""What the sentence of an equation supposes: an equation within the text, as in "since $b = 0$, the sum is"."""
+
+from __future__ import annotations
+
+import re
+
+from algebroproj_sym.reading.judging.words import FORMULA, Beside, last_sentence, without_formulas
+
+_LEADS = re.compile(
+    r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"
+    r"(?:(?:since|as|because|where|when|if|for|with|by|at|using|use|let|put(?:ting)?|set(?:ting)?|tak(?:e|ing)|suppose|"
+    r"supposing|assume|assuming|choos(?:e|ing)|introducing|substitut(?:e|ing)|insert(?:ing)?|hav(?:e|ing)|know|recall|"
+    r"given)\b\W*)*"
+    r"(?:(?:that|the (?:parameter|abbreviation|notation|quantity|value|identity|relation|equation|fact that|letter)|"
+    r"(?:we|you) (?:can )?(?:have|set|use|put|take|know|assume|choose|introduce|define)|there is|"
+    r"(?:(?:we|you) )?(?:use|have|take) an? (?:[a-z]+ ){1,2}(?:where|with|in which))\b\W*)*",
+    re.IGNORECASE,
+)
+"""The words before a formula that its sentence supposes."""
+_THEN = re.compile(
+    r"\s*(?:(?:as|is|are) (?:the|our|its|an?) (?:[a-z]+ ){0,3}[a-z]+)?\s*"
+    r"(?:[,:]|$|(?:so|then|thus|hence|this|gives?|yields?|and (?:so|thus|hence|then|that|the)|into|in (?:the|\()|"
+    r"leads?|reduces?|becomes?|holds?|we|it|the)\b)",
+    re.IGNORECASE,
+)
+"""How a sentence goes on behind a formula that it supposes: with its main clause."""
+_WHERE = re.compile(r"\W*(?:where|with|in which|and where)\b(?!\s+(?:we|i|the)\b)", re.IGNORECASE)
+_APART = re.compile(
+    r"\b(?:but|however|although|though|while|whereas|whilst|unlike|except|unless|not|[a-z]+n['’]t|no|none|never|nor|"
+    r"neither|without|otherwise|instead|rather|generally?|either|contrast|opposite|contrary|compare\w*|versus|earlier|"
+    r"previous\w*|former\w*|latter|first|second|third|last|other|another|old|new|until|than|would|could|might|even|"
+    r"whether|only|far|away|before|after|later|elsewhere|still|despite|yet|always|every|any|all|each|most|some|many|"
+    r"ignor\w+|neglect\w*|drop\w*|approximat\w*|roughly|about|almost|nearly|small|large|limit\w*|instance|example|"
+    r"worst|wrong|avoid\w*|forbid\w*|forbade|forget|exclud\w*|remov\w*|replac\w*|chang\w*|different\w*|vary\w*|varies|"
+    r"both|fail\w*|false|lift\w*|relax\w*|abandon\w*|violat\w*|grow\w*|leav\w*|los[et]\w*|truth|real\w*|actual\w*|"
+    r"ceas\w*|stop\w*|long|hand|he|she|they|who|else|so far|beyond|arbitrary|free\w*|released?)\b",
+    re.IGNORECASE,
+)
+"""Words by which a formula in a sentence may be of another case than the equation at its end."""
+_ELSEWHERE = re.compile(
+    r"\b(?:at|in|on|for|inside|outside|near|under|over|above|below|behind|with|from|to|towards?|along|around|between)\s+"
+    r"(?!(?:the|this|that)\s+(?:form|case|equations?|expressions?|formulas?|relations?|above|following)\b|"
+    r"(?:terms?|this|that|it|\(|obtain|get|find|give|write|see)\b|\W*$)",
+    re.IGNORECASE,
+)
+"""Words behind a formula that may lead elsewhere."""
+_ORDER = re.compile(r"[<>≠≤≥≈∼∈]|\\(?:n?e?q?[lg]e?q?q?|neq?|approx|sim|in|lt|gt|to|ll|gg|not)(?![a-zA-Z])")
+
+
+def supposes(beside: Beside, formula: str) -> bool:
+    """Whether the sentence of an equation supposes a formula within the text.
+
+    The formula stands in a clause of its own, or before the main one.  A sentence with a word of another case, with
+    another place behind the formula, or with an inequality, supposes nothing.
+    """
+    before, found, behind = beside.sentence.rpartition(";")[2].partition(formula)
+    lead = re.split(r"[,:]|\band\b", without_formulas(before))[-1]
+    leads = _LEADS.fullmatch(lead) is not None and _THEN.match(behind.replace("$", "")) is not None
+    apart = _APART.search(f"{beside.sentence} {beside.condition}") or _ELSEWHERE.search(without_formulas(behind))
+    return (
+        bool(found)
+        and leads
+        and not (apart or beside.is_denied or any(map(_ORDER.search, FORMULA.findall(beside.sentence))))
+    )
+
+
+def goes_on_with(behind: str) -> bool:
+    """Whether the words behind a display go on with what its letters are: "where $w^2 = k/m$ and"."""
+    return _WHERE.match(behind) is not None and last_sentence(behind.strip()) == behind.strip()
+
+
+def leads_elsewhere(behind: str) -> bool:
+    """Whether the words behind a formula begin with a place, as in "with $b = 0$ at the top"."""
+    return _ELSEWHERE.match(behind.lstrip()) is not None

@@ -1,0 +1,61 @@
+"""Matrices of blocks whose sizes nothing says: they are added and multiplied block by block."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+_GIVEN = (
+    r"\[ \mathbf{z} = \begin{bmatrix} \mathbf{x} \\ \boldsymbol{\mu} \end{bmatrix} \] "
+    r"\[ \mathbf{L} = \begin{bmatrix} \mathbf{A} & \mathbf{B} \\ 0 & \mathbf{A}^T \end{bmatrix} \] "
+)
+
+
+def last(latex: str) -> str:
+    return read_document(document_of(_GIVEN + latex))[-1].verdict
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{L} \mathbf{z} = \begin{bmatrix} \mathbf{A} \mathbf{x} + \mathbf{B} \boldsymbol{\mu} \\ "
+        r"\mathbf{A}^T \boldsymbol{\mu} \end{bmatrix} \]",
+        r"\[ \mathbf{L}^T = \begin{bmatrix} \mathbf{A}^T & 0 \\ \mathbf{B}^T & \mathbf{A} \end{bmatrix} \]",
+        r"\[ \mathbf{z}^T \mathbf{z} = \mathbf{x}^T \mathbf{x} + \boldsymbol{\mu}^T \boldsymbol{\mu} \]",
+        r"\[ \mathbf{z}^T \mathbf{L} \mathbf{z} = \mathbf{x}^T \mathbf{A} \mathbf{x} + \mathbf{x}^T \mathbf{B} "
+        r"\boldsymbol{\mu} + \boldsymbol{\mu}^T \mathbf{A}^T \boldsymbol{\mu} \]",
+        r"\[ 3 \mathbf{z} - a \mathbf{z} = (3 - a) \begin{bmatrix} \mathbf{x} \\ \boldsymbol{\mu} \end{bmatrix} \]",
+        r"\[ \mathbf{z} - \begin{bmatrix} \mathbf{x} \\ \boldsymbol{\mu} \end{bmatrix} = 0 \]",
+        r"\[ \mathbf{y} = \mathbf{C} \mathbf{x} \] "
+        r"\[ \mathbf{y} = \begin{bmatrix} \mathbf{C} & 0 \end{bmatrix} \mathbf{z} \]",
+    ],
+)
+def test_blocks_are_added_and_multiplied_one_by_one(latex):
+    assert last(latex) == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{L} \mathbf{z} = \begin{bmatrix} \mathbf{A} \mathbf{x} + \mathbf{B} \boldsymbol{\mu} \\ "
+        r"\mathbf{A} \boldsymbol{\mu} \end{bmatrix} \]",
+        r"\[ \mathbf{L} \mathbf{z} = \begin{bmatrix} \mathbf{A} \mathbf{x} \\ \mathbf{A}^T \boldsymbol{\mu} "
+        r"\end{bmatrix} \]",
+        r"\[ \mathbf{L} \mathbf{z} = \begin{bmatrix} \mathbf{x} \mathbf{A} + \boldsymbol{\mu} \mathbf{B} \\ "
+        r"\boldsymbol{\mu} \mathbf{A}^T \end{bmatrix} \]",
+        r"\[ \mathbf{L}^T = \begin{bmatrix} \mathbf{A}^T & \mathbf{B}^T \\ 0 & \mathbf{A} \end{bmatrix} \]",
+        r"\[ \mathbf{L}^{-1} = \begin{bmatrix} \mathbf{A}^{-1} & \mathbf{B}^{-1} \\ 0 & \mathbf{A}^{-T} "
+        r"\end{bmatrix} \]",
+        r"\[ \mathbf{z} \mathbf{z}^T = \mathbf{x}^T \mathbf{x} + \boldsymbol{\mu}^T \boldsymbol{\mu} \]",
+        r"\[ \mathbf{z}^T \mathbf{z} = \mathbf{x}^T \mathbf{x} + \mathbf{x}^T \boldsymbol{\mu} \]",
+        r"\[ \mathbf{z} = \begin{bmatrix} \boldsymbol{\mu} \\ \mathbf{x} \end{bmatrix} \]",
+        r"\[ \mathbf{z} - \begin{bmatrix} \mathbf{x} \\ \boldsymbol{\mu} \end{bmatrix} = 1 \]",
+        r"\[ \mathbf{z} - \begin{bmatrix} \mathbf{x} \\ 0 \end{bmatrix} = 0 \]",
+        r"\[ 2 \mathbf{z} = \begin{bmatrix} 2 \mathbf{x} \\ \boldsymbol{\mu} \end{bmatrix} \]",
+        r"\[ \mathbf{L} = \begin{bmatrix} \mathbf{A} & \mathbf{B} & 0 \\ 0 & \mathbf{A}^T & 0 \end{bmatrix} \]",
+        r"\[ |\mathbf{L}| = |\mathbf{A}| |\mathbf{A}| - |\mathbf{B}| \]",
+    ],
+)
+def test_what_is_true_of_no_blocks_does_not_follow(latex):
+    assert last(latex) not in ("follows", "contradicts")

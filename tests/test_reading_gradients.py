@@ -1,0 +1,74 @@
+"""Derivatives by a vector: gradients and Jacobians."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+_FORM = r"\[ f = \mathbf{x}^T \mathbf{A} \mathbf{x} + \mathbf{b}^T \mathbf{x} + c \] "
+_LOSS = r"\[ L(\mathbf{w}) = (\mathbf{y} - \mathbf{X} \mathbf{w})^T (\mathbf{y} - \mathbf{X} \mathbf{w}) \] "
+_BEHIND = r"\[ \mathbf{r} = \mathbf{y} - \mathbf{X} \mathbf{w} \] \[ L = \mathbf{r}^T \mathbf{r} \] "
+_STEP = r"\[ \mathbf{x}_{k+1} = \mathbf{x}_k + h (\mathbf{A} \mathbf{x}_k + \mathbf{B} \mathbf{u}) \] "
+
+
+def last(latex: str):
+    return read_document(document_of(latex))[-1]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        _FORM + r"\[ \frac{\partial f}{\partial \mathbf{x}} = (\mathbf{A} + \mathbf{A}^T) \mathbf{x} + \mathbf{b} \]",
+        _FORM + r"\[ \frac{d f}{d \mathbf{x}} = \mathbf{x}^T (\mathbf{A} + \mathbf{A}^T) + \mathbf{b}^T \]",
+        _FORM + r"\[ \frac{\partial f}{\partial \mathbf{b}} = \mathbf{x} \]",
+        _FORM + r"\[ 3 \nabla_{\mathbf{x}} f - \mathbf{b} = 3 (\mathbf{A} + \mathbf{A}^T) \mathbf{x} + 2 \mathbf{b} \]",
+        _LOSS + r"\[ \nabla L(\mathbf{w}) = -2 \mathbf{X}^T (\mathbf{y} - \mathbf{X} \mathbf{w}) \]",
+        _BEHIND + r"\[ \frac{\partial L}{\partial \mathbf{w}} = -2 \mathbf{X}^T \mathbf{r} \]",
+        r"\[ f = ||\mathbf{x} - \mathbf{c}||^2 \] \[ \nabla_{\mathbf{x}} f = 2 (\mathbf{x} - \mathbf{c}) \]",
+        r"\[ \frac{\partial}{\partial \mathbf{w}} (\mathbf{w}^T \mathbf{y}) = \mathbf{y} \]",
+        _STEP + r"\[ \frac{\partial \mathbf{x}_{k+1}}{\partial \mathbf{u}} = h \mathbf{B} \]",
+        _STEP + r"\[ \frac{\partial \mathbf{x}_{k+1}}{\partial \mathbf{x}_k} = \mathbf{I} + h \mathbf{A} \]",
+    ],
+)
+def test_a_derivative_by_a_vector_is_one_along_every_direction(latex):
+    assert last(latex).verdict == "follows"
+
+
+def test_it_rests_on_what_gives_the_function():
+    assert last(_FORM + r"\[ \nabla_{\mathbf{b}} f = \mathbf{x} \]").links[-1].rests_on == ("line 1",)
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        _FORM + r"\[ \frac{\partial f}{\partial \mathbf{x}} = 2 \mathbf{A} \mathbf{x} + \mathbf{b} \]",
+        _FORM + r"\[ \frac{\partial f}{\partial \mathbf{x}} = (\mathbf{A} + \mathbf{A}^T) \mathbf{x} \]",
+        _FORM + r"\[ \frac{\partial f}{\partial \mathbf{b}} = 2 \mathbf{x} \]",
+        _FORM + r"\[ \frac{\partial f}{\partial \mathbf{y}} = \mathbf{0} \]",
+        _FORM + r"\[ \nabla^2 f = \mathbf{A} + \mathbf{A}^T \]",
+        _FORM + r"\[ \nabla \cdot \mathbf{x} = \mathbf{b} \]",
+        _FORM + r"\[ \mathbf{b} = \mathbf{B} \mathbf{x} \] "
+        r"\[ \frac{d f}{d \mathbf{x}} = (\mathbf{A} + \mathbf{A}^T) \mathbf{x} + \mathbf{b} \]",
+        r"\[ f = \mathbf{b}^T \mathbf{p}(\mathbf{x}) + \mathbf{b}^T \mathbf{x} \] "
+        r"\[ \frac{\partial f}{\partial \mathbf{x}} = \mathbf{b} \]",
+        r"\[ f = \sin(\mathbf{b}^T \mathbf{x}) + \mathbf{b}^T \mathbf{x} \] "
+        r"\[ \frac{\partial f}{\partial \mathbf{x}} = \mathbf{b} \]",
+        r"\[ f = \sqrt{\mathbf{x}^T \mathbf{x}} + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
+        r"\[ f = ||\mathbf{x}|| + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
+        r"\[ f = ||\mathbf{x}||^3 + \mathbf{b}^T \mathbf{x} \] \[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
+        r"\[ f = \sum_i \mathbf{x}^T \mathbf{a}_i + \mathbf{b}^T \mathbf{x} \] "
+        r"\[ \nabla_{\mathbf{x}} f = \mathbf{b} \]",
+        r"\[ \mathbf{r} = \mathbf{y} - \mathbf{w} \] \[ L = \mathbf{r}^T \mathbf{w} \] "
+        r"\[ \frac{\partial L}{\partial \mathbf{w}} = \mathbf{y} - 2 \mathbf{w} \]",
+        _LOSS + r"\[ \nabla L(\mathbf{w}) = 2 \mathbf{X}^T (\mathbf{y} - \mathbf{X} \mathbf{w}) \]",
+        _LOSS + r"\[ \nabla L(\mathbf{v}) = -2 \mathbf{X}^T (\mathbf{y} - \mathbf{X} \mathbf{w}) \]",
+        _BEHIND + r"\[ \nabla_{\mathbf{y}} L = -2 \mathbf{X}^T \mathbf{r} \]",
+        _BEHIND + r"\[ \frac{\partial L}{\partial \mathbf{w}} = 2 \mathbf{X}^T \mathbf{r} \]",
+        _STEP + r"\[ \frac{\partial \mathbf{x}_{k+1}}{\partial \mathbf{u}} = h \mathbf{B}^T \]",
+        _STEP + r"\[ \frac{\partial \mathbf{x}_{k+1}}{\partial \mathbf{x}_k} = h \mathbf{A} \]",
+        r"\[ \mathbf{z} = \mathbf{A} \mathbf{x} \] \[ \frac{\partial \mathbf{z}}{\partial \mathbf{x}} = \mathbf{x} \]",
+    ],
+)
+def test_what_is_no_gradient_does_not_follow(latex):
+    assert last(latex).verdict not in ("follows", "contradicts")

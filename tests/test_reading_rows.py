@@ -1,0 +1,45 @@
+"""Rows whose entries are held apart by ties, sizes below matrices, and what words and marks say of numbers."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+
+def last_verdict(latex: str) -> str:
+    return read_document(document_of(latex))[-1].verdict
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{p} = (x ~ y ~ z)^\top \] \[ \mathbf{q} = 2 \mathbf{p} \] \[ \mathbf{q} = (2x ~ 2y ~ 2z)^\top \]",
+        r"\[ \mathbf{t} = \left( t_x ~~ t'_y ~~ -1 \right)^T \] \[ \mathbf{t}^T \mathbf{t} = t_x^2 + t_y'^2 + 1 \]",
+        r"The vector $(x, y, z)$ is a position. \[ u = \frac{2}{y} \] \[ u y = 2 \]",
+        r"\[ \mathbf{J} = \left. \frac{\partial \mathbf{f}}{\partial \mathbf{x}} \right|_{3 \times 3} \] "
+        r"\[ \mathbf{y} = 2 \mathbf{J} \mathbf{v} \] "
+        r"\[ \mathbf{y} = 2 \frac{\partial \mathbf{f}}{\partial \mathbf{x}} \mathbf{v} \]",
+        r"\[ \mathbf{A} = \begin{pmatrix} a & b \\ c & d \end{pmatrix}_{2 \times 2} \] \[ \det \mathbf{A} = ad - bc \]",
+        r"\[ \mathbf{A} = [\phi]^\wedge \] \[ c = \cos \phi \] \[ c^2 = 1 - \sin^2 \phi \]",
+        r"The vector is $\mathbf{n}$. \[ \mathbf{a} = \pi \mathbf{n} \] \[ t = \pi \] \[ t^2 = \pi^2 \]",
+    ],
+)
+def test_it_follows(latex: str) -> None:
+    assert last_verdict(latex) == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"Here $A$ and $B$ are matrices. \[ C = (A ~ B)^T \] \[ C = A^T B^T \]",
+        r"\[ \mathbf{p} = (x ~ y)^\top \] \[ \mathbf{p} = (y ~ x)^\top \]",
+        r"\[ \mathbf{p} = (x ~ y)^\top \] \[ \mathbf{p} = x y \]",
+        r"\[ \mathbf{p} = (\mathbf{a} ~ \mathbf{b})^\top \] \[ \mathbf{p} = \mathbf{a}^\top \mathbf{b}^\top \]",
+        r"The vectors $x, y$ are given. \[ z = x^T y \] \[ z = y x^T \]",
+        r"\[ \mathbf{A} = [\boldsymbol\theta]^\wedge \] \[ \theta = \sin \theta \] \[ \mathbf{A}^\top = \mathbf{A} \]",
+        r"\[ A = [v]^\wedge \] \[ A^\top = A \]",
+    ],
+)
+def test_it_does_not_follow(latex: str) -> None:
+    assert last_verdict(latex) != "follows"

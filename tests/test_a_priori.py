@@ -58,7 +58,7 @@ needs_coq = pytest.mark.skipif(not has_flocq(), reason="Coq with Flocq is not in
 
 
 @pytest.fixture(scope="module", params=FUNCTIONS)
-def lowered(request):
+def chosen(request):
     (kernel,) = kernels([request.param])
     return lower(kernel)
 
@@ -128,18 +128,18 @@ def relative_errors(found, arguments):
     return errors
 
 
-def ratios(lowered, found, point):
+def ratios(chosen, found, point):
     """The error of each result over its bound, where there is one and nothing underflows or is singular."""
-    symbols = lowered.kernel.symbols
+    symbols = chosen.kernel.symbols
     exact_arguments = [Fraction(value) for value in point]
     try:
         bounds = relative_errors(found, exact_arguments)
-        exact = run(lowered.plain, dict(zip([s.name for s in symbols], exact_arguments, strict=True)))
+        exact = run(chosen.plain, dict(zip([s.name for s in symbols], exact_arguments, strict=True)))
     except ZeroDivisionError:
         return []
     with np.errstate(all="ignore"):
         batch = {symbol.name: np.array([value]) for symbol, value in zip(symbols, point, strict=True)}
-        computed = call(function_of(lowered.kernel, algebroproj), lowered.kernel, batch)[0].tolist()
+        computed = call(function_of(chosen.kernel, algebroproj), chosen.kernel, batch)[0].tolist()
     return [
         abs(Fraction(value) - truth) / (bound * abs(truth))
         for value, truth, bound in zip(computed, exact, bounds, strict=True)
@@ -147,25 +147,25 @@ def ratios(lowered, found, point):
     ]
 
 
-def test_no_error_is_larger_than_its_bound(lowered):
+def test_no_error_is_larger_than_its_bound(chosen):
     """Hill climbing over bits, from several points, never gets beyond the bound; it does get near."""
-    found = analysis(straight_line(lowered))
+    found = analysis(straight_line(chosen))
     assert found.is_complete
     generator, largest = random.Random(18), Fraction(0)
     for _ in range(12):
-        point = starting_point(generator, len(lowered.kernel.symbols))
-        best = max(ratios(lowered, found, point), default=Fraction(0))
+        point = starting_point(generator, len(chosen.kernel.symbols))
+        best = max(ratios(chosen, found, point), default=Fraction(0))
         for _ in range(60):
             candidate = moved(generator, point)
-            ratio = max(ratios(lowered, found, candidate), default=Fraction(0))
+            ratio = max(ratios(chosen, found, candidate), default=Fraction(0))
             if ratio >= best:
                 point, best = candidate, ratio
         largest = max(largest, best)
     assert Fraction(1, 8) < largest <= 1
 
 
-def test_the_rule_of_an_error_names_the_operation_that_computes_it(lowered):
-    found = analysis(straight_line(lowered))
+def test_the_rule_of_an_error_names_the_operation_that_computes_it(chosen):
+    found = analysis(straight_line(chosen))
     names = {"ErrorOfSum": "+", "ErrorOfDifference": "-", "ErrorOfProduct": "product_error"}
     errors = [fact for fact in found.certificate if fact.rule in names]
     assert len(errors) >= 5
@@ -186,12 +186,12 @@ def extreme_point(generator, count, k):
     return point
 
 
-def test_the_bound_holds_at_the_ends_of_the_range_and_next_to_singular_points(lowered):
+def test_the_bound_holds_at_the_ends_of_the_range_and_next_to_singular_points(chosen):
     """Where the hypotheses of the theorem hold, results are finite and no error is larger than the bound."""
-    found, k = analysis(straight_line(lowered)), reach(lowered.program)
+    found, k = analysis(straight_line(chosen)), reach(chosen.program)
     generator, checked = random.Random(7), 0
     for _ in range(150):
-        point = extreme_point(generator, len(lowered.kernel.symbols), k)
+        point = extreme_point(generator, len(chosen.kernel.symbols), k)
         try:
             values, sizes = sized(found.line, [Fraction(value) for value in point])
         except ZeroDivisionError:
@@ -200,10 +200,8 @@ def test_the_bound_holds_at_the_ends_of_the_range_and_next_to_singular_points(lo
         if not all(d.result in kappas and applies(d, kappas) for d in found.divisors):
             continue
         with np.errstate(all="ignore"):
-            batch = {
-                symbol.name: np.array([value]) for symbol, value in zip(lowered.kernel.symbols, point, strict=True)
-            }
-            computed = call(function_of(lowered.kernel, algebroproj), lowered.kernel, batch)[0].tolist()
+            batch = {symbol.name: np.array([value]) for symbol, value in zip(chosen.kernel.symbols, point, strict=True)}
+            computed = call(function_of(chosen.kernel, algebroproj), chosen.kernel, batch)[0].tolist()
         for bound, value in zip(found.bounds, computed, strict=True):
             assert math.isfinite(value)
             if applies(bound, kappas):
@@ -218,9 +216,9 @@ def applies(bound, kappas):
 
 
 @pytest.mark.whole
-def test_the_c_source_computes_what_was_analysed():
+def test_the_c_source_computes_what_was_analysed(lowered):
     """The lines of the C source, parsed, are the program that the bounds speak of, and each result has a bound."""
-    rational = [low for low in map(lower, kernels()) if low.kernel.is_rational]
+    rational = [low for kernel in kernels() if (low := lowered(kernel.qualified_name)).kernel.is_rational]
     assert len(rational) >= 74
     for low in rational:
         line = straight_line(low)
@@ -277,9 +275,9 @@ def test_the_lemma_of_the_error_of_a_product_speaks_of_the_operations_of_the_c_s
     assert f"#define splitter {splitter}.0\n" in (Path(algebroproj.__file__).parent / "_c" / "compiled.c").read_text()
 
 
-def test_the_bound_of_a_formula_is_the_one_of_its_definition(lowered):
+def test_the_bound_of_a_formula_is_the_one_of_its_definition(chosen):
     """The condition numbers that are written are those that are evaluated."""
-    found = analysis(straight_line(lowered))
+    found = analysis(straight_line(chosen))
     texts, where = conditions(found)
     generator = random.Random(1)
     arguments = [Fraction(generator.randint(1, 50), 7) for _ in found.line.inputs]
@@ -320,10 +318,10 @@ def test_a_coefficient_of_three_digits_is_not_smaller_than_the_proved_one(coeffi
     assert 0 <= term["coefficient"] - coefficient / ONE <= 0.01 * coefficient / ONE
 
 
-def test_the_record_in_the_package_is_what_is_found_now(repository, lowered):
+def test_the_record_in_the_package_is_what_is_found_now(repository, chosen):
     text = (repository / "generated" / "algebroproj" / "accuracy.json").read_text(encoding="utf-8")
     known = {entry["function"]: entry.get("a_priori") for entry in json.loads(text)["functions"]}
-    assert known[lowered.kernel.qualified_name] == a_priori_record(lowered)
+    assert known[chosen.kernel.qualified_name] == a_priori_record(chosen)
 
 
 @pytest.mark.whole
@@ -408,28 +406,28 @@ def wrongly_joined(found: Analysis):
         yield replace(found, line=replace(line, operations=operations))
 
 
-def test_a_file_says_what_its_numbers_stand_for(lowered):
+def test_a_file_says_what_its_numbers_stand_for(chosen):
     """A reader of a theorem finds the arguments and the entries of the results."""
-    found = accuracy_of(lowered, algebroproj)
+    found = accuracy_of(chosen, algebroproj)
     text = render([found])[f"{found.name}.v"]
-    for place, symbol in enumerate(lowered.kernel.symbols, start=1):
+    for place, symbol in enumerate(chosen.kernel.symbols, start=1):
         assert f"Input {place} is {symbol}" in text
     for place, number in enumerate(found.analysis.line.outputs, start=1):
         assert f"entry {place} is {number}" in text
 
 
-def test_a_function_without_a_bound_has_no_file(lowered):
-    found = accuracy_of(lowered, algebroproj)
+def test_a_function_without_a_bound_has_no_file(chosen):
+    found = accuracy_of(chosen, algebroproj)
     unknown = replace(found, analysis=replace(found.analysis, bounds=(None,) * len(found.analysis.bounds)))
     assert render([found]).keys() - render([unknown]) == {f"{found.name}.v"}
 
 
-def test_a_file_names_the_claims_that_its_formula_rests_on(lowered):
+def test_a_file_names_the_claims_that_its_formula_rests_on(chosen):
     """Each selector is that of a claim, and the claim is decided as it says."""
-    found = accuracy_of(lowered, algebroproj)
+    found = accuracy_of(chosen, algebroproj)
     text = " ".join(render([found])[f"{found.name}.v"].split())
     selectors = text.partition("these claims of the ledger: ")[2].partition(". ")[0].split(", ")
-    assert selectors == [f"{lowered.kernel.paper}:{number}" for number in lowered.kernel.claims]
+    assert selectors == [f"{chosen.kernel.paper}:{number}" for number in chosen.kernel.claims]
     for selector in selectors:
         (claim,) = [claim for claim in select([selector]) if f"{claim.paper}:{claim.number}" == selector]
         assert judge(claim).verdict == claim.expected
@@ -457,8 +455,8 @@ def checker(made_once, tmp_path):
 def test_coq_accepts_the_bounds_and_rejects_mutants(checker):
     """The theorems are accepted, rest on the listed axioms; mutants, wider ranges and singular points fail."""
     names = ("projection.mu_from_center", "normal_case.from_orientation", "projection.projection_determinant")
-    lowered = [lower(*kernels([name])) for name in names]
-    found = [accuracy_of(low, algebroproj) for low in lowered]
+    chosen = [lower(*kernels([name])) for name in names]
+    found = [accuracy_of(low, algebroproj) for low in chosen]
     write_texts(render(found), checker)
     assert not any(result.error for result in compiled(checker, [each.name for each in found]))
     assumed = assumptions(checker, CLASSICAL)

@@ -603,6 +603,7 @@ Ltac nonzero :=
   | |- _ /\ _ => split; nonzero
   | |- _ * _ <> 0 => apply product_nonzero; nonzero
   | |- _ ^ _ <> 0 => apply power_nonzero; nonzero
+  | |- IZR _ <> 0 => apply not_0_IZR; discriminate
   | |- _ => first
     [ assumption
     | lra
@@ -616,6 +617,7 @@ Ltac positive :=
   match goal with
   | |- 0 < ?p * ?p => apply square_positive; nonzero
   | |- 0 < _ * _ => apply product_positive; positive
+  | |- 0 < IZR _ => now apply IZR_lt
   | |- _ => lra
   end.
 

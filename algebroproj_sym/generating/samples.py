@@ -14,16 +14,18 @@ from itertools import islice
 
 import sympy
 
-from algebroproj_sym.declaring import Stage
-from algebroproj_sym.expressions import Scalar, evaluate
+from algebroproj_sym.declaring.kernel import Result
+from algebroproj_sym.expressions import Scalar, evaluate, vector
 from algebroproj_sym.expressions.exact import fmpq, fraction
-from algebroproj_sym.generating.lowering import Lowered
+from algebroproj_sym.generating.lowering import Lowered, program_of
 from algebroproj_sym.generating.program import Program, run, without_unused
 from algebroproj_sym.proving import seed_of
 
 DISTANCES = tuple(range(1, 15))
 SEVERAL = "near several factors"
 RESULT = "near a zero of a result"
+STUCK = 50
+"""After how many points, none of which could be moved to a zero, others are drawn."""
 
 Point = dict[sympy.Symbol, Fraction]
 
@@ -87,11 +89,15 @@ def _on(
 ) -> Iterator[Point]:
     """Yield points on which a factor is zero, and all of whose coordinates are of some kind."""
     generator = random.Random(seed_of(factor))
+    stuck = 0
     for _ in range(trials):
+        if stuck == STUCK:
+            return
         point = drawn(generator)
         moved = point if _vanishes(value, point) else moved_to(value, variables, point, Fraction(0), generator)
         if moved is not None and all(map(is_kept, moved.values())):
             yield moved
+        stuck = stuck + 1 if moved is None else -trials
 
 
 def _vanishes(value: Callable[[Point], Fraction], point: Point) -> bool:
@@ -103,20 +109,10 @@ def _vanishes(value: Callable[[Point], Fraction], point: Point) -> bool:
 
 def _value_through_lets(factor: Scalar, lowered: Lowered) -> Callable[[Point], Fraction]:
     """Return the function that evaluates a factor in which names stand for rational expressions of the inputs."""
-    symbols, stages = {*factor.free_symbols}, list[Stage]()
-    for stage in reversed(lowered.lets):
-        if symbols & {*stage.results}:
-            symbols |= stage.derived.free_symbols
-            stages.insert(0, stage)
-    last = value_of(factor)
-
-    def value(point: Point) -> Fraction:
-        known = dict(point)
-        for stage in stages:
-            known |= zip(stage.results, map(Fraction, evaluate(stage.derived, known)), strict=True)
-        return last(known)
-
-    return value
+    column = vector(factor)
+    results = (Result("factor", column, column),)
+    kernel = replace(lowered.kernel, results=results, stages=lowered.lets, where=())
+    return partial(_value_of_program, without_unused(program_of(kernel, ())))
 
 
 def _small(symbols: Sequence[sympy.Symbol], share_of_zeros: float, generator: random.Random) -> Point:

@@ -7,7 +7,8 @@ divisor can be made products with its reciprocal.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from functools import lru_cache
 from itertools import combinations
 from typing import TypeAlias
 
@@ -101,13 +102,13 @@ def _pair_counts(graph: Graph, outputs: Sequence[Signed]) -> Counter[Pair]:
     return counts
 
 
-def _pairs(node: Node) -> Iterator[tuple[tuple[Signed, Signed], Pair]]:
-    for first, second in combinations(node.operands, 2):
-        yield (first, second), _normal(node.kind, first, second)
+@lru_cache(maxsize=4096)
+def _pairs(node: Node) -> tuple[tuple[tuple[Signed, Signed], Pair], ...]:
+    return tuple((pair, _normal(node.kind, *pair)) for pair in combinations(node.operands, 2))
 
 
 def _normal(kind: Kind, first: Signed, second: Signed) -> Pair:
-    (s, a), (t, b) = sorted((first, second), key=lambda term: term[1])
+    (s, a), (t, b) = (first, second) if first[1] <= second[1] else (second, first)
     return kind, (1, a), (s * t, b)
 
 

@@ -24,7 +24,7 @@ from algebroproj_sym.generating.description import by_module, factor_name, formu
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
 from algebroproj_sym.generating.operation_counts import operation_counts
-from algebroproj_sym.generating.program import Call, Step, run
+from algebroproj_sym.generating.program import Call, Program, Step, run
 from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.generating.runtime.pairs import DIGITS
 from algebroproj_sym.generating.writing import NOTICE, PACKAGE
@@ -103,7 +103,8 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
     sources = sorted({f"{low.kernel.paper} {low.kernel.section}" for low in group})
     title = f"Functions of {', '.join(sources)}."
     called = _called(group)
-    programs = [program for low in group for program in (low.program, factors_of(low))]
+    factors = [factors_of(low) for low in group]
+    programs = (*(low.program for low in group), *factors)
     operators = {step.operator for program in programs for step in program.steps if isinstance(step, Step)}
     return _TEMPLATES.get_template("module.py.j2").render(
         title=title,
@@ -111,12 +112,12 @@ def _module(group: Sequence[Lowered], drivers: Sequence[Driver]) -> str:
         primitives=[(name, sorted(names)) for name, names in groupby(sorted(called, key=_home), key=_home)],
         compiled=any(is_compiled(low) or is_compiled_plain(low) for low in group),
         digits=sorted(operators.intersection(DIGITS)),
-        functions=[_function(low) for low in group],
+        functions=[_function(low, factored) for low, factored in zip(group, factors, strict=True)],
         drivers=[{"name": driver.name, "module": driver.source.stem} for driver in drivers],
     )
 
 
-def _function(low: Lowered) -> dict[str, Any]:
+def _function(low: Lowered, factors: Program) -> dict[str, Any]:
     kernel = low.kernel
     return {
         "name": kernel.name,
@@ -142,7 +143,7 @@ def _function(low: Lowered) -> dict[str, Any]:
         "example_result": _example_result(low),
         "body": statements(low.program),
         "factors": packed([f'"{factor}"' for factor in map(factor_name, low.hypotheses)]),
-        "factors_body": statements(factors_of(low)) if low.hypotheses else [],
+        "factors_body": statements(factors) if low.hypotheses else [],
     }
 
 

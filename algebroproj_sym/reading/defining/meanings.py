@@ -34,10 +34,13 @@ _SIGNS = (
     (
         r"\blogical (?:or|and|disjunction|conjunction)\b|\bboolean (?:algebra|or|and|sum|product)\b"
         r"|\b(?:max|min)-plus\b|\btropical (?:algebra|semiring|sum|addition)|\bMinkowski (?:sum|difference)"
-        r"|\bproduct\b[^.$]* is (?:the|their) composition"
-        r"|\$\s*(?:=|\+|/|\\cdot)\s*\$ (?:means|denotes|stands|is)\b",
+        r"|\bproduct\b[^.$]* is (?:the|their) composition|\$\s*=\s*\$ (?:means|denotes|stands|is)\b",
         r"",
         "signs may mean something else than for numbers",
+    ),
+    *(
+        (rf"\$\s*{sign}\s*\$ (?:means|denotes|stands|is)\b", latex, "a sign may mean something else than for numbers")
+        for sign, latex in ((r"\+", r"\+"), ("/", r"/|\\[dt]?frac"), (r"\\cdot", r"(?<![_^{])\\cdot"))
     ),
     (
         r"\bnearest integer|\binteger part|\bfractional part",
@@ -50,7 +53,12 @@ _SIGNS = (
         "a bracket may be a product",
     ),
     (r"\bexclusive[- ]or\b|\bxor\b", r"\^", "a caret may be the exclusive or"),
-    (r"\bconcatenat\w+", r"", "a product may be another thing than that of numbers"),
+    (
+        r"\bconcatenat\w+[^.]{0,60}\b(?:strings?|words?|symbols?|sequences?|lists?|paths?|digits?)\b"
+        r"|\b(?:strings?|words?|symbols?|sequences?|lists?|paths?|digits?|products?|juxtaposition)\b[^.]{0,60}\bconcatenat\w+",
+        r"",
+        "a product may be another thing than that of numbers",
+    ),
     (
         r"\b(?:numbers?|numerals?|digits?|codes?|written|given|arithmetic)\b[^.]{0,20}\b(?:binary|hexadecimal|octal)\b"
         r"|\bin (?:binary|hexadecimal|octal)\b",

@@ -173,13 +173,18 @@ def _equations(span: Integers) -> Integers:
         square = span[a].dot(span[b].T)
         square = square if a == b else square + square.T
         factor = 2 * square - np.trace(square) * unit
-        crossed = np.cross(span[a][1], span[b][2])
-        crossed = crossed if a == b else crossed + np.cross(span[b][1], span[a][2])
+        crossed = _crossed(span[a][1], span[b][2])
+        crossed = crossed if a == b else crossed + _crossed(span[b][1], span[a][2])
         for c in range(4):
             place = (LEADING + REST).index(tuple(sorted((a, b, c))))
             found[:9, place] += factor.dot(span[c]).ravel()
             found[9, place] += span[c][0].dot(crossed)
     return found
+
+
+def _crossed(one: Integers, other: Integers) -> Integers:
+    """Return the cross product of two vectors, shape (3,)."""
+    return np.roll(one, -1) * np.roll(other, -2) - np.roll(one, -2) * np.roll(other, -1)
 
 
 # Numbers with many digits.

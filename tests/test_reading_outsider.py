@@ -196,3 +196,32 @@ def test_an_empty_entry_beside_a_derivative_by_a_vector_is_read() -> None:
     left, right = r"\frac{\partial f}{\partial \mathbf{x}}", r"\begin{pmatrix} & 1 \end{pmatrix}"
     found = read_document(document_of(rf"Let $\mathbf{{x}}$ be a vector. \[ {left} = {right} \]"))
     assert [each.verdict for each in found] == ["not decided"]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"The iterates of $f$ are studied. \[ f(x) = 2 x \] \[ f^2(x) = 4 x^2 \]",
+        r"\[ f(x) = 2 x \] Here $f^2 = f \circ f$. \[ f^2(x) = 4 x^2 \]",
+        r"\[ f(x) = 2 x \] \[ f^2(x) = f(f(x)) \] \[ f^2(x) = 4 x^2 \]",
+        r"Here $+$ means the union. \[ C = A + B \] Hence \[ C - B = A. \]",
+    ],
+)
+def test_an_iterate_is_no_power_and_a_sum_no_product(latex: str) -> None:
+    assert read_document(document_of(latex))[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ w(z) = a + b z \] \[ w^2(z) = a^2 + 2 a b z + b^2 z^2 \]",
+        r"\[ d^2_\sigma(z) = p + q z^2 \] \[ d^2_\sigma(z) - p = q z^2 \]",
+        r"\[ h = q_v h_v + q_l h_l \] \[ h - q_l h_l = q_v h_v \]",
+        r"\[ L^\uparrow = (1 - e) L^\downarrow + e s \] \[ L^\uparrow - e s = (1 - e) L^\downarrow \]",
+        r"$$ \begin{eqnarray} u &=& a + b \end{eqnarray} $$ \[ u - b = a \]",
+        r"Concatenate the two vectors. \[ a = b + c \] \[ 2 a = 2 b + 2 c \]",
+        r"where $\cdot$ stands for v or p \[ c_{\cdot m} = a + b \] \[ 2 c_{\cdot m} = 2 a + 2 b \]",
+    ],
+)
+def test_what_looks_like_an_iterate_or_another_sign_is_none(latex: str) -> None:
+    assert read_document(document_of(latex))[-1].verdict == "follows"

@@ -7,7 +7,7 @@ everything is modulo 4.  Such an equation is read, and not decided.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -51,6 +51,12 @@ _SIGNS = (
         r"\b(?:scalar|inner) products?\b|\bcommut(?:e|es|ators?)\b|\bbrackets? (?:is|are)\b",
         r"(?<![a-zA-Z}])(?:\(|\[|\\langle)[^()\[\],]+,[^()\[\],]+(?:\)|\]|\\rangle)",
         "a bracket may be a product",
+    ),
+    (
+        r"\bcompos(?:e|es|ed|itions?)\b|\biterat(?:es?|ed|ions?)\b|\bappl\w+ twice\b|\btwice in a row\b"
+        r"|(?<!\^)(?<!\^\{)\\circ(?![a-z])|([a-zA-Z])\s*(?:\\left\s*)?\(\s*\1\s*(?:\\left\s*)?\(",
+        r"\^\s*\{?\s*[2-9]\s*\}?\s*(?:\\left\s*)?\(",
+        "a power of a function may be its iterate",
     ),
     (r"\bexclusive[- ]or\b|\bxor\b", r"\^", "a caret may be the exclusive or"),
     (
@@ -181,7 +187,8 @@ class Meanings:
 
     @cached_property
     def _signs(self) -> list[tuple[re.Pattern[str], str]]:
-        said = (each for each in _SIGNS if re.search(each[0], self.words, re.IGNORECASE))
+        text = " ".join([self.words, *(each.latex for each in self.statements)])
+        said = (each for each in _SIGNS if re.search(each[0], text, re.IGNORECASE))
         return [(re.compile(latex), reason) for _, latex, reason in said]
 
     @cached_property
@@ -284,10 +291,24 @@ def _summed_silently(sides: Sequence[Formula]) -> str:
             bound = {str(token) for big in side.find_data("big") for token in _INDEX.findall(str(big.children[0]))}
             factors = [_indices_of(_text(each)) for each in product.children]
             twice = {each for one in factors for each in one if sum(each in other for other in factors) == 2} - bound
+            twice -= _labels_in(side, product, twice)
             for other, theirs in enumerate(indices):
                 if other != place and (free := theirs) and (lone := twice - theirs) and free & indices[place]:
                     return min(lone)
     return ""
+
+
+def _labels_in(side: Formula, product: Formula, indices: Collection[str]) -> set[str]:
+    """Return the indices of a product that are labels: another one has the same letters with another index."""
+    heads = [_head_of(each) for each in product.children]
+    others = [each for each in side.find_data("run") if each != product and [*map(_head_of, each.children)] == heads]
+    theirs = [{index for factor in each.children for index in _indices_of(_text(factor))} for each in others]
+    return {each for each in indices if any(found and each not in found for found in theirs)}
+
+
+def _head_of(factor: object) -> str:
+    symbol = _text(factor)
+    return split_symbol(symbol)[0] if symbol and " " not in symbol and "/" not in symbol else ""
 
 
 def _indices_of(symbol: str) -> frozenset[str]:

@@ -11,7 +11,7 @@ from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING, RELATIONS
 from algebroproj_sym.reading.lexing.pieces import Piece, outside_environments, split_pieces
 
 _INNER = re.compile(
-    r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlined|subarray|(?:align|equation|gather|multline)\*?)\}"
+    r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlined|subarray|(?:align|eqnarray|equation|gather|multline)\*?)\}"
 )
 _TAGGED = re.compile(r"\\(?:nonumber|notag|tag)(?![a-z])")
 _WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shortintertext")

@@ -180,10 +180,22 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
     elif cursor.functions is not None and _has_indices(cursor, letter, below, above):
         cursor.chose = "letters above may be indices"
         emit_name(cursor, whole, start)
+    elif cursor.functions is not None and re.fullmatch("[2-9]", above) and _is_called(cursor, bare):
+        raised, inside = cursor.raised, bracket_ahead(cursor)
+        argument = cursor.within(inside)
+        argument.until_end()
+        cursor.out += [Token("CALLEE", bare, start_pos=start), *argument.out]
+        cursor.index += len(inside)
+        emit_power(cursor, above, raised)
     else:
         emit_name(cursor, bare, start, raised=True)
         emit_power(cursor, above, _without_primes(cursor.raised))
     read_after(cursor)
+
+
+def _is_called(cursor: Cursor, name: str) -> bool:
+    """Whether the round bracket that comes next has the argument of a letter."""
+    return cursor.peek() == "(" and (name in (cursor.functions or ()) or _at_argument(cursor))
 
 
 def _without_primes(raised: Sequence[Piece]) -> list[Piece]:
@@ -256,7 +268,7 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
         cursor.out.append(Token("SYMBOL", indexed, start_pos=start))
         return
     called = bracket == "[" and _ONE_INDEX.fullmatch(_inside_of(cursor)) is not None
-    called = called or (bracket == "(" and (whole in (cursor.functions or ()) or _at_argument(cursor)))
+    called = called or (bracket == "(" and _is_called(cursor, whole))
     called = called or (bracket in ("(", "[") and _FUNCTION.fullmatch(whole) is not None)
     called = called or (bracket == "[" and _EXPECTATION.fullmatch(whole) is not None)
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))

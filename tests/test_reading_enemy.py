@@ -303,3 +303,13 @@ def test_one_value_of_a_function_says_nothing_of_another_one():
     assert found[3].links[0].rests_on == ("line 1",)
     found = read_document(document_of(r"\[ f(x) = a x. \] \[ f(a) = a^2. \] \[ f(2) = 4. \]"), seconds=5)
     assert [each.verdict for each in found] == ["definition", "follows", "independent"]
+
+
+def test_a_vector_may_stand_for_itself_with_the_opposite_sign() -> None:
+    column = r"\begin{bmatrix} %s \\ %s \\ %s \end{bmatrix}"
+    given = r"\[ \mathbf{q} := " + column % ("-a", "b", "c")
+    opposite, wrong = (read_document(document_of(given + " = " + column % each + r" \]"))[-1] for each in VECTORS)
+    assert (opposite.verdict, wrong.verdict) == ("independent", "contradicts")
+
+
+VECTORS = (("a", "-b", "-c"), ("-a", "-b", "c"))

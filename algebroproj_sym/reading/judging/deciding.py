@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
 
+import sympy
+
 from algebroproj_sym.expressions import entries, evaluate, free_symbols
 from algebroproj_sym.proving import Outcome
 from algebroproj_sym.proving.reals.prove import may_agree, often_agree
@@ -144,9 +146,19 @@ def _doubt_of_refutation(way: Way) -> str:
         return f"a function, a sum or an integral in it {NOT_COMPUTED}"
     if letters is not None:
         return ""
+    if _are_opposite(way):
+        return "its sides have opposite signs: quaternions and homogeneous vectors may be the same up to a factor"
     elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
     positive = bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
     return "it holds where its letters are positive" if positive else ""
+
+
+def _are_opposite(way: Way) -> bool:
+    """Whether a vector or a matrix is printed on both sides, with the opposite sign in all of its entries."""
+    if not all(side.data == "matrix" for side in way.sides):
+        return False
+    left, right = (entries(way.vocabulary.value(side)) for side in way.sides)
+    return len(left) > 1 and all(sympy.expand(a + b) == 0 for a, b in zip(left, right, strict=True))
 
 
 def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:

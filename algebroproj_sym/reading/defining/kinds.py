@@ -19,7 +19,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.axes import Axes, axes_in
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
 Sides = Sequence[Formula]
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
@@ -144,7 +144,7 @@ class _Closure:
         It is a thin capital beside what is no number; or a small letter at the end of a product, behind a matrix or
         what is transposed; or before what is transposed, as in ``x y^T``.
         """
-        factors = _trees(product)
+        factors = trees_in(product)
         inside = {letter for each in factors for letter in _factors(each)}
         if inside & (self.known | self.open):
             self.open |= {each for each in inside if _CAPITAL.match(each)} - self._numbers - self._scales
@@ -170,30 +170,26 @@ class _Closure:
     def _is_no_number(self, term: Any) -> bool:
         """Whether a term is a vector or a matrix, whatever the letters are of which nothing is known."""
         if is_mean(term):
-            return self._is_no_number(_trees(term)[0])
+            return self._is_no_number(trees_in(term)[0])
         if term.data in ("symbol", "opaque", "call"):
             return str(term.children[0]) in self.known
         if term.data == "matrix":
             return _is_table(term)
         if term.data == "sum" or (term.data in ("group", "bracket", "items") and len(term.children) == 1):
-            return any(map(self._is_no_number, _trees(term)))
+            return any(map(self._is_no_number, trees_in(term)))
         if term.data in ("marked", "fraction", "quotient", "big"):
-            return self._is_no_number(_trees(term)[0])
+            return self._is_no_number(trees_in(term)[0])
         if term.data == "power":
             return _CAPITAL.match(_base(term)) is not None and self._is_no_number(term.children[0])
         if term.data == "product":
-            return _is_cross(term) and all(map(self._is_no_number, _trees(term)))
+            return _is_cross(term) and all(map(self._is_no_number, trees_in(term)))
         if term.data == "run" and len(term.children) == 2 and self._is_matrix(_lone(term.children[0])):
             return _lone(term.children[1]) != ""
         if term.data == "run":
-            inside = [each for each in _trees(term) if {*symbols_in(each)} & (self.known | self.open)]
+            inside = [each for each in trees_in(term) if {*symbols_in(each)} & (self.known | self.open)]
             alone = len(inside) == 1 or all(_CAPITAL.match(_base(each)) for each in inside)
             return alone and any(map(self._is_no_number, inside))
         return False
-
-
-def _trees(tree: Formula) -> list[Formula]:
-    return [each for each in tree.children if isinstance(each, Tree)]
 
 
 def _base(factor: Any) -> str:
@@ -220,7 +216,7 @@ def _head(term: Any) -> str:
 def is_mean(term: Formula) -> bool:
     """Whether a formula is an expected value: it has the shape of what stands within it."""
     name = str(term.children[0]) if term.data == "call" else ""
-    return MEAN.fullmatch(name) is not None and len(_trees(term)[0].children) == 1
+    return MEAN.fullmatch(name) is not None and len(trees_in(term)[0].children) == 1
 
 
 def _is_printed_number(term: Any) -> bool:
@@ -242,7 +238,7 @@ def _sums_in(sides: Sides) -> Iterator[list[Any]]:
 def _terms(side: Any) -> list[Any]:
     if side.data in ("group", "bracket", "items") and len(side.children) == 1:
         return _terms(side.children[0])
-    return [term for each in _trees(side) for term in _terms(each)] if side.data == "sum" else [side]
+    return [term for each in trees_in(side) for term in _terms(each)] if side.data == "sum" else [side]
 
 
 def _family(symbol: str) -> tuple[str, str]:
@@ -279,7 +275,7 @@ def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                 found |= {*_factors(tree.children[1], deep=False)}
             elif tree.data in ("function", "raised_function") and head in _OF_ANGLES:
-                angles |= {each for part in _trees(tree)[-1:] for each in symbols_in(part)}
+                angles |= {each for part in trees_in(tree)[-1:] for each in symbols_in(part)}
     found |= unless - angles
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
@@ -298,7 +294,7 @@ def _is_table(side: Any) -> bool:
         side = side.children[0]
     if side.data != "matrix" or "vmatrix" in side.children[0]:
         return False
-    rows = _trees(side)
+    rows = trees_in(side)
     return len(rows) > 1 or len(rows[0].children) > 1
 
 
@@ -311,7 +307,7 @@ def _factors(tree: Any, *, deep: bool = True) -> Iterator[str]:
     elif tree.data in ("run", "product", "sum", "group") or (
         tree.data in ("bracket", "items") and len(tree.children) == 1
     ):
-        for part in _trees(tree):
+        for part in trees_in(tree):
             yield from _factors(part, deep=deep)
 
 
@@ -319,12 +315,12 @@ def _numbers_in(side: Formula) -> Iterator[str]:
     """Yield the symbols that are numbers by where they stand: below a line, in a function, a root or an exponent."""
     for tree in side.iter_subtrees():
         if tree.data in ("fraction", "quotient", "power"):
-            inside = _trees(tree)[1:]
+            inside = trees_in(tree)[1:]
         elif tree.data in ("root", "nth_root", "factorial"):
-            inside = _trees(tree)
+            inside = trees_in(tree)
         else:
             named = tree.data == "function" and tree.children[0] not in _OF_MATRICES
-            inside = _trees(tree) if named else []
+            inside = trees_in(tree) if named else []
         for each in inside:
             yield from _factors(each)
 
@@ -335,13 +331,13 @@ def _above_lines(side: Formula) -> Iterator[str]:
         if _is_quotient(tree):
             yield from _factors(tree.children[0])
         elif tree.data == "run":
-            for one, other in pairwise(_trees(tree)):
+            for one, other in pairwise(trees_in(tree)):
                 if _is_quotient(other):
                     yield from _factors(one)
 
 
 def _is_quotient(tree: Formula) -> bool:
-    return tree.data in ("fraction", "quotient") and all(map(symbols_in, _trees(tree)))
+    return tree.data in ("fraction", "quotient") and all(map(symbols_in, trees_in(tree)))
 
 
 def _oblong_in(equations: Iterable[Sides], sides: Iterable[Formula]) -> Iterator[str]:
@@ -367,7 +363,7 @@ def _squared_in(tree: Any) -> Iterator[str]:
     if not isinstance(tree, Tree):
         return
     for term in _terms(tree):
-        first, last = (_trees(term)[0], _trees(term)[-1]) if term.data == "run" else (term, term)
+        first, last = (trees_in(term)[0], trees_in(term)[-1]) if term.data == "run" else (term, term)
         if _base(first) == _base(last) and (first.data == "marked") != (last.data == "marked"):
             yield _base(first)
 
@@ -384,8 +380,8 @@ def _accents_in(equations: Iterable[Sides], *, spoken: bool) -> frozenset[str]:
     for sides in equations:
         for side in sides:
             for product in filter(_is_cross, side.iter_subtrees()):
-                accents = frozenset.intersection(*map(_accents_of, _trees(product)))
-                nested = any(map(_is_cross, (each for part in _trees(product) for each in part.iter_subtrees())))
+                accents = frozenset.intersection(*map(_accents_of, trees_in(product)))
+                nested = any(map(_is_cross, (each for part in trees_in(product) for each in part.iter_subtrees())))
                 found |= accents if spoken or nested else accents & {"underline"}
             for symbol in _numbers_in(side):
                 others |= _accents_of_vectors(symbol)

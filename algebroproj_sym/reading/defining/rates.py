@@ -12,7 +12,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
 ONE: Formula = Tree("number", [Token("NUMBER", "1")])
 _ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
@@ -56,25 +56,21 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
         rated = [_with(tree, place, rate_of(each, rates)) for place, each in places]
         return _sum([("+", each) for each in rated if each is not None])
     if tree.data == "fraction" or (tree.data == "quotient" and len(tree.children) == 2):
-        above, below = _trees(tree)
+        above, below = trees_in(tree)
         return _of_fraction(above, below, rates)
     if tree.data == "power":
-        base, exponent = _trees(tree)
+        base, exponent = trees_in(tree)
         return _of_power(base, exponent, rates)
     if tree.data == "function" and tree.children[0] in ("sin", "cos", "exp"):
         return _of_function(tree, rates)
     if tree.data == "marked" and tree.children[1] in ("T", "hat", "vee"):
-        return _with(tree, 0, rate_of(_trees(tree)[0], rates))
+        return _with(tree, 0, rate_of(trees_in(tree)[0], rates))
     if tree.data in _LINEAR and len(tree.children) == 1:
-        return _with(tree, 0, rate_of(_trees(tree)[0], rates))
+        return _with(tree, 0, rate_of(trees_in(tree)[0], rates))
     if tree.data in ("matrix", "row") and "vmatrix" not in str(tree.children[0]):
         parts: list[Any] = [each if isinstance(each, Token) else _or_zero(each, rates) for each in tree.children]
         return Tree(tree.data, parts)
     raise UnreadableError("the derivative of something in it is not computed")
-
-
-def _trees(tree: Formula) -> list[Formula]:
-    return [each for each in tree.children if isinstance(each, Tree)]
 
 
 def _written(call: Formula) -> str:
@@ -91,7 +87,7 @@ def _with(tree: Formula, place: int, part: Any) -> Formula | None:
 def _or_zero(tree: Formula, rates: Mapping[str, Formula]) -> Formula:
     """Return the rate of an entry, or of each entry of a row; zero if it does not change."""
     if tree.data in ("row", "cell"):
-        parts: list[Any] = [_or_zero(each, rates) for each in _trees(tree)]
+        parts: list[Any] = [_or_zero(each, rates) for each in trees_in(tree)]
         return Tree(tree.data, parts)
     return rate_of(tree, rates) or _ZERO
 
@@ -120,7 +116,7 @@ def _of_fraction(above: Formula, below: Formula, rates: Mapping[str, Formula]) -
 def _of_power(base: Formula, exponent: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     """Return the rate of a power with a small whole exponent: that of a product of so many factors."""
     while exponent.data == "group":
-        (exponent,) = _trees(exponent)
+        (exponent,) = trees_in(exponent)
     times = str(exponent.children[0]) if exponent.data == "number" else ""
     if not (times.isdigit() and 1 < int(times) <= MOST_MATRIX_POWER):
         raise UnreadableError("the derivative of a power in it is not computed")
@@ -128,12 +124,12 @@ def _of_power(base: Formula, exponent: Formula, rates: Mapping[str, Formula]) ->
 
 
 def _of_function(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
-    name, inside = str(tree.children[0]), _trees(tree)[0]
+    name, inside = str(tree.children[0]), trees_in(tree)[0]
     rate = rate_of(inside, rates)
     if rate is None:
         return None
     other: Formula = Tree("function", [Token("FUNCTION", {"sin": "cos", "cos": "sin"}.get(name, name)), inside])
     if rate.data == "items":
-        (rate,) = _trees(rate)
+        (rate,) = trees_in(rate)
     sign = "-" if name == "cos" else "+"
     return _sum([(sign, Tree("run", [other, rate]))])

@@ -10,7 +10,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
 _Factors = tuple[Formula, ...]
 _IN_BRACKETS = ("group", "bracket", "items")
@@ -68,15 +68,11 @@ def _linear(tree: Formula, letter: str, *, minus: bool) -> _Linear:
         return _Linear([], [(minus, tree)])
     if tree.data == "sum":
         return _of_sum(tree, letter, minus=minus)
-    if tree.data == "fraction" and letter not in symbols_in(below := _trees(tree)[1]):
-        return _of_product([Tree("fraction", [_ONE, below]), _trees(tree)[0]], letter, minus=minus)
+    if tree.data == "fraction" and letter not in symbols_in(below := trees_in(tree)[1]):
+        return _of_product([Tree("fraction", [_ONE, below]), trees_in(tree)[0]], letter, minus=minus)
     if tree.data == "run":
-        return _of_product(_trees(tree), letter, minus=minus)
+        return _of_product(trees_in(tree), letter, minus=minus)
     raise _OtherwiseError
-
-
-def _trees(tree: Formula) -> list[Formula]:
-    return [each for each in tree.children if isinstance(each, Tree)]
 
 
 def _of_sum(tree: Formula, letter: str, *, minus: bool) -> _Linear:

@@ -20,7 +20,7 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.judging.questions import used_by
 from algebroproj_sym.reading.judging.words import Beside, strange_word, words_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
 NOT_COMPUTED = "has a value that is not computed"
 NOT_GIVEN = "its letters are defined nowhere above it"
@@ -111,7 +111,7 @@ def _doubt_of_products(left: Formula, right: Formula, vocabulary: Vocabulary) ->
     for tree in (left, right):
         for product in tree.find_data("product"):
             signs = [each for each in product.children if isinstance(each, Token)]
-            letters = [each for factor in _trees(product) for each in symbols_in(factor)]
+            letters = [each for factor in trees_in(product) for each in symbols_in(factor)]
             if r"\times" in signs and letters and not any(map(vocabulary.is_matrix, letters)):
                 return "a cross may be that of vectors"
     one, other = ([*symbols_in(each)] for each in (left, right))
@@ -119,12 +119,8 @@ def _doubt_of_products(left: Formula, right: Formula, vocabulary: Vocabulary) ->
     return "the order of the factors may matter" if is_single and one != other and sorted(one) == sorted(other) else ""
 
 
-def _trees(tree: Formula) -> list[Formula]:
-    return [each for each in tree.children if isinstance(each, Tree)]
-
-
 def _terms(tree: Formula) -> int:
-    return len(_trees(tree)) if tree.data == "sum" else 1
+    return len(trees_in(tree)) if tree.data == "sum" else 1
 
 
 def _is_turned(left: Formula, right: Formula, vocabulary: Vocabulary) -> bool:

@@ -159,3 +159,8 @@ def symbols_in(tree: Formula) -> list[str]:
     kinds = ("SYMBOL", "CALLEE", "OPAQUE")
     found = tree.scan_values(lambda token: isinstance(token, Token) and token.type in kinds)
     return list(dict.fromkeys(map(str, found)))
+
+
+def trees_in(tree: Formula) -> list[Formula]:
+    """Return the formulas of which a formula is made, without signs and names."""
+    return [each for each in tree.children if isinstance(each, Tree)]

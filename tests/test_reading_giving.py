@@ -43,6 +43,10 @@ def verdicts(latex):
         r"The next state is \[ \begin{pmatrix} x_{k+1} \\ y_{k+1} \end{pmatrix} = "
         r"\begin{pmatrix} a & 1 \\ 0 & b \end{pmatrix} \begin{pmatrix} x_k \\ y_k \end{pmatrix}. \]",
         r"Let $\Pi$ be the Exner function. \[ \theta = \frac{T}{\Pi} \]",
+        r"The state is \[ \mathbf{x} = \begin{bmatrix} \mathbf{q} \\ \mathbf{u} \end{bmatrix} "
+        r"= \begin{bmatrix} a \\ b \\ c \\ d \end{bmatrix}. \]",
+        r"The simplest model would be \[ b = f + g. \]",
+        BEFORE + r"\[ \mathbf{v} = \begin{pmatrix} b \\ c \end{pmatrix} \in \mathbb{R}^2 \]",
         r"The operators $A$ and $B$ do not commute. One step is \[ s = e^{A h} e^{B h} u. \]",
         r"We introduce the Hamiltonian \[ \mathcal{H}(\mathbf{x}, \mathbf{p}) = \lambda_0 c + \lambda_1 f. \]",
     ],
@@ -83,6 +87,8 @@ def test_an_equation_that_gives_its_letter_is_a_definition(latex):
         BEFORE + r"If \[ t = b + c, \] it stops.",
         BEFORE + r"It is wrong that \[ t := b + c. \]",
         r"The sum is of numbers modulo 4. \[ 2 x = 2 y. \] Hence \[ x = y. \]",
+        r"\[ a = b. \] \[ \mathbf{x} + \mathbf{y} = \begin{bmatrix} a \\ b \end{bmatrix}. \]",
+        r"\[ a = 2 b. \] Then \[ a \in \mathbb{R}. \]",
         r"\[ x'' = -x. \] \[ \begin{pmatrix} x \\ t \end{pmatrix} = \begin{pmatrix} x \\ a \end{pmatrix}. \]",
     ],
 )

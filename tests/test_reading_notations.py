@@ -52,6 +52,7 @@ def read(latex, **options):
         (r"F = \begin{pmatrix} x, & y \end{pmatrix}", ["F = [[x, y]]"]),
         (r"a = \begin{matrix} \end{matrix}", ["a = [[]]"]),
         (r"\mathrm{E_}(X) = a", ["E(X) = a"]),
+        (r"T^{n+1,k} = \zeta_0^{\ell,0} + U^{\ast\ast}", ["T_nplus1_k = zeta_0_ell0 + U_astast"]),
         (r"V = A^{k^\prime}", ["V = Ap**k"]),
         (r"a = \\ = b == c", ["a = b = c"]),
         (r"a = b . \avoidbreak", ["a = b"]),

@@ -438,35 +438,41 @@ class _Pass:
         return replace(made, usable=made.usable and computes(made, self.vocabulary))
 
     def _tells(self, statement: Statement, formula: Parsed, index: int) -> bool:
-        """Whether a relation of a chain says what its left side is, so that there is nothing to check."""
+        """Whether a relation of a chain says what its left side is, so that there is nothing to check.
+
+        So does one that names the entries of a matrix: ``x = (q, u) = (a, b, c, d)``.
+        """
         left, right = formula.sides[index], formula.sides[index + 1]
         if formula.relations[index] == "∈":
-            return index > 0 and self._introduces(statement, formula)
+            return index > 0 and self._tells(statement, formula, 0)
         first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
         introduces = index == 0 and self._introduces(statement, formula)
+        names = index > 0 and right.data == "matrix" and self._are_new(introduced_by(right), left, statement)
         return formula.relations[index] in EQUALITIES and (
-            introduces or (first and self._gives(statement, left, right))
+            introduces or names or (first and self._gives(statement, left, right))
         )
+
+    def _are_new(self, symbols: frozenset[str], other: Formula, statement: Statement) -> bool:
+        """Whether nothing was said of letters before, and the other side does not have them."""
+        before = {*self.vocabulary.definitions, *self.given.whole.symbols}
+        before |= {symbol for symbol, since in self.asserted.items() if since != statement.display.place}
+        return bool(symbols) and not symbols & before.union(symbols_in(other))
 
     def _introduces(self, statement: Statement, formula: Parsed) -> bool:
         """Whether an equation says what something is of which nothing was said before, though perhaps in a case."""
         left, right = formula.sides[:2] if formula.relations[0] != "=:" else formula.sides[1::-1]
-        if self.beside.is_denied or self.beside.exchanged or self._named(statement, self.given.statements):
+        if self.beside.is_rejected or self.beside.exchanged or self._named(statement, self.given.statements):
             return False
         if formula.relations[0] in (":=", "=:"):
             return True
-        symbols, place = introduced_by(left), statement.display.place
-        before = {*self.vocabulary.definitions, *self.given.whole.symbols}
-        before |= {symbol for symbol, since in self.asserted.items() if since != place}
-        theirs, parameters = {*symbols_in(right)}, defined_by(left)[1]
+        parameters = defined_by(left)[1]
         values = [str(each.children[0]) for each in left.iter_subtrees() if each.data == "call"]
         value = not defined_by(right)[0] and (bool(parameters) or all(map(self.survey.has_one_argument, values)))
         everywhere = not values or (bool(parameters) and not is_one_value(parameters, right))
         return (
-            bool(symbols)
-            and not symbols & (before | theirs)
+            self._are_new(introduced_by(left), right, statement)
             and (everywhere or value)
-            and bool(theirs)
+            and bool(symbols_in(right))
             and not derivatives_in((left,), self.vocabulary, self.survey.occurring)
             and not self.beside.is_condition
         )
@@ -477,7 +483,7 @@ class _Pass:
         It may not be a condition, or hold but roughly.  Where an equation near it may give the letter as well, its
         sentence must say that it is introduced.
         """
-        if self.beside.is_denied or self.beside.exchanged:
+        if self.beside.is_rejected or self.beside.exchanged:
             return False
         if is_indexed_above(left):
             above = any(

@@ -29,22 +29,25 @@ CONDITIONAL = re.compile(
     re.IGNORECASE,
 )
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
-_DENIED = re.compile(
+_REJECTED = (
     r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|refuted|dispro\w+|absurd|"
     r"(?:a|was) slip|typo|misprint\w*|erratum|errata|impossible|contradict\w*|invalid|untenable|neither|nor|no longer|"
-    r"naive\w*|tempt\w+|sign error|in error|ceases?|fails? (?:to hold|in general)|"
-    r"(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
-    r"if only|earlier (?:version|draft|edition)|(?<!one )(?:writes|claims|asserts|believes|claimed|believed|wrote)|"
+    r"naive\w*|tempt\w+|sign error|in error|ceases?|fails? (?:to hold|in general)|if only|wrongly|"
+    r"earlier (?:version|draft|edition)|(?<!one )(?:writes|claims|asserts|believes|claimed|believed|wrote)|"
     r"not (?:\w+ )?(?:true|equal|hold|follow|valid|correct|right|so|work|the case)|"
-    r"conjectur\w*|alleg\w+|nobody|no one|students|beginners|jok(?:e|es|ing)|imagine|pretend|ideally|wrongly|folk\w*|"
+    r"superseded|obsolete|outdated|retracted|withdrawn|fallac(?:y|ies|ious))\b"
+)
+"""Words by which an equation in their sentence is said not to hold."""
+_DENIED = re.compile(
+    _REJECTED + r"|\b(?:(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
+    r"conjectur\w*|alleg\w+|nobody|no one|students|beginners|jok(?:e|es|ing)|imagine|pretend|ideally|folk\w*|"
     r"(?:find|spot) the \w+|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
     r"on average|in the mean|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
     r"(?:plus|and|with) some noise|"
     r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
     r"apparently|seemingly|at first (?:sight|glance)|rule of thumb|rumou?r\w*|hearsay|myth|counter-?example|bug|"
-    r"superseded|obsolete|outdated|retracted|withdrawn|opponents?|critics|symbolically|speculat\w*|fallac(?:y|ies|ious)|paradox\w*|"
-    r"to (?:leading|lowest|zeroth|first|second) order)\b",
+    r"opponents?|critics|symbolically|speculat\w*|paradox\w*|to (?:leading|lowest|zeroth|first|second) order)\b",
     re.IGNORECASE,
 )
 """Words by which an equation in their sentence is not asserted."""
@@ -208,6 +211,12 @@ class Beside:
     def is_denied(self) -> bool:
         """Whether its own sentence says that it does not hold."""
         return _DENIED.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+
+    @property
+    def is_rejected(self) -> bool:
+        """Whether its own sentence says flatly that it does not hold."""
+        words = f"{self.sentence} {self.condition} {self.behind}"
+        return re.search(_REJECTED, words, re.IGNORECASE) is not None
 
     @property
     def words(self) -> frozenset[str]:

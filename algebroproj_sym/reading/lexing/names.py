@@ -175,7 +175,11 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
     elif re.fullmatch(r"\*(T|-1|\\top)", above):
         emit_name(cursor, written(letter, primes, below, "*"), start, raised=True)
         emit_power(cursor, above[1:], cursor.raised[1:])
-    elif PART_OF_NAME.fullmatch(above) or is_axis(cursor, letter, above):
+    elif (
+        PART_OF_NAME.fullmatch(above)
+        or any(each.text == "," for each in cursor.raised)
+        or is_axis(cursor, letter, above)
+    ):
         emit_name(cursor, whole, start)
     elif cursor.functions is not None and _has_indices(cursor, letter, below, above):
         cursor.chose = "letters above may be indices"

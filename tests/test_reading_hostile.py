@@ -170,6 +170,10 @@ DOCUMENTS = {
         r"Repeated indices are summed. \[ y_i = a_{ij} x_j \] Hence \[ a_{ij} = \frac{y_i}{x_j}. \]",
         True,
     ),
+    "a trace under the summation convention": (
+        r"We use the summation convention. \[ s = a_{ii} b \] Let \[ a_{ij} = c_i d_j. \] Hence \[ s = c_i d_i b. \]",
+        True,
+    ),
     "a square under a silent sum": (
         r"Repeated indices are summed. \[ s = a_i b_i \] Hence \[ s^2 = a_i a_i b_i b_i. \]",
         True,
@@ -293,6 +297,8 @@ def test_what_only_looks_like_a_consequence_does_not_follow(name: str) -> None:
         r"The superscript $T$ denotes the transpose. \[ s = r^2 \] Hence \[ s^2 = r^4. \]",
         r"The values of $u$ are set. \[ s = u + v \] Hence \[ s^2 = u^2 + 2 u v + v^2. \]",
         r"Let $m$ be a function of the mass. \[ p = m v \] Hence \[ p w = m v w. \]",
+        r"We use the summation convention. \[ s = a_i b_i \] \[ d = u + v \] Hence \[ d^2 = u^2 + 2 u v + v^2. \]",
+        r"The list may have repeated indices. \[ s_i = u_i + v_j \] Hence \[ 2 s_i = 2 u_i + 2 v_j. \]",
         r"The angles are modulo $2\pi$. \[ s = a + b \] Hence \[ 2 s = 2 a + 2 b. \]",
         r"\[ noise = a b \] Hence \[ 2 noise = 2 a b. \]",
         r"The error of the clock is \[ e = a - b. \] This is small. Hence \[ e + b = a. \]",

@@ -23,6 +23,7 @@ def read(latex, **options):
         (r"w = 1 - \mbox{$\displaystyle\frac{a}{b}$} \hskip 3mm [10^{-6}/\mbox{MPa}]", ["w = 1 - a/b"]),
         (r"w = \underbrace{a + b}_{\text{both}} c", ["w = (a + b)*c"]),
         (r"f = \left\{ \begin{array}{ll} 0 & \mbox{if $x<0$} \\ x & \mbox{else} \end{array} \right.", None),
+        (r"\begin{matrix} x = a & y = b \\ u = c & v = d \end{matrix}", ["x = a", "y = b", "u = c", "v = d"]),
         (r"\begin{cases} x = r \cos t \\ y = r \sin t \end{cases}", ["x = r*cos(t)", "y = r*sin(t)"]),
         (r"\left\{ \begin{array}{l} x = 2 r \\ y = r \end{array} \right.", ["x = 2*r", "y = r"]),
         (r"a = b \\ \Rightarrow \\ c = d", ["a = b", "c = d"]),
@@ -97,6 +98,18 @@ def test_blocks_of_code_are_formulas_where_they_say_so():
     text = "A\n```math\na = b\n```\nand\n```{math}\n:label: two\nc = d\n```\nand\n```python\ne = f\n```\n"
     found = read_document(document_of(text, latex=False))
     assert [(each.line, each.number, each.read) for each in found] == [(2, "", "a = b"), (6, "two", "c = d")]
+
+
+def test_markdown_may_take_a_backslash_of_a_line_break_away():
+    found = read_document(document_of("$$ a = b + c \\\\\\\n = d - e $$", latex=False))
+    assert [each.read for each in found] == ["a = b + c = d - e"]
+
+
+def test_tags_of_html_are_no_words():
+    text = '## Sums\n<span class="no">\n\n$$ a = b + c $$\n</span>\n\nThus <p>\n\n$$ a^2 = b^2 + 2 b c + c^2 $$\n'
+    found = read_document(document_of(text, latex=False))
+    assert found[-1].verdict == "follows"
+    assert "class" not in found[-1].statement.display.before
 
 
 def test_blocks_of_code_that_do_not_close_end_within_bounds():

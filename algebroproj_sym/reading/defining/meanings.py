@@ -73,14 +73,13 @@ _SIGNS = (
         "digits may be those of another base",
     ),
     (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
-    (
-        r"\b(?:repeated|double|twice[- ]occurring) (?:indices|index|subscripts)\b|\bsummation convention\b"
-        r"|\bEinstein(?:'s)? (?:summation|convention|notation)\b",
-        r"_\s*\{?[^}]*[a-z]",
-        "an index may be summed over silently",
-    ),
 )
 """What the text says, which LaTeX it concerns, and why an equation with it is not decided."""
+_CONVENTION = re.compile(
+    r"\b(?:repeated|double|twice[- ]occurring) (?:indices|index|subscripts)\b|\bsummation convention\b"
+    r"|\bEinstein(?:'s)? (?:summation|convention|notation)\b",
+    re.IGNORECASE,
+)
 _SUPERSCRIPTS = re.compile(
     r"\bas (?:a |an |its |their )?(?:upper )?superscripts?\b|\bupper (?:index|indices)\b"
     r"|\bsuperscripts? (?:is|are|denotes?|indicates?|labels?|refers?|stands?|numbers?|marks?|identif\w+)\b"
@@ -100,7 +99,7 @@ _ORDER = re.compile(r"(?<![a-zA-Z\\])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\le
 _DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
 _OPERATORS = (
     r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
-    r"(?<=the )set|(?<=a )set|sets|events?)"
+    r"(?<=the )set|(?<=a )set|(?<!data )sets|events?)"
 )
 _FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?)"
 _SIGNALS = r"(?:signals?|potentials?|distributions?|densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index)"
@@ -187,6 +186,10 @@ class Meanings:
         return re.search(r"\boperators\b", self.words) is not None
 
     @cached_property
+    def _has_convention(self) -> bool:
+        return _CONVENTION.search(self.words) is not None
+
+    @cached_property
     def _signs(self) -> list[tuple[re.Pattern[str], str]]:
         text = " ".join([self.words, *(each.latex for each in self.statements)])
         said = (each for each in _SIGNS if re.search(each[0], text, re.IGNORECASE))
@@ -243,7 +246,7 @@ class Meanings:
                 return f"{symbol} {self._letters[symbol]}"
             if symbol.startswith(r"\hat{") and self._has_operators:
                 return f"{symbol} may be an operator"
-        if index := _summed_silently(formula.sides):
+        if index := _summed_silently(formula.sides, convention=self._has_convention):
             return f"the index {index} may be summed over silently"
         return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
 
@@ -284,14 +287,19 @@ _TRANSFORM = re.compile(r"\\(?:mathcal|mathscr|mathfrak)\s*\{?\s*[A-Z]\s*\}?\s*(
 _INDEX = re.compile(r"(?<![a-zA-Z\\])(?:[i-n]|\\(?:mu|nu|rho|sigma|alpha|beta|lambda|kappa))(?![a-zA-Z])")
 
 
-def _summed_silently(sides: Sequence[Formula]) -> str:
-    """Return an index that two factors of a product have, and another side has not; empty for none."""
+def _summed_silently(sides: Sequence[Formula], *, convention: bool) -> str:
+    """Return an index that two factors of a product have, and another side has not; empty for none.
+
+    Where the text has the convention of summation, two factors are enough.
+    """
     indices = [{each for symbol in symbols_in(side) for each in _indices_of(symbol)} for side in sides]
     for place, side in enumerate(sides):
         for product in side.find_data("run"):
             bound = {str(token) for big in side.find_data("big") for token in _INDEX.findall(str(big.children[0]))}
             factors = [_indices_of(_text(each)) for each in product.children]
             twice = {each for one in factors for each in one if sum(each in other for other in factors) == 2} - bound
+            if convention and twice:
+                return min(twice)
             twice -= _labels_in(side, product, twice)
             for other, theirs in enumerate(indices):
                 if other != place and (free := theirs) and (lone := twice - theirs) and free & indices[place]:

@@ -42,6 +42,9 @@ _STRUCK_IN_MARKDOWN = re.compile(
     r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike)>.{0,2000}?</\1>|" + _STRUCK.pattern, re.DOTALL
 )
 """What an author takes back."""
+_HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
+_ROW_END = re.compile(r"(?<!\\)\\\\\\(?=[ \t]*\n)")
+"""A line break of LaTeX of which Markdown takes one backslash away."""
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
@@ -235,6 +238,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
         plain = _STRUCK.sub(_blank, _without_code(_without_comments(text)))
     else:
         plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, text))))
+        plain = _ROW_END.sub(r"\\\\ ", plain)
         plain = _INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain)
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
@@ -329,7 +333,7 @@ def _formulas(
     place, words, part, group, groups = 0, "", 0, 0, 0
     following = _Following(text)
     while match := begin.search(text, place):
-        words = (words + text[place : match.start()])[-MAX_WORDS:]
+        words = (words + _HTML.sub(_blank, text[place : match.start()]))[-MAX_WORDS:]
         while changes and changes[-1][0] < match.start():
             _, name, macro = changes.pop()
             macros[name] = macro
@@ -356,7 +360,7 @@ def _formulas(
                 yield Display(document.line_of(match.start()), environment, "", (), why, words, "", part, False, group)
             continue
         inside = text[place:end]
-        after = text[end + len(ending) : end + len(ending) + 300]
+        after = _HTML.sub(_blank, text[end + len(ending) : end + len(ending) + 300])
         pieces, reason = _expanded(_without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")
         where = document.line_of(match.start())

@@ -324,6 +324,11 @@ def _system(pieces: list[Piece]) -> list[Piece]:
         (body := _Waiting(inside)).group()
         inside = body[::-1]
     rows = [row for row in split_pieces(inside, (r"\\",), brackets=False) if not _says_nothing(row)]
+    if match[1] == "matrix":
+        cells = [cell for row in rows for cell in split_pieces(row, ("&",)) if not _says_nothing(cell)]
+        each_one = bool(cells) and all(any(piece.text in RELATIONS for piece in cell) for cell in cells)
+        parted = [_as(each, r"\\") if each.text == "&" else each for each in inside]
+        return [*pieces[:place], *parted, *behind] if each_one else pieces
     columns = rows if match[1] == "array" else map(_first_column, rows)
     equations = [any(piece.text in RELATIONS for piece in outside_environments(each)) for each in columns]
     alone = equations and (any if match[1] == "array" else all)(equations)
@@ -345,4 +350,4 @@ def _says_nothing(pieces: Sequence[Piece]) -> bool:
 
 
 _SILENT = re.compile(r"\\(?:label|tag\*?|(?:begin|end)(?=\{(?:equation|split|aligned|align)\*?\}))\s*\{[^{}]*\}")
-_SYSTEM = re.compile(r"\\begin\{(cases|array)\}")
+_SYSTEM = re.compile(r"\\begin\{(cases|array|matrix)\}")

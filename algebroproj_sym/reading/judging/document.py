@@ -148,6 +148,7 @@ class _Pass:
         self.within: list[tuple[str, Premise]] = []
         self.alone: dict[str, int] = {}
         self.given_at: dict[str, int] = {}
+        self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
         self.scope: int | None = None
@@ -302,6 +303,7 @@ class _Pass:
         self._listen(statement)
         if reason := self.survey.meanings.reason(statement, found):
             self._note(statement, found)
+            self.open |= {symbol: display.part for side in found.sides for symbol in symbols_in(side)}
             links = [Link("not decided", reason)] * max(1, len(found.relations))
             equal = bool(found.relations) and found.relations[0] in EQUALITIES
             if equal and not reason.endswith(VARIES) and self._introduces(statement, found):
@@ -508,10 +510,12 @@ class _Pass:
         if derivatives_in((left,), self.vocabulary, self.survey.occurring):
             return False
         near = neighbours(self.premises, part, self._cited)
-        tied = not self.beside.names and any(each.gives is None and symbol in each.symbols for each in near)
+        tied = any(each.gives is None and symbol in each.symbols for each in near) or self.open.get(symbol) == part
         here = (known is not None and known.part == part) or self.alone.get(given_by(base)) == part
         anew = not (self.beside.follows or self._cited) and (self.beside.names or self.beside.renews)
-        return not (tied or (here and not anew) or is_circular(symbol, right, self.vocabulary))
+        return not (
+            (tied and not self.beside.names) or (here and not anew) or is_circular(symbol, right, self.vocabulary)
+        )
 
     # -- relations
 

@@ -107,3 +107,25 @@ _COLUMNS = (
 )
 def test_an_equation_of_vectors_is_one_for_each_component(latex, follows):
     assert (read_document(document_of(_COLUMNS + latex))[-1].verdict == "follows") == follows
+
+
+FORCE = r"The force is \[ \mathbf{F} = - k \mathbf{r}. \] "
+LAW = r"Newton's second law is \[ \mathbf{F} = m \frac{d^2 \mathbf{r}}{dt^2}. \] "
+RATE = r"Hence \[ \frac{d^2 \mathbf{r}}{dt^2} = - \frac{k}{m} \mathbf{r}. \]"
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (FORCE + LAW + RATE, True),
+        (FORCE + LAW + RATE.replace("- ", ""), False),
+        (FORCE + LAW.replace("law is", "law for the other body is") + RATE, False),
+        (FORCE + LAW.replace("Newton's second law is", "In water, the law is") + RATE, False),
+        (FORCE + LAW.replace("Newton's second law is", "The drag is") + RATE, False),
+        (r"The force is \[ F = - k x. \] By the second law, \[ F = m a. \] Hence \[ a = - \frac{k x}{m}. \]", True),
+        (r"The force is \[ F = - k x. \] The second force is \[ F = m a. \] Hence \[ a = - \frac{k x}{m}. \]", False),
+    ],
+)
+def test_a_law_holds_beside_what_else_is_said_of_its_letter(latex, follows):
+    found = read_document(document_of(latex), seconds=5)
+    assert (found[-1].verdict == "follows") == follows

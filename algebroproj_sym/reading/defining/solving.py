@@ -62,7 +62,7 @@ def solution_of(left: Formula, right: Formula, letter: str) -> Formula | None:
 def _linear(tree: Formula, letter: str, *, minus: bool) -> _Linear:
     if tree.data in _IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
         return _linear(tree.children[0], letter, minus=minus)
-    if tree.data == "symbol" and tree.children[0] == letter:
+    if tree.data in ("symbol", "opaque") and tree.children[0] == letter:
         return _Linear([(minus, (), ())], [])
     if letter not in symbols_in(tree):
         return _Linear([], [(minus, tree)])

@@ -200,7 +200,7 @@ class Beside:
     @property
     def renews(self) -> bool:
         """Whether its own sentence speaks of another thing than the text before it."""
-        return _ANEW.search(self.sentence) is not None
+        return _ANEW.search(without_laws(self.sentence)) is not None
 
     @property
     def is_conditional(self) -> bool:
@@ -360,10 +360,25 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     >>> strange_word("Hence, for the ring, we obtain", {"disc"}), strange_word("This gives $x$ and thus", ())
     ('ring', '')
     """
-    words = (each for each in _WORD.findall(without_formulas(sentence)) if not _NEUTRAL.fullmatch(each))
+    words = (each for each in _WORD.findall(without_formulas(without_laws(sentence))) if not _NEUTRAL.fullmatch(each))
     return next((each for each in words if each.lower() not in known), "")
 
 
+def without_laws(text: str) -> str:
+    """Return words without the names of laws, which hold beside what else is said of a letter.
+
+    Examples
+    --------
+    >>> without_laws("By Newton's second law, it is")
+    ', it is'
+    """
+    return _LAW.sub("", text)
+
+
+_LAW = re.compile(
+    r"(?:[A-Z][\w-]*(?:['’]s?)?\s+)*(?:(?:[Ff]irst|[Ss]econd|[Tt]hird)\s+)?"
+    r"\b[Ll]aws?\b(?: of (?:motion|cosines|sines))?"
+)
 _NAMES = re.compile(
     r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
     r"(?:is|are) (?:then |here )?(?:computed|calculated|evaluated|determined|expressed|set|chosen|modell?ed))\b"

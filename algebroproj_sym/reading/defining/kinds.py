@@ -28,6 +28,7 @@ _CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
     r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
 )
+_THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
 _SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
 _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?![a-z]{2})")
@@ -54,6 +55,16 @@ _DECLARED = re.compile(
     r"\^\s*\{\s*(\w+)\s*\\times\s*(\w+)\s*\}"
 )
 """Words, and LaTeX, of matrices that have no inverse."""
+_OF_SIZE = re.compile(r"\$(\w+) ?\\times ?(\w+)\$ (?:[\w-]+ ){0,2}matri(?:x|ces) \$([^$]+)\$")
+_ARE_OF_SIZE = re.compile(r"\$([^$]+)\$ (?:is|be|are|denotes?) (?:an? |the )?\$(\w+) ?\\times ?(\w+)\$")
+_QUATERNIONS = re.compile(r"\bquaternions?\b", re.IGNORECASE)
+_ALL_CAPITALS = re.compile(
+    r"\b(?<!bold )(?<!boldface )(?<!calligraphic )(?:capitals?|upper-?case)(?: (?:latin|roman|letters?))*"
+    r" (?:always |here )?(?:are|denotes?|stands? for|represents?|mean)"
+    r" (?:\w+ )?(?:matri(?:x|ces)|(?:linear )?(?:maps?|mappings?)|operators?)\b",
+    re.IGNORECASE,
+)
+"""Words by which every capital is a matrix."""
 _SPOKEN = re.compile(r"\b(?:vectors?|vectorial|cross[- ]products?)\b", re.IGNORECASE)
 
 
@@ -100,13 +111,19 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns = frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
-    known |= {*filter(_OF_FRAMES.match, occurring)}
+    known |= {*filter(_OF_FRAMES.match, occurring), *_chained_in(equations), *_turned_in(sides)}
+    if _QUATERNIONS.search(words):
+        known |= {*_composed_in(equations)}
+    if _ALL_CAPITALS.search(words):
+        known |= {each for each in occurring if _THIN_CAPITAL.fullmatch(each)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
     oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
     declared = {_bare(letter) for letter, rows, width in _DECLARED.findall(words) if rows != width}
     declared |= {_bare(letter or other) for letter, other in _SINGULAR.findall(words)}
+    declared |= {_bare(letter) for rows, width, letter in _OF_SIZE.findall(words) if rows != width}
+    declared |= {_bare(letter) for letter, rows, width in _ARE_OF_SIZE.findall(words) if rows != width}
     oblong |= {each for each in occurring if _bare(each) in declared}
     return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
 
@@ -346,10 +363,66 @@ def _oblong_in(equations: Iterable[Sides], sides: Iterable[Formula]) -> Iterator
     inverted = {_base(each) for each in bases if isinstance(each, Tree)} - {""}
     for each in bases:
         yield from _squared_in(each)
+    yield from _normal_in(equations)
     for both in equations:
         if inverted & {_head(side) for side in both}:
             for side in both:
                 yield from _squared_in(side)
+
+
+def _normal_in(equations: Iterable[Sides]) -> Iterator[str]:
+    """Yield the letters of normal equations: A in ``A^T A x = A^T b``, which is not invertible as a rule."""
+    for both in equations:
+        terms = [[*trees_in(term)] for side in both for term in _terms(side) if term.data == "run"]
+        turned = [(_base(first), [_lone(each) for each in rest]) for first, *rest in terms if first.data == "marked"]
+        squares = {letter for letter, rest in turned if letter and letter in rest[:-1]}
+        yield from squares & {letter for letter, rest in turned if letter not in rest}
+
+
+def _chained_in(equations: Iterable[Sides]) -> Iterator[str]:
+    """Yield the letters that are composed as ``R_{13} = R_{12} R_{23}``: their order matters."""
+    for both in equations:
+        for one, other in ((one, other) for one in both for other in both if other.data == "run"):
+            factors = [one, *trees_in(other)]
+            (start, end), *steps = map(_indices, factors)
+            way = "".join(step for pair in steps for step in pair)
+            closed = start + end != "" and (start, end) == (way[:1], way[-1:]) and way[1:-1:2] == way[2:-1:2]
+            if closed and len(way) == 2 * len(steps) > 2 and len({*map(_stem, factors)}) == 1:
+                yield from map(_lone, factors)
+
+
+def _turned_in(sides: Iterable[Formula]) -> Iterator[str]:
+    """Yield the letters of ``S A S^{-1}`` and of ``A B - B A``: of numbers, nobody prints either."""
+    for side in sides:
+        for run in side.find_data("run"):
+            first, *within, last = trees_in(run)
+            inverse = [each for each in (first, last) if each.data == "power" and _is_inverse(each)]
+            if len(inverse) == 1 and within and _base(first) == _base(last) != "":
+                yield from _factors(run)
+        for tree in side.find_data("sum"):
+            runs = [[*map(_lone, trees_in(each))] for each in trees_in(tree) if each.data == "run"]
+            for one, other in pairwise(runs):
+                if all(one) and one != other and sorted(one) == sorted(other):
+                    yield from one
+
+
+def _composed_in(equations: Iterable[Sides]) -> Iterator[str]:
+    """Yield the letters that are composed of ones with other indices, as in ``q = q_1 q_2``."""
+    for both in equations:
+        for one, other in ((one, other) for one in both for other in both if other.data == "run"):
+            factors = [one, *trees_in(other)]
+            if all(map(_lone, factors)) and len({*map(_stem, factors)}) == 1:
+                yield from map(_lone, factors)
+
+
+def _indices(factor: Any) -> tuple[str, str]:
+    """Return the two indices of a letter with two of one sign each; empty for another one."""
+    below = split_symbol(_lone(factor))[2] if _CAPITAL.match(_lone(factor)) else ""
+    return (below[0], below[1]) if len(below) == 2 and below.isalnum() else ("", "")
+
+
+def _stem(factor: Any) -> str:
+    return split_symbol(_lone(factor))[0] if _lone(factor) else ""
 
 
 def _is_inverse(power: Formula) -> bool:

@@ -114,3 +114,17 @@ def computes(definition: Definition, vocabulary: Vocabulary) -> bool:
     except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
         return has_shape(vocabulary, definition.tree)
     return True
+
+
+def is_reordered(one: Formula, other: Formula) -> bool:
+    r"""Whether two products are of the same letters in another order: of numbers, nobody says that it follows.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> [is_reordered(*parsed(each).sides) for each in ("A B = B A", "a b = a b", "2 a b = 2 b a")]
+    [True, False, False]
+    """
+    factors, others = ([str(part) for part in each.children] if each.data == "run" else [] for each in (one, other))
+    lone = all(isinstance(part, Tree) and part.data in ("symbol", "call") for part in one.children)
+    return lone and len(factors) > 1 and factors != others and sorted(factors) == sorted(others)

@@ -249,7 +249,9 @@ def _squared(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     if squares is None or standing.vocabulary.is_matrix(symbols_in(squares[0])[0]):
         return
     left, right, is_open = squares
-    if not (is_open or standing.beside.speaks_of_a_length):
+    branches = ({"branch", "lower"}, {"branch", "negative"})
+    below = any(words <= each.words for words in branches for each in standing.premises[-MOST_PREMISES:])
+    if not (is_open or (standing.beside.speaks_of_a_length and not below)):
         return
     of_squares = replace(formula, sides=(left, right), relations=("=",))
     shown = " = ".join(map(standing.vocabulary.text, formula.sides[index : index + 2]))

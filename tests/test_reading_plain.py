@@ -7,6 +7,48 @@ from algebroproj_sym.reading import document_of, read_document
 pytestmark = pytest.mark.usefixtures("decided_here")
 
 MISLEADING = {
+    "the skater": (
+        (
+            r"The angular momentum of the skater is \[ L = I \omega. \] As she draws in her arms, \[ \dot L = I "
+            r"\dot\omega. \]"
+        ),
+        True,
+    ),
+    "plates moving apart": (
+        (
+            r"The energy of the capacitor is \[ E = \frac12 C U^2. \] While the plates move apart, it changes at "
+            r"the rate \[ \dot E = C U \dot U. \]"
+        ),
+        True,
+    ),
+    "a growing raindrop": (
+        (
+            r"A raindrop falls through the fog and gathers water. Its momentum is \[ p = m v. \] Differentiating, "
+            r"\[ \dot p = m \dot v. \]"
+        ),
+        True,
+    ),
+    "a hardening spring": (
+        (
+            r"The force is \[ F = k x. \] The spring hardens as it is stretched, so its stiffness follows from \[ "
+            r"\frac{dF}{dx} = k. \]"
+        ),
+        True,
+    ),
+    "noise twice": (
+        (
+            r"Let $\varepsilon$ denote noise, drawn anew each time. \[ u = a + \varepsilon \] \[ v = b + "
+            r"\varepsilon \] Hence \[ u - v = a - b. \]"
+        ),
+        True,
+    ),
+    "constants of estimates": (
+        (
+            r"As usual, $c$ denotes constants that need not be equal at each occurrence. \[ u = c v \] \[ w = c z "
+            r"\] Hence \[ u z = w v. \]"
+        ),
+        True,
+    ),
     "dropping the tildes": (
         (
             r"With the length $L$ as unit we set \[ \tilde x = x / L. \] For brevity we drop the tilde from here on. "
@@ -341,6 +383,8 @@ HONEST = [
     ),
     r"The force on the $k$ is \[ F = k (x - c). \] Hence \[ F = k x - k c. \]",
     r"Let $k$ be the stiffness at the temperature $T$. \[ F = k (x - c) \] Hence \[ F = k x - k c. \]",
+    r"The impulse is \[ p = m v. \] Differentiating, \[ \dot p = m \dot v. \]",
+    r"Here $c$ is a constant. \[ u = c v \] \[ w = c z \] Hence \[ u z = w v. \]",
     r"The sum is \[ s = a + b. \] As one might expect, \[ s - a = b. \]",
     r"The sum is \[ s = a + b. \] It is a constant, which is discarded, up to which \[ s - a = b. \]",
     r"The sum is \[ s = a + b. \] In this section $s$ is positive. Hence \[ s - a = b. \]",

@@ -27,6 +27,8 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions
 
+UNCHANGED = " not change"
+"""How the name of a derivative ends that rests on letters that are taken to be fixed."""
 MOST_PREMISES = 300
 """From how many equations before one it may follow, besides those that it names."""
 MOST_VALUES = 30
@@ -477,7 +479,7 @@ def _made(
 
 def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
     verb = "does" if len(letters) == 1 else "do"
-    return f", where {', '.join(map(vocabulary.name, letters))} {verb} not change" if letters else ""
+    return f", where {', '.join(map(vocabulary.name, letters))} {verb}{UNCHANGED}" if letters else ""
 
 
 def _slope(value: Formula, variable: str, order: str | None = None) -> Formula:

@@ -13,6 +13,7 @@ from algebroproj_sym.reading.defining.instances import squares_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
+    UNCHANGED,
     Premise,
     applicable,
     computed,
@@ -36,6 +37,15 @@ from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
+
+
+_CHANGES = frozenset(
+    {
+        *("loses", "gains", "burns", "ejects", "gathers", "hardens", "softens", "melts", "evaporates", "leaks"),
+        *("empties", "drains", "shrinks", "draws", "apart"),
+    }
+)
+"""Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""
 
 
 @dataclass(frozen=True)
@@ -295,7 +305,8 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
     for given in ([], [each for each in found if each.symbol not in lone], found):
         known = extended(standing.vocabulary, given)
         yield known
-        yield extended(known, derivatives_in((left, right), known, standing.survey.occurring))
+        rates = derivatives_in((left, right), known, standing.survey.occurring)
+        yield extended(known, [each for each in rates if not _rests_on_what_changes(each, standing.beside)])
     wanted = {*symbols_in(left), *symbols_in(right)}
     parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
     supposed = frozenset().union(*(each.symbols for each in standing.own))
@@ -303,6 +314,11 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
         tied = (parameters | supposed) & each.symbols
         for solution in [] if tied else _solutions(each, standing.vocabulary, wanted):
             yield extended(standing.vocabulary, [solution])
+
+
+def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
+    """Whether a derivative takes letters to be fixed though words say that something changes."""
+    return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})
 
 
 def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:

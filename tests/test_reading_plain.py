@@ -7,6 +7,42 @@ from algebroproj_sym.reading import document_of, read_document
 pytestmark = pytest.mark.usefixtures("decided_here")
 
 MISLEADING = {
+    "a fraction in equilibrium": (
+        r"In equilibrium, the fraction is \[ x = a / b. \] Away from equilibrium \[ b x - a = 0. \]",
+        True,
+    ),
+    "only in winter": (r"In winter the demand is \[ d = a + b. \] In summer we therefore have \[ d - a = b. \]", True),
+    "a Gauss-Newton step": (
+        r"\[ \mathbf{J}^T \mathbf{J} \boldsymbol{\delta} = -\mathbf{J}^T \mathbf{r} \] Hence \[ \mathbf{J} "
+        r"\boldsymbol{\delta} = -\mathbf{r}. \]",
+        True,
+    ),
+    "a weighted normal equation": (
+        r"\[ \mathbf{A}^T \mathbf{W} \mathbf{A} \mathbf{x} = \mathbf{A}^T \mathbf{W} \mathbf{b} \] Hence \[ "
+        r"\mathbf{A} \mathbf{x} = \mathbf{b}. \]",
+        True,
+    ),
+    "normal equations by name": (r"\[ N x = A^T P b, \quad N = A^T P A \] Hence \[ A x = b. \]", True),
+    "thin normal equations": (
+        r"The design matrix $A$ has more rows than columns, and the vector $x$ obeys \[ A^T A x = A^T b. \] "
+        r"Hence \[ A x = b. \]",
+        True,
+    ),
+    "a wide system": (
+        r"\[ \mathbf{A} \mathbf{x} = \mathbf{A} \mathbf{y}, \] where $\mathbf{A}$ has a null space. Hence "
+        r"\[ \mathbf{x} = \mathbf{y}. \]",
+        True,
+    ),
+    "observed minus computed": (
+        r"The observed range is \[ r = a. \] The computed range is \[ r = b. \] The residual is therefore "
+        r"\[ a - b = 0. \]",
+        True,
+    ),
+    "players": (r"Player 1 chooses \[ x = a. \] Player 2 chooses \[ x = b. \] Hence \[ a - b = 0. \]", True),
+    "hypotheses": (
+        r"Under $H_0$ the mean is \[ m = a. \] Under $H_1$ the mean is \[ m = b. \] Hence \[ a - b = 0. \]",
+        True,
+    ),
     "the skater": (
         (
             r"The angular momentum of the skater is \[ L = I \omega. \] As she draws in her arms, \[ \dot L = I "
@@ -348,6 +384,7 @@ MISLEADING = {
 }
 
 TRUE = {
+    "a cosine law in degrees": r"We obtain \[ c^2 = 3^2 + 4^2 - 2 \cdot 3 \cdot 4 \cos 90 = 25. \]",
     "sine of thirty": r"Hence \[ \sin 30 = \frac12. \]",
     "cosine of sixty": r"This gives \[ F = 10 \cos 60 = 5. \]",
     "a unit square in feet": r"Hence \[ 3 = 1, \] since three feet are one yard.",
@@ -385,6 +422,10 @@ HONEST = [
     r"Let $k$ be the stiffness at the temperature $T$. \[ F = k (x - c) \] Hence \[ F = k x - k c. \]",
     r"The impulse is \[ p = m v. \] Differentiating, \[ \dot p = m \dot v. \]",
     r"Here $c$ is a constant. \[ u = c v \] \[ w = c z \] Hence \[ u z = w v. \]",
+    r"\[ N x = A^T b, \quad N = A^T A \] Hence \[ N x - A^T b = 0. \]",
+    r"\[ \mathbf{I} = \mathbf{R}^T \mathbf{J} \mathbf{R} \] \[ \mathbf{u} = \mathbf{R}^T \mathbf{v} \] "
+    r"Hence \[ \mathbf{v} = \mathbf{R}^{-T} \mathbf{u}. \]",
+    r"The force is \[ F = m a. \] We also have \[ F = k x^2. \] Hence \[ m a - k x^2 = 0. \]",
     r"The sum is \[ s = a + b. \] As one might expect, \[ s - a = b. \]",
     r"The sum is \[ s = a + b. \] It is a constant, which is discarded, up to which \[ s - a = b. \]",
     r"The sum is \[ s = a + b. \] In this section $s$ is positive. Hence \[ s - a = b. \]",

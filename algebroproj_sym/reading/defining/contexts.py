@@ -35,6 +35,7 @@ _KINDS = {
     ),
     "sort": r"for\s+(?:an?|the\s+(?:left|right|first|second|upper|lower|inner|outer|other))\s+"
     r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+",
+    "state": r"(?:in|at|out of|away from|far from)\s+(?:thermal\s+)?equilibrium|in\s+(?:winter|summer|spring|autumn)",
     "presence": r"with(?:out)?\s+(?:the\s+|any\s+|an?\s+)?[a-z]+",
 }
 _BEGINS = re.compile(

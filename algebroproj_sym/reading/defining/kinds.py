@@ -46,7 +46,8 @@ _HAS_NO_INVERSE = (
     r"|rank[- ]deficient|rectangular|wide|tall|fat|skinny)"
 )
 _SINGULAR = re.compile(
-    rf"\$([^$]+)\$ (?:is|be|may be|are) (?:\w+ ){{0,2}}?{_HAS_NO_INVERSE}"
+    rf"\$([^$]+)\$ (?:(?:is|be|may be|are) (?:\w+ ){{0,2}}?{_HAS_NO_INVERSE}"
+    r"|has an? (?:\w+ )?(?:null[- ]?space|kernel))"
     rf"|\b{_HAS_NO_INVERSE} matri(?:x|ces) \$?([^$\s.,]+)",
     re.IGNORECASE,
 )
@@ -372,10 +373,13 @@ def _oblong_in(equations: Iterable[Sides], sides: Iterable[Formula]) -> Iterator
 
 def _normal_in(equations: Iterable[Sides]) -> Iterator[str]:
     """Yield the letters of normal equations: A in ``A^T A x = A^T b``, which is not invertible as a rule."""
-    for both in equations:
+    every = [*equations]
+    named = {_head(one): {*_squared_in(other)} for both in every for one in both for other in both if _head(one)}
+    for both in every:
         terms = [[*trees_in(term)] for side in both for term in _terms(side) if term.data == "run"]
         turned = [(_base(first), [_lone(each) for each in rest]) for first, *rest in terms if first.data == "marked"]
         squares = {letter for letter, rest in turned if letter and letter in rest[:-1]}
+        squares = squares.union(*(named.get(_lone(first), ()) for first, *_ in terms))
         yield from squares & {letter for letter, rest in turned if letter not in rest}
 
 

@@ -23,6 +23,7 @@ from algebroproj_sym.reading.defining.recognising import (
     argument_of,
     computes,
     defined_by,
+    differ_in_one_letter,
     given_by,
     introduced_by,
     is_circular,
@@ -384,6 +385,9 @@ class _Pass:
         if self.beside.exchanged or not any(self.vocabulary.letters_of(each) for each in formula.sides):
             return
         if self.beside.is_denied or is_update(*formula.sides[:2]) or self._is_of_one_index(formula):
+            return
+        known = self.vocabulary.definitions.get(defined_by(formula.sides[0])[0])
+        if known and len(formula.sides) == 2 and differ_in_one_letter([known.tree], formula.sides[1:]):
             return
         for each in self._premises_of(statement, formula, formula.sides[defines:]):
             self.premises.append(each)

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
-from lark import Token, Tree
+from lark import Tree
 
 from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.instances import squares_of
@@ -24,7 +24,7 @@ from algebroproj_sym.reading.defining.premises import (
     neighbours,
     with_given,
 )
-from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
@@ -198,7 +198,10 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
         tied = tied.union(*(speaks[each] for each in more))
         together += more
-    if any(_are_parallel(one, other) for one, other in combinations(together, 2)):
+    if any(
+        differ_in_one_letter((one.left, one.right), (other.left, other.right))
+        for one, other in combinations(together, 2)
+    ):
         return
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=(*together, *own))
@@ -350,26 +353,3 @@ def _with_complex_numbers(way: Way) -> Iterator[Way]:
     for numbers, letters in kinds:
         known = way.vocabulary.with_complex_numbers(numbers)
         yield replace(way, vocabulary=known, reads=f"{shown}{unit}{letters}")
-
-
-def _are_parallel(one: Premise, other: Premise) -> bool:
-    """Whether two equations differ in one letter, as ``h - a = 0`` and ``h - b = 0``: they may be of two cases."""
-    pairs = [*zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one.left, other.left)), strict=False)]
-    pairs += zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one.right, other.right)), strict=False)
-    renamed = {pair for pair in pairs if pair[0] != pair[1]}
-    if len(renamed) != 1:
-        return False
-    ((before, now),) = renamed
-    return (_renamed(one.left, before, now), _renamed(one.right, before, now)) == (other.left, other.right)
-
-
-def _renamed(tree: Formula, before: str, now: str) -> Formula:
-    parts = [
-        _renamed(each, before, now)
-        if isinstance(each, Tree)
-        else Token(each.type, now)
-        if each == before and each.type == "SYMBOL"
-        else each
-        for each in tree.children
-    ]
-    return Tree(tree.data, parts)

@@ -7,6 +7,11 @@ from algebroproj_sym.reading import document_of, read_document
 pytestmark = pytest.mark.usefixtures("decided_here")
 
 MISLEADING = {
+    "more measurements than states": (
+        r"There are more measurements than states. \[ \mathbf{z} = \mathbf{H} \mathbf{x} \] "
+        r"Hence \[ \mathbf{x} - \mathbf{H}^{-1} \mathbf{z} = 0. \]",
+        True,
+    ),
     "a fraction in equilibrium": (
         r"In equilibrium, the fraction is \[ x = a / b. \] Away from equilibrium \[ b x - a = 0. \]",
         True,
@@ -422,6 +427,8 @@ HONEST = [
     r"Let $k$ be the stiffness at the temperature $T$. \[ F = k (x - c) \] Hence \[ F = k x - k c. \]",
     r"The impulse is \[ p = m v. \] Differentiating, \[ \dot p = m \dot v. \]",
     r"Here $c$ is a constant. \[ u = c v \] \[ w = c z \] Hence \[ u z = w v. \]",
+    r"There are more measurements than states. \[ \mathbf{z} = \mathbf{H} \mathbf{x} \] "
+    r"Hence \[ \mathbf{x} = (\mathbf{H}^T \mathbf{H})^{-1} \mathbf{H}^T \mathbf{z}. \]",
     r"\[ N x = A^T b, \quad N = A^T A \] Hence \[ N x - A^T b = 0. \]",
     r"\[ \mathbf{I} = \mathbf{R}^T \mathbf{J} \mathbf{R} \] \[ \mathbf{u} = \mathbf{R}^T \mathbf{v} \] "
     r"Hence \[ \mathbf{v} = \mathbf{R}^{-T} \mathbf{u}. \]",

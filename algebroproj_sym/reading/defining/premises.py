@@ -19,7 +19,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
 from algebroproj_sym.reading.defining.contexts import Context
-from algebroproj_sym.reading.defining.rates import ONE, rate_of
+from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
@@ -27,8 +27,6 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions
 
-UNCHANGED = " not change"
-"""How the name of a derivative ends that rests on letters that are taken to be fixed."""
 MOST_PREMISES = 300
 """From how many equations before one it may follow, besides those that it names."""
 MOST_VALUES = 30

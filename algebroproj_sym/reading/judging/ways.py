@@ -13,7 +13,6 @@ from algebroproj_sym.reading.defining.instances import squares_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
-    UNCHANGED,
     Premise,
     applicable,
     computed,
@@ -24,6 +23,7 @@ from algebroproj_sym.reading.defining.premises import (
     neighbours,
     with_given,
 )
+from algebroproj_sym.reading.defining.rates import UNCHANGED
 from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey

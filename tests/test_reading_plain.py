@@ -429,6 +429,8 @@ HONEST = [
     r"Here $c$ is a constant. \[ u = c v \] \[ w = c z \] Hence \[ u z = w v. \]",
     r"There are more measurements than states. \[ \mathbf{z} = \mathbf{H} \mathbf{x} \] "
     r"Hence \[ \mathbf{x} = (\mathbf{H}^T \mathbf{H})^{-1} \mathbf{H}^T \mathbf{z}. \]",
+    r"Functions act element-wise. \[ K = \frac{\partial^2 V}{\partial\mathbf{q}^2} \] "
+    r"Hence \[ 2 K = 2 \frac{\partial^2 V}{\partial\mathbf{q}^2}. \]",
     r"\[ N x = A^T b, \quad N = A^T A \] Hence \[ N x - A^T b = 0. \]",
     r"\[ \mathbf{I} = \mathbf{R}^T \mathbf{J} \mathbf{R} \] \[ \mathbf{u} = \mathbf{R}^T \mathbf{v} \] "
     r"Hence \[ \mathbf{v} = \mathbf{R}^{-T} \mathbf{u}. \]",

@@ -74,7 +74,7 @@ _SIGNS = (
     ),
     (
         r"\b(?:element|component|entry)-?wise\b|\bentry by entry\b|\belement by element\b|\bcomponent by component\b",
-        r"\\(?:mathbf|boldsymbol|vec|bm)\s*\{\s*[a-z]\s*\}\s*\^\s*\{?\s*2",
+        r"(?<!\\partial)(?<!\\partial )(?<!d)(?<!d )\\(?:mathbf|boldsymbol|vec|bm)\s*\{\s*[a-z]\s*\}\s*\^\s*\{?\s*2",
         "the square of a vector may be that of each entry",
     ),
     (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),

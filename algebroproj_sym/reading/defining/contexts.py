@@ -33,7 +33,9 @@ _KINDS = {
         r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
         rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
     ),
-    "sort": r"for\s+an?\s+[a-z]+",
+    "sort": r"for\s+(?:an?|the\s+(?:left|right|first|second|upper|lower|inner|outer|other))\s+"
+    r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+",
+    "state": r"(?:in|at|out of|away from|far from)\s+(?:thermal\s+)?equilibrium|in\s+(?:winter|summer|spring|autumn)",
     "presence": r"with(?:out)?\s+(?:the\s+|any\s+|an?\s+)?[a-z]+",
 }
 _BEGINS = re.compile(

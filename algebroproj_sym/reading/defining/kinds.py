@@ -15,19 +15,18 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from lark import Token, Tree
+from lark import Token
 
 from algebroproj_sym.reading.defining.axes import Axes, axes_in
+from algebroproj_sym.reading.defining.composing import composed_in
+from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, head_of, is_mean, lone, terms_of
+from algebroproj_sym.reading.defining.oblong import oblong_in
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
 Sides = Sequence[Formula]
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
 """A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
-_CAPITAL = re.compile(
-    r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
-    r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
-)
 _SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
 _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?![a-z]{2})")
@@ -36,24 +35,8 @@ _RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
 _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
 _OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
-MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
 """The relations whose sides are both numbers, or both none."""
-_SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
-_HAS_NO_INVERSE = (
-    r"(?:(?<!non)(?<!non-)singular(?! values?| vectors?)|not (?:be )?(?:square|invertible)|non-?(?:square|invertible)"
-    r"|rank[- ]deficient|rectangular|wide|tall|fat|skinny)"
-)
-_SINGULAR = re.compile(
-    rf"\$([^$]+)\$ (?:is|be|may be|are) (?:\w+ ){{0,2}}?{_HAS_NO_INVERSE}"
-    rf"|\b{_HAS_NO_INVERSE} matri(?:x|ces) \$?([^$\s.,]+)",
-    re.IGNORECASE,
-)
-_DECLARED = re.compile(
-    r"((?:\\[a-zA-Z]+\s*\{?\s*)?[A-Za-z]\}?)\s*\\in\s*(?:\\mathbb\s*\{?\s*R\s*\}?|\\R\b)\s*"
-    r"\^\s*\{\s*(\w+)\s*\\times\s*(\w+)\s*\}"
-)
-"""Words, and LaTeX, of matrices that have no inverse."""
 _SPOKEN = re.compile(r"\b(?:vectors?|vectorial|cross[- ]products?)\b", re.IGNORECASE)
 
 
@@ -100,14 +83,11 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns = frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
-    known |= {*filter(_OF_FRAMES.match, occurring)}
+    known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
-    oblong = frozenset() if _SQUARE.search(words) else frozenset(_oblong_in(equations, sides))
-    declared = {_bare(letter) for letter, rows, width in _DECLARED.findall(words) if rows != width}
-    declared |= {_bare(letter or other) for letter, other in _SINGULAR.findall(words)}
-    oblong |= {each for each in occurring if _bare(each) in declared}
+    oblong = oblong_in(equations, occurring, words)
     return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
 
 
@@ -129,7 +109,7 @@ class _Closure:
         for sides in self._equations:
             for terms in _sums_in(sides):
                 if any(map(self._is_no_number, terms)) and not any(map(_is_printed_number, terms)):
-                    self.known |= {_head(each) for each in terms} - {""} - self._numbers
+                    self.known |= {head_of(each) for each in terms} - {""} - self._numbers
             for side in sides:
                 for kind in ("run", "product"):
                     for product in side.find_data(kind):
@@ -145,19 +125,19 @@ class _Closure:
         what is transposed; or before what is transposed, as in ``x y^T``.
         """
         factors = trees_in(product)
-        inside = {letter for each in factors for letter in _factors(each)}
+        inside = {letter for each in factors for letter in factors_of(each)}
         if inside & (self.known | self.open):
-            self.open |= {each for each in inside if _CAPITAL.match(each)} - self._numbers - self._scales
-        behind, before = _lone(factors[-1]), factors[-2]
-        first, other = _lone(factors[0]), factors[1]
-        if before.data != "marked" and not self._is_matrix(_base(before)):
+            self.open |= {each for each in inside if CAPITAL.match(each)} - self._numbers - self._scales
+        behind, before = lone(factors[-1]), factors[-2]
+        first, other = lone(factors[0]), factors[1]
+        if before.data != "marked" and not self._is_matrix(base_of(before)):
             behind = ""
         if len(factors) > 2 or other.data != "marked":
             first = ""
         self.open |= {each for each in (behind, first) if _SMALL.fullmatch(each)} - self._numbers - self._scales
 
     def _is_matrix(self, letter: str) -> bool:
-        return letter in self.known and _CAPITAL.match(letter) is not None
+        return letter in self.known and CAPITAL.match(letter) is not None
 
     def _is_like_known(self, symbol: str) -> bool:
         r"""Whether a letter is one that is no number with another index, or the rate at which one changes."""
@@ -180,47 +160,20 @@ class _Closure:
         if term.data in ("marked", "fraction", "quotient", "big"):
             return self._is_no_number(trees_in(term)[0])
         if term.data == "power":
-            return _CAPITAL.match(_base(term)) is not None and self._is_no_number(term.children[0])
+            return CAPITAL.match(base_of(term)) is not None and self._is_no_number(term.children[0])
         if term.data == "product":
             return _is_cross(term) and all(map(self._is_no_number, trees_in(term)))
-        if term.data == "run" and len(term.children) == 2 and self._is_matrix(_lone(term.children[0])):
-            return _lone(term.children[1]) != ""
+        if term.data == "run" and len(term.children) == 2 and self._is_matrix(lone(term.children[0])):
+            return lone(term.children[1]) != ""
         if term.data == "run":
             inside = [each for each in trees_in(term) if {*symbols_in(each)} & (self.known | self.open)]
-            alone = len(inside) == 1 or all(_CAPITAL.match(_base(each)) for each in inside)
+            alone = len(inside) == 1 or all(CAPITAL.match(base_of(each)) for each in inside)
             return alone and any(map(self._is_no_number, inside))
         return False
 
 
-def _base(factor: Any) -> str:
-    """Return the letter that a factor is, without its marks and powers; empty if it is more."""
-    while isinstance(factor, Tree) and factor.data in ("marked", "power", "group"):
-        factor = factor.children[0]
-    return str(factor.children[0]) if isinstance(factor, Tree) and factor.data == "symbol" else ""
-
-
-def _lone(factor: Any) -> str:
-    """Return the letter that a factor is; empty if it is more."""
-    return str(factor.children[0]) if factor.data == "symbol" else ""
-
-
-def _head(term: Any) -> str:
-    """Return the letter, or the function, of which a term is a multiple by a number; empty if it is more."""
-    while term.data in ("group", "bracket", "items") and len(term.children) == 1:
-        (term,) = term.children
-    if term.data == "run" and all(each.data == "number" for each in term.children[:-1]):
-        term = term.children[-1]
-    return str(term.children[0]) if term.data in ("symbol", "opaque", "call") and not is_mean(term) else ""
-
-
-def is_mean(term: Formula) -> bool:
-    """Whether a formula is an expected value: it has the shape of what stands within it."""
-    name = str(term.children[0]) if term.data == "call" else ""
-    return MEAN.fullmatch(name) is not None and len(trees_in(term)[0].children) == 1
-
-
 def _is_printed_number(term: Any) -> bool:
-    return (term.data == "number" and str(term.children[0]) != "0") or _lone(term) == r"\pi"
+    return (term.data == "number" and str(term.children[0]) != "0") or lone(term) == r"\pi"
 
 
 def _is_cross(tree: Formula) -> bool:
@@ -230,15 +183,9 @@ def _is_cross(tree: Formula) -> bool:
 
 def _sums_in(sides: Sides) -> Iterator[list[Any]]:
     """Yield the terms that are added or equal: those of the sides, and those of sums within them."""
-    yield [term for side in sides for term in _terms(side)]
+    yield [term for side in sides for term in terms_of(side)]
     for side in sides:
-        yield from map(_terms, side.find_data("sum"))
-
-
-def _terms(side: Any) -> list[Any]:
-    if side.data in ("group", "bracket", "items") and len(side.children) == 1:
-        return _terms(side.children[0])
-    return [term for each in trees_in(side) for term in _terms(each)] if side.data == "sum" else [side]
+        yield from map(terms_of, side.find_data("sum"))
 
 
 def _family(symbol: str) -> tuple[str, str]:
@@ -271,9 +218,9 @@ def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
                 marked = tree.children[0]
-                (found if _lone(marked) and head == "T" else unless).update(_factors(marked, deep=False))
+                (found if lone(marked) and head == "T" else unless).update(factors_of(marked, deep=False))
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
-                found |= {*_factors(tree.children[1], deep=False)}
+                found |= {*factors_of(tree.children[1], deep=False)}
             elif tree.data in ("function", "raised_function") and head in _OF_ANGLES:
                 angles |= {each for part in trees_in(tree)[-1:] for each in symbols_in(part)}
     found |= unless - angles
@@ -285,7 +232,7 @@ def _tables_in(equations: Iterable[Sides]) -> Iterator[str]:
     """Yield the letters that are equal to a printed matrix."""
     for sides in equations:
         if any(map(_is_table, sides)):
-            yield from {_head(side) for side in sides} - {""}
+            yield from {head_of(side) for side in sides} - {""}
 
 
 def _is_table(side: Any) -> bool:
@@ -296,19 +243,6 @@ def _is_table(side: Any) -> bool:
         return False
     rows = trees_in(side)
     return len(rows) > 1 or len(rows[0].children) > 1
-
-
-def _factors(tree: Any, *, deep: bool = True) -> Iterator[str]:
-    """Yield the letters of a sum or product of letters, and of their powers if deep."""
-    if tree.data == "symbol":
-        yield str(tree.children[0])
-    elif tree.data in ("marked", "power") and deep:
-        yield from _factors(tree.children[0], deep=deep)
-    elif tree.data in ("run", "product", "sum", "group") or (
-        tree.data in ("bracket", "items") and len(tree.children) == 1
-    ):
-        for part in trees_in(tree):
-            yield from _factors(part, deep=deep)
 
 
 def _numbers_in(side: Formula) -> Iterator[str]:
@@ -322,50 +256,22 @@ def _numbers_in(side: Formula) -> Iterator[str]:
             named = tree.data == "function" and tree.children[0] not in _OF_MATRICES
             inside = trees_in(tree) if named else []
         for each in inside:
-            yield from _factors(each)
+            yield from factors_of(each)
 
 
 def _above_lines(side: Formula) -> Iterator[str]:
     r"""Yield the symbols above a line with letters below it, and before such a fraction, as in ``G \frac{M}{r^2}``."""
     for tree in side.iter_subtrees():
         if _is_quotient(tree):
-            yield from _factors(tree.children[0])
+            yield from factors_of(tree.children[0])
         elif tree.data == "run":
             for one, other in pairwise(trees_in(tree)):
                 if _is_quotient(other):
-                    yield from _factors(one)
+                    yield from factors_of(one)
 
 
 def _is_quotient(tree: Formula) -> bool:
     return tree.data in ("fraction", "quotient") and all(map(symbols_in, trees_in(tree)))
-
-
-def _oblong_in(equations: Iterable[Sides], sides: Iterable[Formula]) -> Iterator[str]:
-    r"""Yield the letters of which a square is inverted, as X in ``(X^T X)^{-1}``, or in ``S = X^T X``, ``S^{-1}``."""
-    bases = [power.children[0] for side in sides for power in side.find_data("power") if _is_inverse(power)]
-    inverted = {_base(each) for each in bases if isinstance(each, Tree)} - {""}
-    for each in bases:
-        yield from _squared_in(each)
-    for both in equations:
-        if inverted & {_head(side) for side in both}:
-            for side in both:
-                yield from _squared_in(side)
-
-
-def _is_inverse(power: Formula) -> bool:
-    exponent = power.children[1]
-    tokens = [str(each) for each in exponent.scan_values(lambda each: True)] if isinstance(exponent, Tree) else []
-    return tokens == ["-", "1"]
-
-
-def _squared_in(tree: Any) -> Iterator[str]:
-    """Yield the letter that a product has at one end, and transposed at the other."""
-    if not isinstance(tree, Tree):
-        return
-    for term in _terms(tree):
-        first, last = (trees_in(term)[0], trees_in(term)[-1]) if term.data == "run" else (term, term)
-        if _base(first) == _base(last) and (first.data == "marked") != (last.data == "marked"):
-            yield _base(first)
 
 
 # -- the accent of vectors
@@ -387,7 +293,7 @@ def _accents_in(equations: Iterable[Sides], *, spoken: bool) -> frozenset[str]:
                 others |= _accents_of_vectors(symbol)
             alone = [other for other in sides if other is not side]
             if alone and not any(_accents_of(each) or _may_be_vector(each) for each in alone):
-                others |= _accents_of_vectors(_head(side))
+                others |= _accents_of_vectors(head_of(side))
     return frozenset(found - others)
 
 

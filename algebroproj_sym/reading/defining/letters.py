@@ -18,7 +18,7 @@ from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
-from algebroproj_sym.reading.defining.kinds import MEAN
+from algebroproj_sym.reading.defining.factors import MEAN
 from algebroproj_sym.reading.defining.parts import (
     MOST_TERMS,
     Part,

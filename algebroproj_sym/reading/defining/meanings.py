@@ -23,7 +23,7 @@ VARIES = "is another number each time"
 _SIGNS = (
     (
         r"\b(?:computations?|calculations?|arithmetic|operations?|integers|numbers|everything)\b[^.]{0,30}\bmodulo\b"
-        r"|\bmodulo \$?\d+\$?(?![\\\w])|\bmodular arithmetic",
+        r"|\bmodulo \$?\d+\$?(?![\\\w])|\bmodulo (?:two|three|four|five|six|seven|ten|twelve)\b|\bmodular arithmetic",
         r"",
         "numbers may be equal modulo another one",
     ),
@@ -72,6 +72,11 @@ _SIGNS = (
         r"\d\d",
         "digits may be those of another base",
     ),
+    (
+        r"\b(?:element|component|entry)-?wise\b|\bentry by entry\b|\belement by element\b|\bcomponent by component\b",
+        r"(?<!\\partial)(?<!\\partial )(?<!d)(?<!d )\\(?:mathbf|boldsymbol|vec|bm)\s*\{\s*[a-z]\s*\}\s*\^\s*\{?\s*2",
+        "the square of a vector may be that of each entry",
+    ),
     (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
 )
 """What the text says, which LaTeX it concerns, and why an equation with it is not decided."""
@@ -87,34 +92,51 @@ _SUPERSCRIPTS = re.compile(
     re.IGNORECASE,
 )
 _CHANGES = re.compile(r"/|dot|'")
-_DEGREES = re.compile(r"\b(?:is|are|be|measured|given|expressed|angles?) in degrees\b", re.IGNORECASE)
+_DEGREES = re.compile(
+    r"\b(?:is|are|be|measured|given|expressed|angles?) in degrees\b|\bset to degrees\b", re.IGNORECASE
+)
 _BASES = re.compile(
-    r"\blogarithms? (?:is |are )?(?:taken )?(?:to|of|with) (?:the )?base|\b(?:decadic|common|binary) logarithm",
+    r"\blogarithms? (?:is |are )?(?:taken )?(?:to|of|with) (?:the )?base|\b(?:decadic|common|binary) logarithm"
+    r"|\blogarithms? (?:is|are) (?:decadic|common|binary|decimal)\b",
     re.IGNORECASE,
 )
 _ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order-?(?:terms)?|noise|etc\.?")
 """Names that stand for another thing each time."""
-_ORDER = re.compile(r"(?<![a-zA-Z\\])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\(")
+_ORDER = re.compile(
+    r"(?<![a-zA-Z\\])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\("
+    r"|\\(?:Theta|Omega)\s*(?:\\left\s*)?\((?=\s*(?:[nN]\b|\\log))"
+)
 _DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
 _OPERATORS = (
     r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
     r"(?<=the )set|(?<=a )set|(?<!data )sets|events?)"
 )
 _FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?)"
-_SIGNALS = r"(?:signals?|potentials?|distributions?|densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index)"
+_SIGNALS = (
+    r"(?:signals?|potentials?|distributions?|densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index|windows?|"
+    r"(?:frequency|impulse|step) responses?|shapes?|wave ?forms?|profiles?)"
+)
 _NUMBER = re.compile(r"\b(?:ratio|circle|number|constant|half)\b|3\.14")
 _CALLED = re.compile(r"^\s*(?:is|are|be|denotes?|represents?)\b")
 _IS_NAME_OF = re.compile(r"\b(?:the|an?) (?!value |factor |angle |phase |limit |interval )[a-z]{4,} $")
 _EACH_TIME = re.compile(
-    r"\$([^$=]*)\$[^.$]*\b(?:constants?)\b[^.$]*"
-    r"\b(?:each time|from (?:one )?(?:line|place|equation) to|not necessarily the same)",
+    r"\$([^$=]*)\$[^.$]*\b(?:constants?|noise)\b[^.$]*"
+    r"\b(?:each time|anew|afresh|from (?:one )?(?:line|place|equation) to|not necessarily the same"
+    r"|need not be (?:equal|the same)|(?:each|every) occurrence)",
     re.IGNORECASE,
 )
 _INVERSE = re.compile(
     r"\$([^$^]+)\^\{?-1\}?\$ (?:be|is|denotes) (?:the |its )?inverse (?:map|mapping|function|transform)\b"
 )
 _MATERIAL = re.compile(r"D|\\mathcal\{D\}")
+_DEPENDING = re.compile(
+    r"\$([^$=]+)\$(?: of [^$.,;]*)? (?:depends? (?:only )?on|(?:rises|falls|grows|decreases|increases|varies) with)\b"
+)
+_AT_A_TIME = re.compile(
+    r"\$([^$=]+)\$ (?:be|is|denotes?) (?:the |its )[a-z]+(?: [a-z]+)? at (?:the )?[a-z]+ \$([a-z])\$"
+)
+"""Words by which a letter before a bracket may be a function of what stands within it."""
 _DEPENDS = re.compile(
     r"\$([^$]+)\$ (?:(?:is|are|be|being|as) (?:an? |the )?(?:\w+ ){0,2}functions? of"
     r"|(?:depends?|varies|changes) (?:\w+ )?(?:on|with)) (?:the \w+ )?\$([^$]+)\$"
@@ -124,7 +146,11 @@ _DEPENDS = re.compile(
 def functions_called(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the letters that words call functions: a bracket behind one is its argument."""
     every = tuple(statements)
-    return called(every, _FUNCTIONS) | called(every, _SIGNALS)
+    words = prose_of(every)
+    spoken = [*_DEPENDING.findall(words), *(letter for letter, _ in _AT_A_TIME.findall(words))]
+    return (
+        called(every, _FUNCTIONS) | called(every, _SIGNALS) | {each for one in spoken for each in symbols_in_list(one)}
+    )
 
 
 def has_superscripts(words: str) -> bool:
@@ -234,6 +260,8 @@ class Meanings:
         latex = "".join(piece.text for piece in statement.pieces)
         if found := next((reason for pattern, reason in self._signs if pattern.search(latex)), ""):
             return found
+        if match := _MICRO.search(statement.latex):
+            return f"{match[1]} may be a unit"
         if _TRANSFORM.search(latex):
             return "a letter before a brace may be an operator"
         if match := _ORDER.search(latex) or _DRAW.search(latex):
@@ -283,6 +311,7 @@ class Meanings:
         return ""
 
 
+_MICRO = re.compile(r"=\s*[\d.]+\s*(?:\\[,;: ]|~)?\s*(\\mu\s*(?:\\[,;:])?\s*[mgsAVFHJWN])\s*[.,]?\s*$")
 _TRANSFORM = re.compile(r"\\(?:mathcal|mathscr|mathfrak)\s*\{?\s*[A-Z]\s*\}?\s*(?:\\left\s*)?(?:\\\{|\\lbrace)")
 _INDEX = re.compile(r"(?<![a-zA-Z\\])(?:[i-n]|\\(?:mu|nu|rho|sigma|alpha|beta|lambda|kappa))(?![a-zA-Z])")
 

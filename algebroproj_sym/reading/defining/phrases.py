@@ -69,6 +69,10 @@ Value = TypeVar("Value")
 _SPACE_OF = re.compile(
     r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
 )
+_OF_MATRICES = re.compile(
+    r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathbb|mathbf)\s*\{?\s*[RC]\s*\}?\s*\^\s*\{\s*[a-zA-Z]\s*\\times\s*[a-zA-Z]\s*\}"
+    r"|(?:\\(?:mathrm|mathbf|text|operatorname|mathbb|mathcal)\s*)?\{?\s*(?:[GS]L|S?[OUE]|Sp|M_n|M_\{n\})\s*\}?\s*\()"
+)
 _COMPLEX = re.compile(r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*C\b")
 _ROTATIONS = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathrm|mathbf|text|operatorname|mathbb)\s*)?\{?\s*SO\s*\}?\s*\(\s*([23])\s*\)\s*$"
@@ -87,11 +91,14 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
 
 def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
+    every = tuple(statements)
     return called(
-        statements,
+        every,
         rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|permutations?|strings?|reflections?|transformations?|"
         r"(?<=the )set|(?<=a )set|sets|"
-        r"events?|groups?|maps?)",
+        r"events?|groups?|maps?|homograph(?:y|ies))",
+    ).union(
+        symbol for each in every if (match := _OF_MATRICES.match(each.latex)) for symbol in symbols_in_list(match[1])
     )
 
 
@@ -116,7 +123,7 @@ def called(statements: Iterable[Statement], things: str) -> frozenset[str]:
     )
     is_behind = re.compile(
         r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*"
-        rf"(?:is|are|denotes?|be|represents?)\s+(?:(?:[a-zA-Z-]+|\$[^$]*\$) ){{0,3}}{things}\b",
+        rf"(?:is|are|denotes?|be|represents?)\s+(?:(?:[a-zA-Z'’-]+|\$[^$]*\$) ){{0,3}}{things}\b",
         re.IGNORECASE,
     )
     found = set[str]()

@@ -19,7 +19,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
 from algebroproj_sym.reading.defining.contexts import Context
-from algebroproj_sym.reading.defining.rates import ONE, rate_of
+from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
@@ -477,7 +477,7 @@ def _made(
 
 def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
     verb = "does" if len(letters) == 1 else "do"
-    return f", where {', '.join(map(vocabulary.name, letters))} {verb} not change" if letters else ""
+    return f", where {', '.join(map(vocabulary.name, letters))} {verb}{UNCHANGED}" if letters else ""
 
 
 def _slope(value: Formula, variable: str, order: str | None = None) -> Formula:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
-from lark import Tree
+from lark import Token, Tree
 
 from algebroproj_sym.expressions import require_bounded
 from algebroproj_sym.reading.defining.dependence import letters_in
@@ -130,3 +131,43 @@ def computes(definition: Definition, vocabulary: Vocabulary) -> bool:
     except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
         return has_shape(vocabulary, definition.tree)
     return True
+
+
+def is_reordered(one: Formula, other: Formula) -> bool:
+    r"""Whether two products are of the same letters in another order: of numbers, nobody says that it follows.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> [is_reordered(*parsed(each).sides) for each in ("A B = B A", "a b = a b", "2 a b = 2 b a")]
+    [True, False, False]
+    """
+    factors, others = ([str(part) for part in each.children] if each.data == "run" else [] for each in (one, other))
+    lone = all(isinstance(part, Tree) and part.data in ("symbol", "call") for part in one.children)
+    return lone and len(factors) > 1 and factors != others and sorted(factors) == sorted(others)
+
+
+def differ_in_one_letter(some: Sequence[Formula], others: Sequence[Formula]) -> bool:
+    """Whether formulas differ in one letter, as ``h - a = 0`` and ``h - b = 0``: they may be of two cases."""
+    pairs = [
+        pair
+        for one, other in zip(some, others, strict=True)
+        for pair in zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one, other)), strict=False)
+    ]
+    renamed = {pair for pair in pairs if pair[0] != pair[1]}
+    if len(renamed) != 1:
+        return False
+    ((before, now),) = renamed
+    return [_renamed(each, before, now) for each in some] == [*others]
+
+
+def _renamed(tree: Formula, before: str, now: str) -> Formula:
+    parts = [
+        _renamed(each, before, now)
+        if isinstance(each, Tree)
+        else Token(each.type, now)
+        if each == before and each.type == "SYMBOL"
+        else each
+        for each in tree.children
+    ]
+    return Tree(tree.data, parts)

@@ -179,6 +179,11 @@ class Survey:
         return parsed(statement.pieces, is_name, self.functions, wide)
 
     @cached_property
+    def has_programs(self) -> bool:
+        """Whether the text speaks of programs, in which a letter gets new values by ``:=``."""
+        return _PROGRAMS.search(self._prose) is not None
+
+    @cached_property
     def _has_superscripts(self) -> bool:
         return has_superscripts(self._prose)
 
@@ -288,6 +293,7 @@ class Survey:
         return len(powers) == letters and any(powers)
 
 
+_PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 

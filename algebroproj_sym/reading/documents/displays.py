@@ -31,15 +31,19 @@ _BEGIN = re.compile(
 )
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 _CODE = re.compile(
-    r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
+    r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment|filecontents)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
 )
+_BEHIND = re.compile(r"\\end\{document\}(?!.*\\end\{document\}).*", re.DOTALL)
+"""What stands behind the end of a document."""
+_SWITCH = re.compile(r"\\newif\s*\\if([a-zA-Z]+)")
 _INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
 _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 """Code within a line; what a role of MyST cites is none."""
 _HIDDEN = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
-_STRUCK = re.compile(r"\\(?:sout|st)\{(?:[^{}]|\{[^{}]*\})*\}")
+_STRUCK = re.compile(r"\\(?:sout|st|todo(?:\[[^\]]*\])?)\{(?:[^{}]|\{[^{}]*\})*\}")
 _STRUCK_IN_MARKDOWN = re.compile(
-    r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike)>.{0,2000}?</\1>|" + _STRUCK.pattern, re.DOTALL
+    r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike|template)>.{0,2000}?</\1>|" + _STRUCK.pattern,
+    re.DOTALL,
 )
 """What an author takes back."""
 _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
@@ -235,7 +239,8 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbered = lines or tuple(map(Line, range(1, len(starts) + 1)))
     if latex:
-        plain = _STRUCK.sub(_blank, _without_code(_without_comments(text)))
+        plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(_without_comments(text))))
+        plain = _without_versions(plain)
     else:
         plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, text))))
         plain = _ROW_END.sub(r"\\\\ ", plain)
@@ -265,6 +270,15 @@ def _without_code(text: str) -> str:
         kept += [text[place : match.start()], re.sub(r"[^\n]", " ", text[match.start() : end])]
         place = end
     return "".join([*kept, text[place:]])
+
+
+def _without_versions(text: str) -> str:
+    r"""Return LaTeX without what stands behind ``\ifname`` where nothing says ``\nametrue``."""
+    for name in {*_SWITCH.findall(text)}:
+        if rf"\{name}true" not in text:
+            switch = rf"(?<!\\newif)(?<!\\newif )\\if{name}(?![a-zA-Z])(?:(?!\\if|\\fi|\\else).)*"
+            text = re.sub(switch, _blank, text, flags=re.DOTALL)
+    return text
 
 
 class _Following:

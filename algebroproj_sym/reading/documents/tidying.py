@@ -131,6 +131,8 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             raise UnreadableError("a prime behind nothing may be that of a sum", piece.place)
         elif text == "e" and _is_scientific(out, waiting):
             raise UnreadableError("a letter between digits may be that of a number such as 1e3", piece.place)
+        elif text in (r"\,", r"\;", r"\ ") and out and out[-1].text.isdigit() and _is_other_number(waiting):
+            raise UnreadableError("numbers side by side may be a list", piece.place)
         elif text == "." and [each.text for each in waiting[-1:-3:-1]] == [".", "."]:
             del waiting[-2:]
             out.append(_as(piece, r"\ldots"))
@@ -148,6 +150,12 @@ def _is_scientific(out: Sequence[Piece], waiting: Sequence[Piece]) -> bool:
     following = [each.text for each in waiting[-1:-3:-1]]
     following = following[1:] if following[:1] in (["-"], ["+"]) else following
     return bool(out) and out[-1].text.isdigit() and following[:1] != [] and following[0].isdigit()
+
+
+def _is_other_number(waiting: Sequence[Piece]) -> bool:
+    """Whether digits come next that are no group of three, as those of thousands are."""
+    following = [each.text.isdigit() for each in waiting[-1:-5:-1]]
+    return following[:1] == [True] and following[:3] != [True] * 3
 
 
 class _Pairs:

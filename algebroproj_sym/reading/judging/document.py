@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -24,12 +23,14 @@ from algebroproj_sym.reading.defining.recognising import (
     argument_of,
     computes,
     defined_by,
+    differ_in_one_letter,
     given_by,
     introduced_by,
     is_circular,
     is_indexed_above,
     is_named,
     is_one_value,
+    is_reordered,
     is_table,
     is_update,
 )
@@ -45,6 +46,7 @@ from algebroproj_sym.reading.judging.questions import (
     rests_of,
     used_by,
 )
+from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.signs import may_be_negative, without_signs
 from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
@@ -132,10 +134,6 @@ def _where(statement: Statement) -> str:
     return f"({number}), {where}" if number else where
 
 
-_SCOPES = re.compile(r"\\(begin|end)\{(?:example|exercise|problem|quote|quotation)\*?\}")
-_QUOTED = re.compile(r"(?:^|\n)[ \t]*>[> \t]*$")
-
-
 class _Pass:
     """Goes through a document once, and collects definitions, premises and questions."""
 
@@ -151,8 +149,8 @@ class _Pass:
         self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
-        self.scope: int | None = None
-        self.quoted: int | None = None
+        self.scopes = Scopes()
+        self.supposed = set[int]()
         self.part = 0
         self.order = 0
         self.beside = Beside("", "", "", "", False, 0, 0, True)
@@ -177,21 +175,16 @@ class _Pass:
         return readings, asked
 
     def _leave(self, display: Display) -> None:
-        """Forget what a quotation or an example says where it ends."""
-        for mark in _SCOPES.finditer(display.before):
-            if mark[1] == "begin" and self.scope is None:
-                self.scope = display.place
-            elif mark[1] == "end" and self.scope is not None:
-                self._retract_from(self.scope)
-                self.scope = None
-        quoted = _QUOTED.search(display.before) is not None
-        if self.quoted is not None and not quoted:
-            self._retract_from(self.quoted)
-        self.quoted = (display.place if self.quoted is None else self.quoted) if quoted else None
+        """Forget what a quotation or an example says where it ends, and what a theorem supposes."""
+        self.scopes, ended, supposed = self.scopes.at(display)
+        for start in ended:
+            self._retract_from(start)
+        for start in supposed:
+            self._retract({each for each in self.supposed if each >= start})
 
     def _retract_from(self, place: int) -> None:
-        self.premises = [each for each in self.premises if each.place < place]
-        self._drop([each.symbol for each in self.vocabulary.definitions.values() if each.place >= place])
+        later = {each.place for each in self.premises if each.place >= place}
+        self._retract(later.union(each.place for each in self.vocabulary.definitions.values() if each.place >= place))
 
     def _listen(self, statement: Statement) -> None:
         """Take in the words beside a statement."""
@@ -201,21 +194,24 @@ class _Pass:
         same_part = self.beside.part == display.part
         if display is not self.display:
             if self.display is not None and takes_back(display.before):
-                self._retract(self.display)
+                self._retract({self.display.place})
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         self.display = display
         self.beside = beside(statement, self.carried)
+        if self.beside.supposes:
+            self.supposed.add(display.place)
         self._stand_at(display)
-        for symbol in self.beside.changed:
+        marked = {each for each in self.survey.occurring for mark in self.beside.dropped if mark in each}
+        for symbol in self.beside.changed | marked:
             self._forget(symbol)
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
 
-    def _retract(self, display: Display) -> None:
-        """Forget what a display said."""
-        self.premises = [each for each in self.premises if each.place != display.place]
-        self._drop(each.symbol for each in self.vocabulary.definitions.values() if each.place == display.place)
+    def _retract(self, places: Collection[int]) -> None:
+        """Forget what displays said."""
+        self.premises = [each for each in self.premises if each.place not in places]
+        self._drop([each.symbol for each in self.vocabulary.definitions.values() if each.place in places])
 
     def _forget(self, symbol: str) -> None:
         """Forget what was said of a letter, and with it."""
@@ -309,6 +305,8 @@ class _Pass:
             if equal and not reason.endswith(VARIES) and self._introduces(statement, found):
                 links[0] = Link("definition")
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
+        if found.relations[:1] == (":=",) and self.survey.has_programs:
+            self._forget(defined_by(found.sides[0])[0])
         definition = self._definition(statement, found, explicit=False)
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None:
@@ -389,6 +387,9 @@ class _Pass:
         if self.beside.exchanged or not any(self.vocabulary.letters_of(each) for each in formula.sides):
             return
         if self.beside.is_denied or is_update(*formula.sides[:2]) or self._is_of_one_index(formula):
+            return
+        known = self.vocabulary.definitions.get(defined_by(formula.sides[0])[0])
+        if known and len(formula.sides) == 2 and differ_in_one_letter([known.tree], formula.sides[1:]):
             return
         for each in self._premises_of(statement, formula, formula.sides[defines:]):
             self.premises.append(each)
@@ -528,6 +529,11 @@ class _Pass:
             return Link("definition", rests_on=rests), None
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
+        known = self.vocabulary.definitions.get(defined_by(left)[0])
+        if known is not None and known.tree == right and (word := self.beside.amount(known.words)):
+            return Link("not decided", f"the word {word!r} beside it may speak of another amount", rests), None
+        if is_reordered(known.tree if known else left, right):
+            return Link("not decided", "the order of the factors may matter", rests), None
         letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
         identity = self._named(statement, self.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.vocabulary, left, right))

@@ -69,7 +69,7 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
     if not any(map(vocabulary.letters_of, (left, right))):
         if _is_turned(left, right, vocabulary):
             return "angles may differ by full turns"
-        if word := strange_word(f"{beside.before} {beside.sentence}", ()):
+        if word := strange_word(f"{beside.before} {beside.sentence} {beside.behind}", ()):
             return f"the word {word!r} beside it may speak of another arithmetic"
     if formula.chose:
         return formula.chose
@@ -102,6 +102,8 @@ def _doubt_of_reading(trees: tuple[Formula, ...], symbols: Iterable[str]) -> str
         return "a number before a fraction may be added to it"
     if any(_has_logarithm(tree) for tree in trees):
         return "log may have another base"
+    if any(_has_plain_angle(tree) for tree in trees[:2]):
+        return "angles may be in degrees"
     imaginary = sorted(_IMAGINARY.intersection(symbols))
     return f"{imaginary[0]} may be the imaginary unit" if imaginary else ""
 
@@ -204,6 +206,13 @@ def _is_number(tree: Any) -> bool:
 def _has_logarithm(tree: Formula) -> bool:
     functions = (*tree.find_data("function"), *tree.find_data("raised_function"))
     return any(each.children[0] == "log" for each in functions)
+
+
+def _has_plain_angle(tree: Formula) -> bool:
+    r"""Whether a number alone is an angle, as in ``\sin 30``."""
+    functions = (*tree.find_data("function"), *tree.find_data("raised_function"))
+    arguments = [trees_in(each)[-1] for each in functions if each.children[0] in ("sin", "cos", "tan", "cot")]
+    return any(_is_number(part) for each in arguments for part in (each, *each.children[:1] * (each.data == "items")))
 
 
 def _numbers(tree: Formula) -> list[str]:

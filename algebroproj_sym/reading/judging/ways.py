@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
-from lark import Token, Tree
+from lark import Tree
 
 from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.instances import squares_of
@@ -23,7 +23,8 @@ from algebroproj_sym.reading.defining.premises import (
     neighbours,
     with_given,
 )
-from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.rates import UNCHANGED
+from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
@@ -36,6 +37,15 @@ from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
+
+
+_CHANGES = frozenset(
+    {
+        *("loses", "gains", "burns", "ejects", "gathers", "hardens", "softens", "melts", "evaporates", "leaks"),
+        *("empties", "drains", "shrinks", "draws", "apart"),
+    }
+)
+"""Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""
 
 
 @dataclass(frozen=True)
@@ -188,7 +198,10 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
         tied = tied.union(*(speaks[each] for each in more))
         together += more
-    if any(_are_parallel(one, other) for one, other in combinations(together, 2)):
+    if any(
+        differ_in_one_letter((one.left, one.right), (other.left, other.right))
+        for one, other in combinations(together, 2)
+    ):
         return
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=(*together, *own))
@@ -249,7 +262,9 @@ def _squared(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     if squares is None or standing.vocabulary.is_matrix(symbols_in(squares[0])[0]):
         return
     left, right, is_open = squares
-    if not (is_open or standing.beside.speaks_of_a_length):
+    branches = ({"branch", "lower"}, {"branch", "negative"})
+    below = any(words <= each.words for words in branches for each in standing.premises[-MOST_PREMISES:])
+    if not (is_open or (standing.beside.speaks_of_a_length and not below)):
         return
     of_squares = replace(formula, sides=(left, right), relations=("=",))
     shown = " = ".join(map(standing.vocabulary.text, formula.sides[index : index + 2]))
@@ -293,7 +308,8 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
     for given in ([], [each for each in found if each.symbol not in lone], found):
         known = extended(standing.vocabulary, given)
         yield known
-        yield extended(known, derivatives_in((left, right), known, standing.survey.occurring))
+        rates = derivatives_in((left, right), known, standing.survey.occurring)
+        yield extended(known, [each for each in rates if not _rests_on_what_changes(each, standing.beside)])
     wanted = {*symbols_in(left), *symbols_in(right)}
     parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
     supposed = frozenset().union(*(each.symbols for each in standing.own))
@@ -301,6 +317,11 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
         tied = (parameters | supposed) & each.symbols
         for solution in [] if tied else _solutions(each, standing.vocabulary, wanted):
             yield extended(standing.vocabulary, [solution])
+
+
+def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
+    """Whether a derivative takes letters to be fixed though words say that something changes."""
+    return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})
 
 
 def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:
@@ -332,26 +353,3 @@ def _with_complex_numbers(way: Way) -> Iterator[Way]:
     for numbers, letters in kinds:
         known = way.vocabulary.with_complex_numbers(numbers)
         yield replace(way, vocabulary=known, reads=f"{shown}{unit}{letters}")
-
-
-def _are_parallel(one: Premise, other: Premise) -> bool:
-    """Whether two equations differ in one letter, as ``h - a = 0`` and ``h - b = 0``: they may be of two cases."""
-    pairs = [*zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one.left, other.left)), strict=False)]
-    pairs += zip(*([str(each) for each in tree.scan_values(bool)] for tree in (one.right, other.right)), strict=False)
-    renamed = {pair for pair in pairs if pair[0] != pair[1]}
-    if len(renamed) != 1:
-        return False
-    ((before, now),) = renamed
-    return (_renamed(one.left, before, now), _renamed(one.right, before, now)) == (other.left, other.right)
-
-
-def _renamed(tree: Formula, before: str, now: str) -> Formula:
-    parts = [
-        _renamed(each, before, now)
-        if isinstance(each, Tree)
-        else Token(each.type, now)
-        if each == before and each.type == "SYMBOL"
-        else each
-        for each in tree.children
-    ]
-    return Tree(tree.data, parts)

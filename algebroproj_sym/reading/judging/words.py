@@ -47,6 +47,15 @@ _DENIED = re.compile(
     r"(?:plus|and|with) some noise|"
     r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
     r"apparently|seemingly|at first (?:sight|glance)|rule of thumb|rumou?r\w*|hearsay|myth|counter-?example|bug|"
+    r"(?<!as )(?:one|you|we) (?:might|may|could) (?:guess|think|expect|suspect|believe)|"
+    r"(?:exactly|at most) one of(?! which| them)|open (?:problem|question) (?:to|whether|if)|"
+    r"(?:it|this|that|which)\b[^.,;$]{0,40} (?:must|has to) be (?:discarded|rejected|dismissed)|"
+    r"(?:it|this|which) is (?:spurious|extraneous|unphysical)|"
+    r"holds? for no|none of (?:the|these|those|our|them)\b[^.$]{0,40} (?:satisf\w+|obey\w*|fulfil\w*|met)|"
+    r"not (?:every|all|each)\b[^.$]{0,30} (?:satisf\w+|obeys?|fulfils?)|(?:not |un)known whether|"
+    r"no evidence|"
+    r"differ\w* (?:\w+ )?from the (?:prediction|formula|law|theory|rule)|refuses? to|"
+    r"there (?:is|are|was|were) no [a-z]+ (?:\w+ )?(?:at|for|in) which|"
     r"opponents?|critics|symbolically|speculat\w*|paradox\w*|to (?:leading|lowest|zeroth|first|second) order)\b",
     re.IGNORECASE,
 )
@@ -57,6 +66,11 @@ _OF_IT = re.compile(
     re.IGNORECASE,
 )
 """How a sentence begins that speaks of the equation before it."""
+_UNDOES = re.compile(
+    r"\b(?:spoils?|destroys?|invalidates?|falsif(?:y|ies)|violates?|rules?) (?:this|that|it)\b(?! (?:section|case))",
+    re.IGNORECASE,
+)
+"""Words of another thing by which the equation before them does not hold."""
 _OTHERWISE = re.compile(r"\b(?:opposite|the other way round|read\s+\$[^$]*\$\s+for)\b|\bread\s+\$", re.IGNORECASE)
 _NOT_QUITE = re.compile(
     r"\b(?:approximat\w*|neglect\w*|limit\w*|setting|equilibrium|at rest|steady|stationary|extrem\w+|absence|ignor\w+|"
@@ -208,6 +222,11 @@ class Beside:
         return self.is_denied or CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
 
     @property
+    def supposes(self) -> bool:
+        """Whether its own sentence supposes it."""
+        return _SUPPOSES.search(self.sentence) is not None
+
+    @property
     def is_denied(self) -> bool:
         """Whether its own sentence says that it does not hold."""
         return _DENIED.search(f"{self.sentence} {self.condition} {self.behind}") is not None
@@ -243,6 +262,17 @@ class Beside:
         """The letters that the words before give another meaning, as in "from here on $b$ is half of it"."""
         found = [each for match in _CHANGED.finditer(self.before) for each in match.groups() if each]
         return frozenset(symbol for each in found for symbol in symbols_in_list(each))
+
+    @property
+    def dropped(self) -> frozenset[str]:
+        """The marks that letters lose from there on, as in "we drop the tilde": what had none was another letter."""
+        found = frozenset(each.lower() for each in _DROPS.findall(self.before))
+        return frozenset("'" if each == "prime" else rf"\{each}" for each in found)
+
+    def amount(self, known: Collection[str]) -> str:
+        """Return a word of its own sentence that speaks of another amount than words that are known; empty for none."""
+        found = (each.lower() for each in _AMOUNTS.findall(without_formulas(self.sentence)))
+        return next((each for each in found if each not in known), "")
 
     @property
     def exchanged(self) -> frozenset[str]:
@@ -309,7 +339,8 @@ def takes_back(words: str) -> bool:
     """
     remark = re.match(r"\W*([^.!]*)[.!](?=\s|$)", words)
     said = remark[1] if remark else ""
-    return bool(_OF_IT.match(said) and (_DENIED.search(said) or _OTHERWISE.search(said)))
+    of_it = _OF_IT.match(said) and (_DENIED.search(said) or _OTHERWISE.search(said))
+    return bool(of_it or _UNDOES.search(said))
 
 
 def has_ended(display: Display) -> bool:
@@ -393,6 +424,15 @@ _LENGTH = re.compile(
     r"(?:square )?roots?)\b",
     re.IGNORECASE,
 )
+_SUPPOSES = re.compile(r"\b(?:suppos(?:e|ing)|assum(?:e|ing)|let)\b", re.IGNORECASE)
+_AMOUNTS = re.compile(
+    r"\b(per|together|total|altogether|reciprocal|twice|half|double|two|three|four|five|six|ten|both|percent|plain|degrees|"
+    r"radians|mean|average|monthly|daily|yearly|real|gross|net)\b"
+    r"(?! (?:equations?|relations?|sides?|terms?|expressions?|formula\w*|steps?|numbers?$))",
+    re.IGNORECASE,
+)
+"""Words by which a formula may be of another amount, or in another unit, than the same formula above it."""
+_DROPS = re.compile(r"\bdrop(?:ping|ped|s)? (?:the|all) (tilde|hat|bar|overline|prime)s?\b", re.IGNORECASE)
 _ANEW = re.compile(
     r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"
     r"denote\w*|this time)\b",
@@ -406,6 +446,7 @@ _CHANGED = re.compile(
     r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
     r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
     r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b"
+    r"|\bin this (?:section|chapter|appendix)\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:denotes?|stands? for|is the)\b"
     r"|\$([^$=]*)\$ (?:now )?has (?:an?other|a new|a different|its own) meaning"
     r"|\b[Ww]rite \$([^$=]*)\$ for \$[^$]*\$"
     r"|\b(?:measur|count|express|scal)\w* \$([^$=]*)\$ (?:in|by)\b[^.$]*\b(?:from (?:here|now)|henceforth|hereafter)",

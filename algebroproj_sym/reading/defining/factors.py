@@ -1,0 +1,64 @@
+"""The letters of which a formula is made: those of its terms and factors."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from lark import Tree
+
+from algebroproj_sym.reading.parsing.grammar import Formula, trees_in
+
+CAPITAL = re.compile(
+    r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
+    r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
+)
+MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
+
+
+def base_of(factor: Any) -> str:
+    """Return the letter that a factor is, without its marks and powers; empty if it is more."""
+    while isinstance(factor, Tree) and factor.data in ("marked", "power", "group"):
+        factor = factor.children[0]
+    return str(factor.children[0]) if isinstance(factor, Tree) and factor.data == "symbol" else ""
+
+
+def lone(factor: Any) -> str:
+    """Return the letter that a factor is; empty if it is more."""
+    return str(factor.children[0]) if factor.data == "symbol" else ""
+
+
+def head_of(term: Any) -> str:
+    """Return the letter, or the function, of which a term is a multiple by a number; empty if it is more."""
+    while term.data in ("group", "bracket", "items") and len(term.children) == 1:
+        (term,) = term.children
+    if term.data == "run" and all(each.data == "number" for each in term.children[:-1]):
+        term = term.children[-1]
+    return str(term.children[0]) if term.data in ("symbol", "opaque", "call") and not is_mean(term) else ""
+
+
+def is_mean(term: Formula) -> bool:
+    """Whether a formula is an expected value: it has the shape of what stands within it."""
+    name = str(term.children[0]) if term.data == "call" else ""
+    return MEAN.fullmatch(name) is not None and len(trees_in(term)[0].children) == 1
+
+
+def terms_of(side: Any) -> list[Any]:
+    """Return the terms of a formula; itself if it is no sum."""
+    if side.data in ("group", "bracket", "items") and len(side.children) == 1:
+        return terms_of(side.children[0])
+    return [term for each in trees_in(side) for term in terms_of(each)] if side.data == "sum" else [side]
+
+
+def factors_of(tree: Any, *, deep: bool = True) -> Iterator[str]:
+    """Yield the letters of a sum or product of letters, and of their powers if deep."""
+    if tree.data == "symbol":
+        yield str(tree.children[0])
+    elif tree.data in ("marked", "power") and deep:
+        yield from factors_of(tree.children[0], deep=deep)
+    elif tree.data in ("run", "product", "sum", "group") or (
+        tree.data in ("bracket", "items") and len(tree.children) == 1
+    ):
+        for part in trees_in(tree):
+            yield from factors_of(part, deep=deep)

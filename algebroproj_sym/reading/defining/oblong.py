@@ -1,0 +1,108 @@
+r"""Matrices that may have no inverse: by words, by their sizes, or by the normal equations in which they stand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+from lark import Tree
+
+from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, head_of, lone, terms_of
+from algebroproj_sym.reading.parsing.grammar import Formula, trees_in
+
+Sides = Sequence[Formula]
+_SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
+_HAS_NO_INVERSE = (
+    r"(?:(?<!non)(?<!non-)singular(?! values?| vectors?)|not (?:be )?(?:square|invertible)|non-?(?:square|invertible)"
+    r"|rank[- ]deficient|rectangular|wide|tall|fat|skinny)"
+)
+_SINGULAR = re.compile(
+    rf"\$([^$]+)\$ (?:(?:is|be|may be|are) (?:\w+ ){{0,2}}?{_HAS_NO_INVERSE}"
+    r"|has an? (?:\w+ )?(?:null[- ]?space|kernel))"
+    rf"|\b{_HAS_NO_INVERSE} matri(?:x|ces) \$?([^$\s.,]+)",
+    re.IGNORECASE,
+)
+_DECLARED = re.compile(
+    r"((?:\\[a-zA-Z]+\s*\{?\s*)?[A-Za-z]\}?)\s*\\in\s*(?:\\mathbb\s*\{?\s*R\s*\}?|\\R\b)\s*"
+    r"\^\s*\{\s*(\w+)\s*\\times\s*(\w+)\s*\}"
+)
+"""Words, and LaTeX, of matrices that have no inverse."""
+_UNEVEN = re.compile(
+    r"\b(?:fewer|more) (?:rows|equations|measurements|observations) than (?:columns|unknowns|parameters|states)\b"
+    r"|\b(?:over|under)-?determined\b",
+    re.IGNORECASE,
+)
+_BOLDLY = re.compile(r"^\\(?:mathbf|boldsymbol|bm)\{?\s*")
+_OF_SIZE = re.compile(r"\$(\w+) ?\\times ?(\w+)\$ (?:[\w-]+ ){0,2}matri(?:x|ces) \$([^$]+)\$")
+_ARE_OF_SIZE = re.compile(r"\$([^$]+)\$ (?:is|be|are|denotes?) (?:an? |the )?\$(\w+) ?\\times ?(\w+)\$")
+
+
+def oblong_in(equations: Sequence[Sides], occurring: Iterable[str], words: str) -> frozenset[str]:
+    """Return the letters of matrices that may not be square."""
+    sides = [side for each in equations for side in each]
+    found = set[str]()
+    if not _SQUARE.search(words):
+        found |= {*_inverted_squares_in(equations, sides), *_normal_in(equations)}
+        found |= {*_mapping_in(equations)} if _UNEVEN.search(words) else set()
+    declared = {letter for letter, rows, width in _DECLARED.findall(words) if rows != width}
+    declared |= {letter or other for letter, other in _SINGULAR.findall(words)}
+    declared |= {letter for rows, width, letter in _OF_SIZE.findall(words) if rows != width}
+    declared |= {letter for letter, rows, width in _ARE_OF_SIZE.findall(words) if rows != width}
+    bare = {*map(_bare, declared)}
+    return frozenset(found | {each for each in occurring if _bare(each) in bare})
+
+
+def _bare(symbol: str) -> str:
+    return re.sub(r"[{}\s]", "", symbol)
+
+
+def _inverted_squares_in(equations: Iterable[Sides], sides: Iterable[Formula]) -> Iterator[str]:
+    r"""Yield the letters of which a square is inverted, as X in ``(X^T X)^{-1}``, or in ``S = X^T X``, ``S^{-1}``."""
+    bases = [power.children[0] for side in sides for power in side.find_data("power") if is_inverse(power)]
+    inverted = {base_of(each) for each in bases if isinstance(each, Tree)} - {""}
+    for each in bases:
+        yield from _squared_in(each)
+    yield from _normal_in(equations)
+    for both in equations:
+        if inverted & {head_of(side) for side in both}:
+            for side in both:
+                yield from _squared_in(side)
+
+
+def _normal_in(equations: Iterable[Sides]) -> Iterator[str]:
+    """Yield the letters of normal equations: A in ``A^T A x = A^T b``, which is not invertible as a rule."""
+    every = [*equations]
+    named = {head_of(one): {*_squared_in(other)} for both in every for one in both for other in both if head_of(one)}
+    for both in every:
+        terms = [[*trees_in(term)] for side in both for term in terms_of(side) if term.data == "run"]
+        turned = [(base_of(first), [lone(each) for each in rest]) for first, *rest in terms if first.data == "marked"]
+        squares = {letter for letter, rest in turned if letter and letter in rest[:-1]}
+        squares = squares.union(*(named.get(lone(first), ()) for first, *_ in terms))
+        yield from squares & {letter for letter, rest in turned if letter not in rest}
+
+
+def _mapping_in(equations: Iterable[Sides]) -> Iterator[str]:
+    """Yield the capitals that take one letter into another one, as H in ``z = H x``."""
+    for both in equations:
+        for one, other in ((one, other) for one in both for other in both if other.data == "run"):
+            factors = [*map(lone, trees_in(other))]
+            if lone(one) and len(factors) == 2 and all(factors) and CAPITAL.match(_BOLDLY.sub("", factors[0])):
+                yield factors[0]
+
+
+def is_inverse(power: Formula) -> bool:
+    """Whether an exponent is -1."""
+    exponent = power.children[1]
+    tokens = [str(each) for each in exponent.scan_values(lambda each: True)] if isinstance(exponent, Tree) else []
+    return tokens == ["-", "1"]
+
+
+def _squared_in(tree: Any) -> Iterator[str]:
+    """Yield the letter that a product has at one end, and transposed at the other."""
+    if not isinstance(tree, Tree):
+        return
+    for term in terms_of(tree):
+        first, last = (trees_in(term)[0], trees_in(term)[-1]) if term.data == "run" else (term, term)
+        if base_of(first) == base_of(last) and (first.data == "marked") != (last.data == "marked"):
+            yield base_of(first)

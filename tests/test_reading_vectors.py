@@ -61,6 +61,9 @@ def last_verdict(latex: str) -> str:
         r"\[ \mathrm{diag}(\mathbf{x})^T = \mathrm{diag}(\mathbf{x}) \]",
         r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] "
         r"\[ \mathrm{diag}(5, A) = \begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 0 \\ 0 & 0 & 5 \end{bmatrix} \]",
+        r"Here $\omega$ and $\chi$ are rotations. \[ a = \cos(\omega^T n) \] "
+        r"\[ b = \omega \chi \] \[ b = \chi \omega \]",
+        r"Here $R$ and $S$ are rotations. \[ a = \sin R \sin S \] \[ b = R S \] \[ b = S R \]",
         r"The means are \[ \bar x = \frac1n\sum_{i=1}^n x_i \] \[ \bar y = \frac1n\sum_{i=1}^n y_i \] "
         r"They are no vectors: \[ \bar x \times \bar x = 0 \]",
     ],
@@ -101,6 +104,9 @@ def test_what_holds_of_numbers_alone_does_not_follow_of_vectors_and_matrices(lat
         r"\[ f = ||\mathbf{x} - \mathbf{c}||^2 \] "
         r"\[ f = ||\mathbf{x}||^2 - 2 \mathbf{c}^T \mathbf{x} + ||\mathbf{c}||^2 \]",
         r"\[ s = \sum_i ||\mathbf{x}_i||^2 \] \[ a s = \sum_i a ||\mathbf{x}_i||^2 \]",
+        r"Here $\Omega$ is defined by a rotation about $z$. \[ a = \sin\Omega + b \sin\Omega \] "
+        r"\[ a = (1 + b) \sin\Omega \]",
+        r"\[ \mathbf{y} = A\,\space\mathbf{x} \] \[ \mathbf{y} + \space\mathbf{y} = 2 A \mathbf{x} \]",
     ],
 )
 def test_what_holds_of_vectors_and_matrices_follows(latex):

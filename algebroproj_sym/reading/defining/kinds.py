@@ -35,6 +35,7 @@ _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
 _RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
 _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
+_OF_VECTORS = ("marked", "norm", "absolute", "inner", "call")
 _OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
@@ -259,6 +260,19 @@ def _bare(symbol: str) -> str:
     return re.sub(r"[{}\s]", "", symbol)
 
 
+def angles_in(formulas: Iterable[Parsed]) -> frozenset[str]:
+    r"""Return the letters that are angles, as in ``\cos(2 a + b)``: no capitals, and none as in ``\cos(n^T m)``."""
+    parts = (part for formula in formulas for side in formula.sides for part in _angles_in(side))
+    found = (part for part in parts if not any(each.data in _OF_VECTORS for each in part.iter_subtrees()))
+    return frozenset(letter for part in found for letter in symbols_in(part) if not letter[0].isupper())
+
+
+def _angles_in(side: Formula) -> Iterator[Formula]:
+    for tree in side.iter_subtrees():
+        if tree.data in ("function", "raised_function") and str(tree.children[0]) in _OF_ANGLES:
+            yield from trees_in(tree)[-1:]
+
+
 def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
     r"""Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace.
 
@@ -267,6 +281,7 @@ def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
     found, unless = set[str](), set[str]()
     angles = set[str]()
     for side in sides:
+        angles |= {letter for part in _angles_in(side) for letter in symbols_in(part)}
         for tree in side.iter_subtrees():
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
@@ -274,8 +289,6 @@ def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
                 (found if _lone(marked) and head == "T" else unless).update(_factors(marked, deep=False))
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                 found |= {*_factors(tree.children[1], deep=False)}
-            elif tree.data in ("function", "raised_function") and head in _OF_ANGLES:
-                angles |= {each for part in trees_in(tree)[-1:] for each in symbols_in(part)}
     found |= unless - angles
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}

@@ -85,14 +85,15 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
     return _agreed(_properties(statements))
 
 
-def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
-    """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
+def matrices_in(statements: Iterable[Statement], angles: frozenset[str]) -> frozenset[str]:
+    r"""Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters.
+
+    An angle is no rotation: "$\Omega$ is defined by a rotation", or it is the angle of one.
+    """
+    every = tuple(statements)
     return called(
-        statements,
-        rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|permutations?|strings?|reflections?|transformations?|"
-        r"(?<=the )set|(?<=a )set|sets|"
-        r"events?|groups?|maps?)",
-    )
+        every, rf"(?:{_VECTORS}|quaternions?|operators?|(?<=the )set|(?<=a )set|sets|events?|groups?|maps?)"
+    ) | (called(every, r"(?:rotations?|permutations?|strings?|reflections?|transformations?)") - angles)
 
 
 def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:

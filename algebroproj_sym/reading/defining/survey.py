@@ -12,7 +12,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
-from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
+from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
 from algebroproj_sym.reading.defining.meanings import (
     Meanings,
     dependences,
@@ -274,7 +274,7 @@ class Survey:
         formulas = [each for each in self.formulas.values() if isinstance(each, Parsed)]
         words = " ".join(f"{each.before} {each.after}" for each in self.document.formulas)
         found = kinds_of(formulas, vectors_in(self.statements), words)
-        return replace(found, no_numbers=found.no_numbers | matrices_in(self.statements))
+        return replace(found, no_numbers=found.no_numbers | matrices_in(self.statements, angles_in(formulas)))
 
     def _has_euler(self) -> bool:
         """Whether e is Euler's number: the base of powers with letters, and nothing else."""

@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
+from algebroproj_sym.reading.documents.escapes import escapes_subscripts, unescaped
 from algebroproj_sym.reading.documents.macros import Macro, expanded, macros_in, redefinitions
 from algebroproj_sym.reading.documents.tidying import tidied
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
@@ -236,12 +238,13 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
     else:
         plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, text))))
         plain = _INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain)
+    written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
         plain = plain[:begin] + " " * (end - begin) + plain[end:]
     document = Document((), starts, numbered[: len(starts)])
-    formulas = tuple(islice(_formulas(plain, macros, changes, document), MAX_FORMULAS + 1))
+    formulas = tuple(islice(_formulas(plain, macros, changes, document, written), MAX_FORMULAS + 1))
     if len(formulas) > MAX_FORMULAS:
         raise UnreadableDocumentError(f"expected at most {MAX_FORMULAS} formulas, got more")
     return Document(formulas, starts, document.lines)
@@ -321,7 +324,11 @@ _OPTION = re.compile(r"(?::label: (\S+)|:\w+:)[^\n]*")
 
 
 def _formulas(
-    text: str, macros: dict[str, Macro], changes: list[tuple[int, str, Macro]], document: Document
+    text: str,
+    macros: dict[str, Macro],
+    changes: list[tuple[int, str, Macro]],
+    document: Document,
+    written: Callable[[str], str],
 ) -> Iterator[Display]:
     changes = changes[::-1]
     openers, closers = _own_environments(macros)
@@ -355,7 +362,7 @@ def _formulas(
                 why = f"the formula is not closed within {MAX_DISPLAY} characters"
                 yield Display(document.line_of(match.start()), environment, "", (), why, words, "", part, False, group)
             continue
-        inside = text[place:end]
+        inside = written(text[place:end])
         after = text[end + len(ending) : end + len(ending) + 300]
         pieces, reason = _expanded(_without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")

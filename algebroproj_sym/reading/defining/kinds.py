@@ -95,7 +95,7 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     words : str
         The words of the document.
     """
-    equations = [formula.sides for formula in formulas if {*formula.relations} <= _SAME]
+    equations = [sides for formula in formulas for sides in _equal_in(formula)]
     sides = [side for each in equations for side in each]
     occurring = sorted({symbol for side in sides for symbol in symbols_in(side)})
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
@@ -110,6 +110,16 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     declared |= {_bare(letter or other) for letter, other in _SINGULAR.findall(words)}
     oblong |= {each for each in occurring if _bare(each) in declared}
     return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
+
+
+def _equal_in(formula: Parsed) -> Iterator[Sides]:
+    r"""Yield the sides that are equal to each other: ``a`` and ``b``, and ``V``, of ``a = b \in V``."""
+    start = 0
+    for place, relation in enumerate(formula.relations, 1):
+        if relation not in _SAME:
+            yield formula.sides[start:place]
+            start = place
+    yield formula.sides[start:]
 
 
 class _Closure:
@@ -131,10 +141,14 @@ class _Closure:
             for terms in _sums_in(sides):
                 if any(map(self._is_no_number, terms)) and not any(map(_is_printed_number, terms)):
                     self.known |= {_head(each) for each in terms} - {""} - self._numbers
+                    for run in (each for each in terms if each.data == "run"):
+                        self._open(letter for each in trees_in(run) for letter in _factors(each))
             for side in sides:
                 for kind in ("run", "product"):
                     for product in side.find_data(kind):
                         self._take_beside(product)
+                for table in filter(_is_table, side.find_data("matrix")):
+                    self._take_blocks([each for cell in table.find_data("cell") for each in trees_in(cell)])
         self.known |= {each for each in self._occurring if self._is_like_known(each)} - self._numbers
         self.open -= self.known
         return (len(self.known), len(self.open)) != before
@@ -148,7 +162,7 @@ class _Closure:
         factors = trees_in(product)
         inside = {letter for each in factors for letter in _factors(each)}
         if inside & (self.known | self.open):
-            self.open |= {each for each in inside if _CAPITAL.match(each)} - self._numbers - self._scales
+            self._open(inside)
         behind, before = _lone(factors[-1]), factors[-2]
         first, other = _lone(factors[0]), factors[1]
         if before.data != "marked" and not self._is_matrix(_base(before)):
@@ -156,6 +170,20 @@ class _Closure:
         if len(factors) > 2 or other.data != "marked":
             first = ""
         self.open |= {each for each in (behind, first) if _SMALL.fullmatch(each)} - self._numbers - self._scales
+
+    def _take_blocks(self, cells: Sequence[Any]) -> None:
+        r"""Take the blocks of a matrix with a block that is no number for what may be none, as t by ``\mathbf{0}^T``.
+
+        Where blocks are sums, this concerns their terms: of a product, the last factor.
+        """
+        if any(map(self._is_no_number, cells)):
+            terms = [term for cell in cells for term in _terms(cell)]
+            for letters in (_factors(trees_in(each)[-1] if each.data == "run" else each) for each in terms):
+                self.open |= {*letters} - self._numbers - self._scales
+
+    def _open(self, letters: Iterable[str]) -> None:
+        """Take the capitals of a product that is no number for what may be matrices."""
+        self.open |= {*filter(_CAPITAL.match, letters)} - self._numbers - self._scales
 
     def _is_matrix(self, letter: str) -> bool:
         return letter in self.known and _CAPITAL.match(letter) is not None

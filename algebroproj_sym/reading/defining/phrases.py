@@ -69,6 +69,9 @@ Value = TypeVar("Value")
 _SPACE_OF = re.compile(
     r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|R|mathbf)\s*\{?\s*R?\s*\}?\s*\^\s*\{?\s*(\d)\s*(?:\\times\s*(\d))?\s*\}?\s*$"
 )
+_VECTOR_SPACE = re.compile(
+    r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathbb|mathbf|Bbb)\s*\{?\s*[RC]\s*\}?|\\R(?![a-zA-Z]))\s*\^\s*\{?\s*(?:[a-zA-Z]|[2-9]|\d+\s*\\times|\d\d)"
+)
 _COMPLEX = re.compile(r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*C\b")
 _ROTATIONS = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathrm|mathbf|text|operatorname|mathbb)\s*)?\{?\s*SO\s*\}?\s*\(\s*([23])\s*\)\s*$"
@@ -97,8 +100,10 @@ def matrices_in(statements: Iterable[Statement], angles: frozenset[str]) -> froz
 
 
 def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
-    """Return the symbols that are said to be vectors or matrices: what is added to them is one, too."""
-    return called(statements, rf"(?:{_VECTORS})")
+    """Return the symbols that are said to be vectors or matrices, or of a space: what is added to them is one, too."""
+    every = tuple(statements)
+    members = (side for each in every if (match := _VECTOR_SPACE.match(each.latex)) for side in match[1].split("="))
+    return called(every, rf"(?:{_VECTORS})") | {symbol for each in members for symbol in symbols_in_list(each)}
 
 
 def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:

@@ -273,7 +273,8 @@ class Survey:
         """Which letters are vectors or matrices."""
         formulas = [each for each in self.formulas.values() if isinstance(each, Parsed)]
         words = " ".join(f"{each.before} {each.after}" for each in self.document.formulas)
-        found = kinds_of(formulas, vectors_in(self.statements), words)
+        said = vectors_in(self.statements) | {*properties_in(self.statements)}
+        found = kinds_of(formulas, said, words)
         return replace(found, no_numbers=found.no_numbers | matrices_in(self.statements, angles_in(formulas)))
 
     def _has_euler(self) -> bool:

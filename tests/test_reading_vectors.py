@@ -120,6 +120,36 @@ def test_letters_are_of_one_kind_where_they_are_added_or_equal():
     assert kinds.no_numbers == {"y", "z", "h", "w", "v"}
 
 
+def test_a_sum_and_a_quotient_are_of_the_kind_of_their_letter():
+    latex = r"\[ \mathbf{v} = \frac{p}{m} + q \] \[ q = \sum_i q_i \] \[ s = \frac{t}{k} \]"
+    assert Survey(document_of(latex), SymbolsFile()).kinds.no_numbers == {r"\mathbf{v}", "p", "q", "q_i"}
+
+
+def test_a_product_that_is_no_number_has_a_matrix():
+    kinds = Survey(document_of(r"\[ \mathbf{C} = A B \] \[ d = E F \]"), SymbolsFile()).kinds
+    assert kinds.open == {"A", "B"}
+
+
+def test_the_letters_of_an_alphabet_that_is_declared_as_bold_are_bold():
+    alphabet = r"\DeclareMathAlphabet{\mbfa}{OT1}{ptm}{b}{n} "
+    latex = r"\[ \mbfa{y} = \mbfa{A} \mbfa{x} \] \[ \mbfa{y}^T = \mbfa{x}^T \mbfa{A}^T \]"
+    assert last_verdict(alphabet + latex) == "follows"
+    assert (
+        last_verdict(alphabet + r"\[ \mbfa{y} = \mbfa{A} \mbfa{x} \] \[ \mbfa{y} = \mathbf{A} \mathbf{x} \]")
+        != "follows"
+    )
+    assert (
+        last_verdict(alphabet + r"\[ \mbfa{y} = \mbfa{A} \mbfa{B} \] \[ \mbfa{y} = \mbfa{B} \mbfa{A} \]") != "follows"
+    )
+
+
+def test_operators_that_are_signs_are_no_letters_with_a_hat():
+    latex = r"\[ \hat a = b + c \] \[ \hat a - b = c \]"
+    assert last_verdict(r"The operators $\wedge$ and $\vee$ are inverse. " + latex) == "follows"
+    assert last_verdict(r"The operators $\hat a$ and $\hat b$ commute not. " + latex) != "follows"
+    assert last_verdict("These are operators. " + latex) != "follows"
+
+
 def test_the_accent_of_vectors_holds_for_all_letters_that_have_it_but_for_no_index():
     latex = r"\[ \bar v = \bar\omega \times (\bar\omega \times \bar r_{ij}) \] \[ m_{\bar a} = \hat m \]"
     kinds = Survey(document_of(latex), SymbolsFile()).kinds

@@ -234,11 +234,13 @@ def _lone(factor: Any) -> str:
 
 
 def _head(term: Any) -> str:
-    """Return the letter, or the function, of which a term is a multiple by a number; empty if it is more."""
+    """Return the letter, or the function, of which a term is a multiple or a sum; empty if it is more."""
     while term.data in ("group", "bracket", "items") and len(term.children) == 1:
         (term,) = term.children
     if term.data == "run" and all(each.data == "number" for each in term.children[:-1]):
         term = term.children[-1]
+    if term.data in ("big", "fraction", "quotient"):
+        return _head(trees_in(term)[0])
     return str(term.children[0]) if term.data in ("symbol", "opaque", "call") and not is_mean(term) else ""
 
 

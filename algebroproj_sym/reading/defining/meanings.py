@@ -97,6 +97,14 @@ _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order
 """Names that stand for another thing each time."""
 _ORDER = re.compile(r"(?<![a-zA-Z\\])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\(")
 _DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
+_SIGN = (
+    r"\$\s*(?:[-+*]|\\(?:wedge|vee|hat|check|oplus|ominus|otimes|odot|circ|boxplus|boxminus|times|cdot|star|ast))\s*\$"
+)
+_OF_SIGNS = re.compile(
+    rf"\boperators:? {_SIGN}|{_SIGN} operators\b|"
+    r"\b(?:hat|wedge|vee|skew(?:-symmetric)?|boxplus|boxminus|oplus) operators\b"
+)
+"""Operators that are signs: no letter with a hat stands for one."""
 _OPERATORS = (
     r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
     r"(?<=the )set|(?<=a )set|sets|events?)"
@@ -183,7 +191,7 @@ class Meanings:
 
     @cached_property
     def _has_operators(self) -> bool:
-        return re.search(r"\boperators\b", self.words) is not None
+        return re.search(r"\boperators\b", _OF_SIGNS.sub("", self.words)) is not None
 
     @cached_property
     def _signs(self) -> list[tuple[re.Pattern[str], str]]:

@@ -94,3 +94,15 @@ def test_thin_letters_beside_blocks_may_be_blocks_and_have_the_size_that_is_left
 )
 def test_what_is_false_of_blocks_does_not_follow(latex):
     assert read_document(document_of(_RIGID + latex))[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ M^{-1} = \begin{bmatrix} A^{-1} & -b A^{-1} \\ \mathbf{0}^T & 1 \end{bmatrix} \]",
+        r"\[ M M = \begin{bmatrix} A^2 & 2 A b \\ \mathbf{0}^T & 1 \end{bmatrix} \]",
+    ],
+)
+def test_a_capital_beside_blocks_is_no_number(latex):
+    given = r"\[ M = \begin{bmatrix} A & b \\ \mathbf{0}^T & 1 \end{bmatrix} \] "
+    assert read_document(document_of(given + latex))[-1].verdict != "follows"

@@ -46,6 +46,8 @@ def test_it_does_not_where_the_space_is_another_one(latex):
         (r"\[ A B = C \in \mathbb{R}^{2\times 2} \] \[ B A = C \]", "independent"),
         (r"Let $x, y \in \mathbb{R}^n$. \[ z = A x + A y \] \[ z = x A + A y \]", "independent"),
         (r"Let $x, y \in \mathbb{R}^n$. \[ z = A x + A y \] \[ z = A (x + y) \]", "follows"),
+        (r"\[ x = y z \in \mathbb{R}^{2\times 2} \] \[ x = z y \]", "independent"),
+        (r"\[ x = y z \in \mathbb{R}^{2\times 2} \] \[ 2 x = 2 y z \]", "follows"),
         (r"\[ a^T b > 0 \] \[ A = a b^T \] \[ A = b^T a \]", "independent"),
     ],
 )

@@ -141,8 +141,8 @@ class _Closure:
             for terms in _sums_in(sides):
                 if any(map(self._is_no_number, terms)) and not any(map(_is_printed_number, terms)):
                     self.known |= {_head(each) for each in terms} - {""} - self._numbers
-                    for run in (each for each in terms if each.data == "run"):
-                        self._open(letter for each in trees_in(run) for letter in _factors(each))
+                    for term in map(_inner, terms):
+                        self._take_factors(term)
             for side in sides:
                 for kind in ("run", "product"):
                     for product in side.find_data(kind):
@@ -152,6 +152,13 @@ class _Closure:
         self.known |= {each for each in self._occurring if self._is_like_known(each)} - self._numbers
         self.open -= self.known
         return (len(self.known), len(self.open)) != before
+
+    def _take_factors(self, term: Any) -> None:
+        """Take the capitals of a term that is no number for what may be matrices; or all letters, if it has none."""
+        factors = {*_factors(term)}
+        self._open(factors)
+        if not factors & (self.known | self.open) and not any(map(self._is_no_number, trees_in(term))):
+            self.open |= factors - self._numbers - self._scales
 
     def _take_beside(self, product: Formula) -> None:
         """Take what may be a matrix, or a vector behind one, unless it is a number elsewhere.
@@ -174,15 +181,16 @@ class _Closure:
     def _take_blocks(self, cells: Sequence[Any]) -> None:
         r"""Take the blocks of a matrix with a block that is no number for what may be none, as t by ``\mathbf{0}^T``.
 
-        Where blocks are sums, this concerns their terms: of a product, the last factor.
+        A capital is none.  Where blocks are sums, this concerns their terms: of a product, the last factor.
         """
         if any(map(self._is_no_number, cells)):
+            self.known |= {*filter(_CAPITAL.match, map(_lone, cells))} - self._numbers - self._scales
             terms = [term for cell in cells for term in _terms(cell)]
             for letters in (_factors(trees_in(each)[-1] if each.data == "run" else each) for each in terms):
                 self.open |= {*letters} - self._numbers - self._scales
 
     def _open(self, letters: Iterable[str]) -> None:
-        """Take the capitals of a product that is no number for what may be matrices."""
+        """Take the capitals among letters for what may be matrices."""
         self.open |= {*filter(_CAPITAL.match, letters)} - self._numbers - self._scales
 
     def _is_matrix(self, letter: str) -> bool:
@@ -235,13 +243,19 @@ def _lone(factor: Any) -> str:
 
 def _head(term: Any) -> str:
     """Return the letter, or the function, of which a term is a multiple or a sum; empty if it is more."""
-    while term.data in ("group", "bracket", "items") and len(term.children) == 1:
-        (term,) = term.children
+    term = _inner(term)
     if term.data == "run" and all(each.data == "number" for each in term.children[:-1]):
-        term = term.children[-1]
-    if term.data in ("big", "fraction", "quotient"):
-        return _head(trees_in(term)[0])
+        term = _inner(term.children[-1])
     return str(term.children[0]) if term.data in ("symbol", "opaque", "call") and not is_mean(term) else ""
+
+
+def _inner(term: Any) -> Any:
+    """Return what stands in brackets, above a line or behind a sign of sums."""
+    while term.data in ("big", "fraction", "quotient") or (
+        term.data in ("group", "bracket", "items") and len(term.children) == 1
+    ):
+        term = trees_in(term)[0]
+    return term
 
 
 def is_mean(term: Formula) -> bool:

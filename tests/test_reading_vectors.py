@@ -237,3 +237,27 @@ def test_the_derivative_of_vectors_is_taken_factor_by_factor(latex):
 )
 def test_what_is_not_the_derivative_of_vectors_does_not_follow(latex):
     assert last_verdict(latex) != "follows"
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\[ s = ||\mathbf{x}_{k|k}||^2 \] \[ s = \mathbf{x}_{k|k}^T \mathbf{x}_{k|k} \]", "follows"),
+        (r"\[ s = \frac{||\mathbf{x}||^2}{n} + |b| \] \[ s = \mathbf{x}^T\mathbf{x} / n + |b| \]", "follows"),
+        (r"\[ s = \big|\big|\mathbf{x}\big|\big|^2 \] \[ s = \mathbf{x}^T\mathbf{x} \]", "follows"),
+        (r"\[ s = ||\mathbf{x}_{k|k}|| \] \[ s = \mathbf{x}_{k|k}^T \mathbf{x}_{k|k} \]", "independent"),
+        (r"\[ s = ||\mathbf{x}_{k|k}||^2 \] \[ s = \mathbf{x}_{k}^T \mathbf{x}_{k} \]", "independent"),
+        (
+            r"\[ \mathbf{R}^{W+} = \mathbf{Q} \mathbf{R}^W \] \[ \mathbf{Q}^{-1} \mathbf{R}^{W+} = \mathbf{R}^W \]",
+            "follows",
+        ),
+        (
+            r"\[ \mathbf{R}^{W+} = \mathbf{Q} \mathbf{R}^W \] \[ \mathbf{R}^W = \mathbf{Q} \mathbf{R}^{W+} \]",
+            "independent",
+        ),
+        (r"\[ z = x^{a+} + b \] \[ z = x^{a-} + b \]", "independent"),
+        (r"\[ z = x^{a+} x \] \[ z = x^{a+1} \]", "independent"),
+    ],
+)
+def test_bars_of_indices_are_none_of_norms_and_a_sign_behind_a_frame_is_part_of_its_name(latex, verdict):
+    assert last_verdict(latex) == verdict

@@ -25,20 +25,6 @@ def test_an_equation_with_the_space_of_its_letter_gives_the_letter(latex):
 
 
 @pytest.mark.parametrize(
-    "latex",
-    [
-        r"\[ \mathbf{x} = \begin{bmatrix} a \\ b \\ c \end{bmatrix} \in \mathbb{R}^2 \]",
-        r"\[ \mathbf{x} = \begin{bmatrix} a \\ b \end{bmatrix}^T \in \mathbb{R}^2 \]",
-        r"\[ \mathbf{y} = \begin{bmatrix} a \\ b \end{bmatrix} \in \mathbb{R} \]",
-        r"\[ \mathbf{y} = \begin{bmatrix} a \\ b \end{bmatrix} \in \mathbb{Z}^2 \]",
-        r"\[ \mathbf{y} = A \mathbf{x} \in U \]",
-    ],
-)
-def test_it_does_not_where_the_space_is_another_one(latex):
-    assert verdicts(latex) == ["not decided"]
-
-
-@pytest.mark.parametrize(
     ("latex", "verdict"),
     [
         (r"\[ J = B^T A B \in \mathbb{R}^{n\times n} \] \[ B^T A^T B = J \]", "independent"),

@@ -154,11 +154,11 @@ class _Closure:
         return (len(self.known), len(self.open)) != before
 
     def _take_factors(self, term: Any) -> None:
-        """Take the capitals of a term that is no number for what may be matrices; or all letters, if it has none."""
+        """Take the capitals of a term that is no number for what may be none; else those with accents, or all letters."""
         factors = {*_factors(term)}
         self._open(factors)
         if not factors & (self.known | self.open) and not any(map(self._is_no_number, trees_in(term))):
-            self.open |= factors - self._numbers - self._scales
+            self.open |= ({*filter(_ACCENT.match, factors)} or factors) - self._numbers - self._scales
 
     def _take_beside(self, product: Formula) -> None:
         """Take what may be a matrix, or a vector behind one, unless it is a number elsewhere.

@@ -326,7 +326,15 @@ class _Parts(_Gathering):
             signs, values = [sign for sign, _ in kept], [value for _, value in kept]
         if not values:
             return constant("0")
+        square = next((value.shape for value in values if not value.is_number), None)
+        if square is not None and any(value.is_one for value in values):
+            square[0].unite(square[1])
+            values = [self._identity(square) if value.is_one else value for value in values]
         return sum_of(list(zip((sign == "-" for sign in signs), values, strict=True)))
+
+    def _identity(self, shape: Shape) -> Part:
+        """Return what 1 stands for beside a square matrix, as in ``1 - K H``."""
+        return Part(shape, lambda: f"eye({self.reader.size(shape[0])})")
 
     def product(self, first: Part, *rest: Any) -> Part:
         found = first

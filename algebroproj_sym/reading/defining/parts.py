@@ -77,8 +77,8 @@ class Part:
         The text of its square, if that is simpler.
     weight : int
         Of how many parts it is made.
-    is_zero : bool
-        Whether it is the number 0.
+    is_zero, is_one : bool
+        Whether it is the number 0, or 1.
     is_table : bool
         Whether it is written as a matrix that is no vector: as a bold capital.
     terms : list of (bool, list of Part)
@@ -96,6 +96,7 @@ class Part:
         self.blocks: Blocks = []
         self.weight: int = 1 + sum(part.weight for part in inside)
         self.is_zero = False
+        self.is_one = False
         self.is_table = False
         self.terms: list[Term] = [(False, [self])]
         self.symbols: frozenset[str] = frozenset().union(*(part.symbols for part in inside))
@@ -121,7 +122,7 @@ def number_of(text: Callable[[], str], *inside: Part) -> Part:
 def constant(text: str) -> Part:
     """Return a printed number."""
     found = number_of(lambda: text)
-    found.is_zero = text == "0"
+    found.is_zero, found.is_one = text == "0", text == "1"
     return found
 
 

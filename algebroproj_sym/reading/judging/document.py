@@ -46,7 +46,6 @@ from algebroproj_sym.reading.judging.questions import (
     used_by,
 )
 from algebroproj_sym.reading.judging.signs import may_be_negative, without_signs
-from algebroproj_sym.reading.judging.spaces import with_space, without_space
 from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, ways_of
@@ -107,7 +106,7 @@ def read_document(
         links[each.place] = each.link
         readings[each.reading] = replace(readings[each.reading], links=tuple(links))
     signs = may_be_negative(document)
-    return [with_space(without_signs(each, signs)) for each in _without_refuted_premises(readings)]
+    return [without_signs(each, signs) for each in _without_refuted_premises(readings)]
 
 
 def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
@@ -383,7 +382,8 @@ class _Pass:
 
     def _assert(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
         """Keep an equation as a premise of what stands behind it."""
-        formula = without_space(statement.latex, formula)
+        if len(formula.relations) > 1 and formula.relations[-1] == "∈":
+            formula = replace(formula, sides=formula.sides[:-1], relations=formula.relations[:-1])
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
         if self.beside.exchanged or not any(self.vocabulary.letters_of(each) for each in formula.sides):

@@ -252,7 +252,7 @@ def test_what_is_not_the_derivative_of_vectors_does_not_follow(latex):
             "follows",
         ),
         (
-            r"\[ \mathbf{R}^{W+} = \mathbf{Q} \mathbf{R}^W \] \[ \mathbf{R}^W = \mathbf{Q} \mathbf{R}^{W+} \]",
+            r"\[ \mathbf{R}^{W+} = \mathbf{Q} \mathbf{R}^W \] \[ \mathbf{Q} \mathbf{R}^{W+} = \mathbf{R}^W \]",
             "independent",
         ),
         (r"\[ z = x^{a+} + b \] \[ z = x^{a-} + b \]", "independent"),

@@ -154,7 +154,7 @@ class _Closure:
         return (len(self.known), len(self.open)) != before
 
     def _take_factors(self, term: Any) -> None:
-        """Take the capitals of a term that is no number for what may be none; else those with accents, or all letters."""
+        """Take the capitals of a term that is no number for matrices; else those with accents, or all letters."""
         factors = {*_factors(term)}
         self._open(factors)
         if not factors & (self.known | self.open) and not any(map(self._is_no_number, trees_in(term))):

@@ -18,6 +18,8 @@ def verdicts(latex: str) -> list[str]:
         r"\[ \mathbf{x} = \begin{bmatrix} \mathbf{p} \\ \mathbf{v} \end{bmatrix} \in \mathbb{R}^{6} \]",
         r"\[ \mathbf{u} = \begin{bmatrix} a & b & c \end{bmatrix}^T \in {\rm I\! R}^3. \]",
         r"\[ J = B^T A B \in \mathbb{R}^{n\times n} \]",
+        r"The step needs the Jacobian $J(x_k)$. It is "
+        r"\[ J = \begin{bmatrix} a & b \end{bmatrix} \in \mathbb{R}^{1\times 2} \]",
     ],
 )
 def test_an_equation_with_the_space_of_its_letter_gives_the_letter(latex):

@@ -314,6 +314,9 @@ class _Pass:
                 both = both_sides(questions) if isinstance(questions, list) else None
                 links.append(Link("definition", rests_on=rests_of(self.vocabulary, definition.tree), sides=both))
                 continue
+            if relation == "∈" and definition is not None:
+                links.append(Link("definition"))
+                continue
             link, question = self._link(statement, found, index, relation, place)
             links.append(link)
             if question is not None:

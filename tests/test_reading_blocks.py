@@ -3,6 +3,8 @@
 import pytest
 
 from algebroproj_sym.reading import document_of, read_document
+from algebroproj_sym.reading.defining.survey import Survey
+from algebroproj_sym.reading.defining.symbols import SymbolsFile
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
@@ -106,3 +108,10 @@ def test_what_is_false_of_blocks_does_not_follow(latex):
 def test_a_capital_beside_blocks_is_no_number(latex):
     given = r"\[ M = \begin{bmatrix} A & b \\ \mathbf{0}^T & 1 \end{bmatrix} \] "
     assert read_document(document_of(given + latex))[-1].verdict != "follows"
+
+
+def test_entries_beside_the_letter_of_a_function_are_no_blocks():
+    given = r"\[ f(p, q) = \begin{bmatrix} u \\ v \end{bmatrix} \] "
+    latex = r"\[ \mathbf{w} = \begin{bmatrix} f & r \\ s & t \end{bmatrix} \mathbf{z} \]"
+    kinds = Survey(document_of(given + latex), SymbolsFile()).kinds
+    assert not kinds.open & {"r", "s", "t"}

@@ -183,11 +183,16 @@ class _Closure:
 
         A capital is none.  Where blocks are sums, this concerns their terms: of a product, the last factor.
         """
-        if any(map(self._is_no_number, cells)):
+        if any(map(self._is_block, cells)):
             self.known |= {*filter(_CAPITAL.match, map(_lone, cells))} - self._numbers - self._scales
             terms = [term for cell in cells for term in _terms(cell)]
             for letters in (_factors(trees_in(each)[-1] if each.data == "run" else each) for each in terms):
                 self.open |= {*letters} - self._numbers - self._scales
+
+    def _is_block(self, cell: Any) -> bool:
+        """Whether a cell is a transpose, or a product or a sum of capitals and bold letters, and no number."""
+        written = cell.data == "marked" or all(_CAPITAL.match(each) or _BOLD.search(each) for each in _factors(cell))
+        return written and self._is_no_number(cell)
 
     def _open(self, letters: Iterable[str]) -> None:
         """Take the capitals among letters for what may be matrices."""

@@ -3,6 +3,8 @@
 import pytest
 
 from algebroproj_sym.reading import document_of, read_document
+from algebroproj_sym.reading.defining.survey import Survey
+from algebroproj_sym.reading.defining.symbols import SymbolsFile
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
@@ -59,3 +61,57 @@ def test_blocks_are_added_and_multiplied_one_by_one(latex):
 )
 def test_what_is_true_of_no_blocks_does_not_follow(latex):
     assert last(latex) not in ("follows", "contradicts")
+
+
+_RIGID = r"Let $R \in SO(3)$. \[ T = \begin{bmatrix} R & t \\ \mathbf{0}^T & 1 \end{bmatrix} \] "
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ T \begin{bmatrix} p \\ 1 \end{bmatrix} = \begin{bmatrix} R p + t \\ 1 \end{bmatrix} \]",
+        r"\[ T T = \begin{bmatrix} R R & R t + t \\ 0 & 1 \end{bmatrix} \]",
+        r"\[ T^{-1} = \begin{bmatrix} R^T & -R^T t \\ 0 & 1 \end{bmatrix} \]",
+        r"\[ T T^{-1} = \begin{bmatrix} I & 0 \\ 0 & 1 \end{bmatrix} \]",
+        r"\[ T \begin{bmatrix} \mathbf{v} \\ 0 \end{bmatrix} = \begin{bmatrix} R \mathbf{v} \\ 0 \end{bmatrix} \]",
+    ],
+)
+def test_thin_letters_beside_blocks_may_be_blocks_and_have_the_size_that_is_left(latex):
+    assert read_document(document_of(_RIGID + latex))[-1].verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ T \begin{bmatrix} p \\ 1 \end{bmatrix} = \begin{bmatrix} R p \\ 1 \end{bmatrix} \]",
+        r"\[ T \begin{bmatrix} p \\ 1 \end{bmatrix} = \begin{bmatrix} p R + t \\ 1 \end{bmatrix} \]",
+        r"\[ T T = \begin{bmatrix} R R & t R + t \\ 0 & 1 \end{bmatrix} \]",
+        r"\[ T^{-1} = \begin{bmatrix} R^T & -t R^T \\ 0 & 1 \end{bmatrix} \]",
+        r"\[ T^{-1} = \begin{bmatrix} R^T & -R t \\ 0 & 1 \end{bmatrix} \]",
+        r"\[ T^T = \begin{bmatrix} R^T & 0 \\ t & 1 \end{bmatrix} \]",
+        r"\[ \begin{bmatrix} p \\ 1 \end{bmatrix} T = \begin{bmatrix} R p + t \\ 1 \end{bmatrix} \]",
+        r"\[ T \begin{bmatrix} p \\ q \end{bmatrix} = \begin{bmatrix} R p + t \\ q \end{bmatrix} \]",
+        r"\[ T \begin{bmatrix} 1 \\ p \end{bmatrix} = \begin{bmatrix} 1 \\ R p + t \end{bmatrix} \]",
+    ],
+)
+def test_what_is_false_of_blocks_does_not_follow(latex):
+    assert read_document(document_of(_RIGID + latex))[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ M^{-1} = \begin{bmatrix} A^{-1} & -b A^{-1} \\ \mathbf{0}^T & 1 \end{bmatrix} \]",
+        r"\[ M M = \begin{bmatrix} A^2 & 2 A b \\ \mathbf{0}^T & 1 \end{bmatrix} \]",
+    ],
+)
+def test_a_capital_beside_blocks_is_no_number(latex):
+    given = r"\[ M = \begin{bmatrix} A & b \\ \mathbf{0}^T & 1 \end{bmatrix} \] "
+    assert read_document(document_of(given + latex))[-1].verdict != "follows"
+
+
+def test_entries_beside_the_letter_of_a_function_are_no_blocks():
+    given = r"\[ f(p, q) = \begin{bmatrix} u \\ v \end{bmatrix} \] "
+    latex = r"\[ \mathbf{w} = \begin{bmatrix} f & r \\ s & t \end{bmatrix} \mathbf{z} \]"
+    kinds = Survey(document_of(given + latex), SymbolsFile()).kinds
+    assert not kinds.open & {"r", "s", "t"}

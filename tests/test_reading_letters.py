@@ -197,3 +197,24 @@ def test_included_files_are_read_within_bounds(tmp_path):
 )
 def test_what_has_no_end_is_not_decided_within_bounds(latex):
     assert last(latex).verdict in ("not read", "not decided", "independent", "definition")
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\[ P = (1 - K H) Q \] \[ P = Q - K H Q \]", "follows"),
+        (r"\[ P = (1 - K H) Q \] \[ P = Q (1 - K H) \]", "independent"),
+        (r"\[ P = (1 - K H) Q \] \[ P = Q - H K Q \]", "independent"),
+        (r"\[ \mathbf{b} = (1 - A A^T) \mathbf{y} \] \[ \mathbf{b} = \mathbf{y} - A A^T\mathbf{y} \]", "follows"),
+        (
+            r"\[ s = 1 - \mathbf{u}^T\mathbf{u} \] \[ s \mathbf{y} = \mathbf{y} (1 - \mathbf{u}^T\mathbf{u}) \]",
+            "follows",
+        ),
+        (r"\[ \mathbf{b} = \mathbf{y} + 1 \] \[ \mathbf{b} - \mathbf{y} = 1 \]", "not decided"),
+        (r"\[ \mathbf{M} = 1 + \mathbf{A} \] \[ \mathbf{M}^2 = 1 + 2 \mathbf{A} + \mathbf{A}^2 \]", "follows"),
+        (r"\[ \mathbf{M} = 1 + \mathbf{A B} \] \[ \mathbf{M}^T = 1 + \mathbf{A}^T \mathbf{B}^T \]", "independent"),
+    ],
+)
+def test_one_beside_a_square_matrix_is_the_identity(latex, verdict):
+    given = r"\[ \mathbf{x} = \mathbf{z} + K (\mathbf{y} - H \mathbf{z}) \] "
+    assert read_document(document_of(given + latex))[-1].verdict == verdict

@@ -61,6 +61,9 @@ def last_verdict(latex: str) -> str:
         r"\[ \mathrm{diag}(\mathbf{x})^T = \mathrm{diag}(\mathbf{x}) \]",
         r"\[ A = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \] "
         r"\[ \mathrm{diag}(5, A) = \begin{bmatrix} 1 & 2 & 0 \\ 3 & 4 & 0 \\ 0 & 0 & 5 \end{bmatrix} \]",
+        r"Here $\omega$ and $\chi$ are rotations. \[ a = \cos(\omega^T n) \] "
+        r"\[ b = \omega \chi \] \[ b = \chi \omega \]",
+        r"Here $R$ and $S$ are rotations. \[ a = \sin R \sin S \] \[ b = R S \] \[ b = S R \]",
         r"The means are \[ \bar x = \frac1n\sum_{i=1}^n x_i \] \[ \bar y = \frac1n\sum_{i=1}^n y_i \] "
         r"They are no vectors: \[ \bar x \times \bar x = 0 \]",
     ],
@@ -101,6 +104,9 @@ def test_what_holds_of_numbers_alone_does_not_follow_of_vectors_and_matrices(lat
         r"\[ f = ||\mathbf{x} - \mathbf{c}||^2 \] "
         r"\[ f = ||\mathbf{x}||^2 - 2 \mathbf{c}^T \mathbf{x} + ||\mathbf{c}||^2 \]",
         r"\[ s = \sum_i ||\mathbf{x}_i||^2 \] \[ a s = \sum_i a ||\mathbf{x}_i||^2 \]",
+        r"Here $\Omega$ is defined by a rotation about $z$. \[ a = \sin\Omega + b \sin\Omega \] "
+        r"\[ a = (1 + b) \sin\Omega \]",
+        r"\[ \mathbf{y} = A\,\space\mathbf{x} \] \[ \mathbf{y} + \space\mathbf{y} = 2 A \mathbf{x} \]",
     ],
 )
 def test_what_holds_of_vectors_and_matrices_follows(latex):
@@ -112,6 +118,36 @@ def test_letters_are_of_one_kind_where_they_are_added_or_equal():
         document_of(r"Let $y$ be a vector. \[ y = z - h(x) \] \[ z = w + 2 v \] \[ n = 3 k \]"), SymbolsFile()
     ).kinds
     assert kinds.no_numbers == {"y", "z", "h", "w", "v"}
+
+
+def test_a_sum_and_a_quotient_are_of_the_kind_of_their_letter():
+    latex = r"\[ \mathbf{v} = \frac{p}{m} + q \] \[ q = \sum_i q_i \] \[ s = \frac{t}{k} \]"
+    assert Survey(document_of(latex), SymbolsFile()).kinds.no_numbers == {r"\mathbf{v}", "p", "q", "q_i"}
+
+
+def test_a_product_that_is_no_number_has_a_matrix():
+    kinds = Survey(document_of(r"\[ \mathbf{C} = A B \] \[ d = E F \]"), SymbolsFile()).kinds
+    assert kinds.open == {"A", "B"}
+
+
+def test_the_letters_of_an_alphabet_that_is_declared_as_bold_are_bold():
+    alphabet = r"\DeclareMathAlphabet{\mbfa}{OT1}{ptm}{b}{n} "
+    latex = r"\[ \mbfa{y} = \mbfa{A} \mbfa{x} \] \[ \mbfa{y}^T = \mbfa{x}^T \mbfa{A}^T \]"
+    assert last_verdict(alphabet + latex) == "follows"
+    assert (
+        last_verdict(alphabet + r"\[ \mbfa{y} = \mbfa{A} \mbfa{x} \] \[ \mbfa{y} = \mathbf{A} \mathbf{x} \]")
+        != "follows"
+    )
+    assert (
+        last_verdict(alphabet + r"\[ \mbfa{y} = \mbfa{A} \mbfa{B} \] \[ \mbfa{y} = \mbfa{B} \mbfa{A} \]") != "follows"
+    )
+
+
+def test_operators_that_are_signs_are_no_letters_with_a_hat():
+    latex = r"\[ \hat a = b + c \] \[ \hat a - b = c \]"
+    assert last_verdict(r"The operators $\wedge$ and $\vee$ are inverse. " + latex) == "follows"
+    assert last_verdict(r"The operators $\hat a$ and $\hat b$ commute not. " + latex) != "follows"
+    assert last_verdict("These are operators. " + latex) != "follows"
 
 
 def test_the_accent_of_vectors_holds_for_all_letters_that_have_it_but_for_no_index():
@@ -201,3 +237,27 @@ def test_the_derivative_of_vectors_is_taken_factor_by_factor(latex):
 )
 def test_what_is_not_the_derivative_of_vectors_does_not_follow(latex):
     assert last_verdict(latex) != "follows"
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\[ s = ||\mathbf{x}_{k|k}||^2 \] \[ s = \mathbf{x}_{k|k}^T \mathbf{x}_{k|k} \]", "follows"),
+        (r"\[ s = \frac{||\mathbf{x}||^2}{n} + |b| \] \[ s = \mathbf{x}^T\mathbf{x} / n + |b| \]", "follows"),
+        (r"\[ s = \big|\big|\mathbf{x}\big|\big|^2 \] \[ s = \mathbf{x}^T\mathbf{x} \]", "follows"),
+        (r"\[ s = ||\mathbf{x}_{k|k}|| \] \[ s = \mathbf{x}_{k|k}^T \mathbf{x}_{k|k} \]", "independent"),
+        (r"\[ s = ||\mathbf{x}_{k|k}||^2 \] \[ s = \mathbf{x}_{k}^T \mathbf{x}_{k} \]", "independent"),
+        (
+            r"\[ \mathbf{R}^{W+} = \mathbf{Q} \mathbf{R}^W \] \[ \mathbf{Q}^{-1} \mathbf{R}^{W+} = \mathbf{R}^W \]",
+            "follows",
+        ),
+        (
+            r"\[ \mathbf{R}^{W+} = \mathbf{Q} \mathbf{R}^W \] \[ \mathbf{Q} \mathbf{R}^{W+} = \mathbf{R}^W \]",
+            "independent",
+        ),
+        (r"\[ z = x^{a+} + b \] \[ z = x^{a-} + b \]", "independent"),
+        (r"\[ z = x^{a+} x \] \[ z = x^{a+1} \]", "independent"),
+    ],
+)
+def test_bars_of_indices_are_none_of_norms_and_a_sign_behind_a_frame_is_part_of_its_name(latex, verdict):
+    assert last_verdict(latex) == verdict

@@ -30,12 +30,20 @@ def lone(factor: Any) -> str:
 
 
 def head_of(term: Any) -> str:
-    """Return the letter, or the function, of which a term is a multiple by a number; empty if it is more."""
-    while term.data in ("group", "bracket", "items") and len(term.children) == 1:
-        (term,) = term.children
+    """Return the letter, or the function, of which a term is a multiple or a sum; empty if it is more."""
+    term = inner_of(term)
     if term.data == "run" and all(each.data == "number" for each in term.children[:-1]):
-        term = term.children[-1]
+        term = inner_of(term.children[-1])
     return str(term.children[0]) if term.data in ("symbol", "opaque", "call") and not is_mean(term) else ""
+
+
+def inner_of(term: Any) -> Any:
+    """Return what stands in brackets, above a line or behind a sign of sums."""
+    while term.data in ("big", "fraction", "quotient") or (
+        term.data in ("group", "bracket", "items") and len(term.children) == 1
+    ):
+        term = trees_in(term)[0]
+    return term
 
 
 def is_mean(term: Formula) -> bool:

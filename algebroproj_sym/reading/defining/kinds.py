@@ -19,7 +19,16 @@ from lark import Token
 
 from algebroproj_sym.reading.defining.axes import Axes, axes_in
 from algebroproj_sym.reading.defining.composing import composed_in
-from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, head_of, is_mean, lone, terms_of
+from algebroproj_sym.reading.defining.factors import (
+    CAPITAL,
+    base_of,
+    factors_of,
+    head_of,
+    inner_of,
+    is_mean,
+    lone,
+    terms_of,
+)
 from algebroproj_sym.reading.defining.oblong import oblong_in
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
@@ -34,6 +43,7 @@ _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
 _RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
 _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
+_OF_VECTORS = ("marked", "norm", "absolute", "inner", "call")
 _OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
 """The relations whose sides are both numbers, or both none."""
@@ -77,7 +87,7 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
     words : str
         The words of the document.
     """
-    equations = [formula.sides for formula in formulas if {*formula.relations} <= _SAME]
+    equations = [sides for formula in formulas for sides in _equal_in(formula)]
     sides = [side for each in equations for side in each]
     occurring = sorted({symbol for side in sides for symbol in symbols_in(side)})
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
@@ -89,6 +99,16 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
         pass
     oblong = oblong_in(equations, occurring, words)
     return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
+
+
+def _equal_in(formula: Parsed) -> Iterator[Sides]:
+    r"""Yield the sides that are equal to each other: ``a`` and ``b``, and ``V``, of ``a = b \in V``."""
+    start = 0
+    for place, relation in enumerate(formula.relations, 1):
+        if relation not in _SAME:
+            yield formula.sides[start:place]
+            start = place
+    yield formula.sides[start:]
 
 
 class _Closure:
@@ -110,13 +130,24 @@ class _Closure:
             for terms in _sums_in(sides):
                 if any(map(self._is_no_number, terms)) and not any(map(_is_printed_number, terms)):
                     self.known |= {head_of(each) for each in terms} - {""} - self._numbers
+                    for term in map(inner_of, terms):
+                        self._take_factors(term)
             for side in sides:
                 for kind in ("run", "product"):
                     for product in side.find_data(kind):
                         self._take_beside(product)
+                for table in filter(_is_table, side.find_data("matrix")):
+                    self._take_blocks([each for cell in table.find_data("cell") for each in trees_in(cell)])
         self.known |= {each for each in self._occurring if self._is_like_known(each)} - self._numbers
         self.open -= self.known
         return (len(self.known), len(self.open)) != before
+
+    def _take_factors(self, term: Any) -> None:
+        """Take the capitals of a term that is no number for matrices; else those with accents, or all letters."""
+        factors = {*factors_of(term)}
+        self._open(factors)
+        if not factors & (self.known | self.open) and not any(map(self._is_no_number, trees_in(term))):
+            self.open |= ({*filter(_ACCENT.match, factors)} or factors) - self._numbers - self._scales
 
     def _take_beside(self, product: Formula) -> None:
         """Take what may be a matrix, or a vector behind one, unless it is a number elsewhere.
@@ -127,7 +158,7 @@ class _Closure:
         factors = trees_in(product)
         inside = {letter for each in factors for letter in factors_of(each)}
         if inside & (self.known | self.open):
-            self.open |= {each for each in inside if CAPITAL.match(each)} - self._numbers - self._scales
+            self._open(inside)
         behind, before = lone(factors[-1]), factors[-2]
         first, other = lone(factors[0]), factors[1]
         if before.data != "marked" and not self._is_matrix(base_of(before)):
@@ -135,6 +166,26 @@ class _Closure:
         if len(factors) > 2 or other.data != "marked":
             first = ""
         self.open |= {each for each in (behind, first) if _SMALL.fullmatch(each)} - self._numbers - self._scales
+
+    def _take_blocks(self, cells: Sequence[Any]) -> None:
+        r"""Take the blocks of a matrix with a block that is no number for what may be none, as t by ``\mathbf{0}^T``.
+
+        A capital is none.  Where blocks are sums, this concerns their terms: of a product, the last factor.
+        """
+        if any(map(self._is_block, cells)):
+            self.known |= {*filter(CAPITAL.match, map(lone, cells))} - self._numbers - self._scales
+            terms = [term for cell in cells for term in terms_of(cell)]
+            for letters in (factors_of(trees_in(each)[-1] if each.data == "run" else each) for each in terms):
+                self.open |= {*letters} - self._numbers - self._scales
+
+    def _is_block(self, cell: Any) -> bool:
+        """Whether a cell is a transpose, or a product or a sum of capitals and bold letters, and no number."""
+        written = cell.data == "marked" or all(CAPITAL.match(each) or _BOLD.search(each) for each in factors_of(cell))
+        return written and self._is_no_number(cell)
+
+    def _open(self, letters: Iterable[str]) -> None:
+        """Take the capitals among letters for what may be matrices."""
+        self.open |= {*filter(CAPITAL.match, letters)} - self._numbers - self._scales
 
     def _is_matrix(self, letter: str) -> bool:
         return letter in self.known and CAPITAL.match(letter) is not None
@@ -206,6 +257,19 @@ def _bare(symbol: str) -> str:
     return re.sub(r"[{}\s]", "", symbol)
 
 
+def angles_in(formulas: Iterable[Parsed]) -> frozenset[str]:
+    r"""Return the letters that are angles, as in ``\cos(2 a + b)``: no capitals, and none as in ``\cos(n^T m)``."""
+    parts = (part for formula in formulas for side in formula.sides for part in _angles_in(side))
+    found = (part for part in parts if not any(each.data in _OF_VECTORS for each in part.iter_subtrees()))
+    return frozenset(letter for part in found for letter in symbols_in(part) if not letter[0].isupper())
+
+
+def _angles_in(side: Formula) -> Iterator[Formula]:
+    for tree in side.iter_subtrees():
+        if tree.data in ("function", "raised_function") and str(tree.children[0]) in _OF_ANGLES:
+            yield from trees_in(tree)[-1:]
+
+
 def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
     r"""Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace.
 
@@ -214,6 +278,7 @@ def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
     found, unless = set[str](), set[str]()
     angles = set[str]()
     for side in sides:
+        angles |= {letter for part in _angles_in(side) for letter in symbols_in(part)}
         for tree in side.iter_subtrees():
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
@@ -221,8 +286,6 @@ def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
                 (found if lone(marked) and head == "T" else unless).update(factors_of(marked, deep=False))
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                 found |= {*factors_of(tree.children[1], deep=False)}
-            elif tree.data in ("function", "raised_function") and head in _OF_ANGLES:
-                angles |= {each for part in trees_in(tree)[-1:] for each in symbols_in(part)}
     found |= unless - angles
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}

@@ -27,6 +27,7 @@ from algebroproj_sym.reading.defining.parts import (
     column,
     constant,
     divided,
+    have_same_blocks,
     in_order,
     joined,
     number_of,
@@ -36,7 +37,6 @@ from algebroproj_sym.reading.defining.parts import (
     scalar,
     sum_of,
     times,
-    total_of,
     transposed,
     without,
 )
@@ -99,6 +99,8 @@ def _asked(reader: _Reader, left: Formula, right: Formula) -> list[Question]:
     sides = [reader.part(tree) for tree in (left, right)]
     if not any(side.is_zero for side in sides):
         same_shape(*sides)
+    if not have_same_blocks(*sides) and not any(side.is_zero for side in sides):
+        return [reader.question(sides)]
     blocks = [[cell for row in side.blocks for cell in row] for side in sides]
     pairs = zip(*(each or cycle([side]) for each, side in zip(blocks, sides, strict=True)), strict=False)
     return [reader.question([*pair]) for pair in (pairs if any(blocks) else [sides])]
@@ -324,7 +326,15 @@ class _Parts(_Gathering):
             signs, values = [sign for sign, _ in kept], [value for _, value in kept]
         if not values:
             return constant("0")
+        square = next((value.shape for value in values if not value.is_number), None)
+        if square is not None and any(value.is_one for value in values):
+            square[0].unite(square[1])
+            values = [self._identity(square) if value.is_one else value for value in values]
         return sum_of(list(zip((sign == "-" for sign in signs), values, strict=True)))
+
+    def _identity(self, shape: Shape) -> Part:
+        """Return what 1 stands for beside a square matrix, as in ``1 - K H``."""
+        return Part(shape, lambda: f"eye({self.reader.size(shape[0])})")
 
     def product(self, first: Part, *rest: Any) -> Part:
         found = first
@@ -516,11 +526,4 @@ class _Parts(_Gathering):
             return Part((height, width), zeros) if is_wide else cell
 
         cells = [[*map(in_place, row, [height] * len(row), widths)] for row, height in zip(rows, heights, strict=True)]
-        if any(size.value is None for size in (*heights, *widths)):
-            return of_blocks(cells)
-
-        def text() -> str:
-            lines = (", ".join(cell.text() for cell in row) for row in cells)
-            return f"block({', '.join(f'[{line}]' for line in lines)})"
-
-        return Part((total_of(heights), total_of(widths)), text, *(cell for row in cells for cell in row))
+        return of_blocks(cells)

@@ -108,6 +108,14 @@ _ORDER = re.compile(
     r"|\\(?:Theta|Omega)\s*(?:\\left\s*)?\((?=\s*(?:[nN]\b|\\log))"
 )
 _DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
+_SIGN = (
+    r"\$\s*(?:[-+*]|\\(?:wedge|vee|hat|check|oplus|ominus|otimes|odot|circ|boxplus|boxminus|times|cdot|star|ast))\s*\$"
+)
+_OF_SIGNS = re.compile(
+    rf"\boperators:? {_SIGN}|{_SIGN} operators\b|"
+    r"\b(?:hat|wedge|vee|skew(?:-symmetric)?|boxplus|boxminus|oplus) operators\b"
+)
+"""Operators that are signs: no letter with a hat stands for one."""
 _OPERATORS = (
     r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
     r"(?<=the )set|(?<=a )set|(?<!data )sets|events?)"
@@ -209,7 +217,7 @@ class Meanings:
 
     @cached_property
     def _has_operators(self) -> bool:
-        return re.search(r"\boperators\b", self.words) is not None
+        return re.search(r"\boperators\b", _OF_SIGNS.sub("", self.words)) is not None
 
     @cached_property
     def _has_convention(self) -> bool:

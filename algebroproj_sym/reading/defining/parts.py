@@ -12,10 +12,11 @@ MOST_PARTS = 1_000
 
 
 class Size:
-    """A number of rows or columns, which may be found to be another one."""
+    """A number of rows or columns, which may be found to be another one, or the sum of those of blocks."""
 
-    def __init__(self, value: int | None = None) -> None:
+    def __init__(self, value: int | None = None, blocks: Sequence[Size] = ()) -> None:
         self._value = value
+        self._blocks = blocks
         self._same: Size | None = None
 
     @property
@@ -29,19 +30,32 @@ class Size:
     @property
     def value(self) -> int | None:
         """The number; None as long as nothing says it."""
-        return self.root._value
+        root = self.root
+        if root._value is None and root._blocks and all(each.value is not None for each in root._blocks):
+            root._value = sum(each.value or 0 for each in root._blocks)
+        return root._value
 
     def unite(self, other: Size) -> None:
         """Take two sizes for the same."""
         one, two = self.root, other.root
-        if one is two or (one._value is not None and one._value == two._value):
+        if one is two or (one.value is not None and one.value == two.value):
             return
-        if one._value is not None and two._value is not None:
-            raise UnreadableError(f"the shapes do not fit: {one._value} and {two._value} rows or columns")
-        if one._value is None:
-            one._same = two
-        else:
-            two._same = one
+        if one.value is not None and two.value is not None:
+            raise UnreadableError(f"the shapes do not fit: {one.value} and {two.value} rows or columns")
+        if two.value is not None or (one.value is None and two._blocks):
+            one, two = two, one
+        two._same = one
+        _split(one, two._blocks)
+
+
+def _split(total: Size, blocks: Sequence[Size]) -> None:
+    """Take the only size of blocks that nothing says for what is left of their sum."""
+    unknown = [each for each in blocks if each.value is None]
+    rest = (total.value or 0) - sum(each.value or 0 for each in blocks)
+    if len(unknown) == 1 and rest > 0:
+        unknown[0].unite(Size(rest))
+    elif blocks and total.value is not None and (rest < len(unknown) or (rest and not unknown)):
+        raise UnreadableError(f"the shapes do not fit: {total.value} and {total.value - rest} rows or columns")
 
 
 Shape = tuple[Size, Size]
@@ -63,8 +77,8 @@ class Part:
         The text of its square, if that is simpler.
     weight : int
         Of how many parts it is made.
-    is_zero : bool
-        Whether it is the number 0.
+    is_zero, is_one : bool
+        Whether it is the number 0, or 1.
     is_table : bool
         Whether it is written as a matrix that is no vector: as a bold capital.
     terms : list of (bool, list of Part)
@@ -72,7 +86,7 @@ class Part:
     symbols : frozenset of str
         The symbols in it.
     blocks : list of list of Part
-        The rows of blocks of which it is made, if nothing says their sizes; it has no text of its own then.
+        The rows of blocks of which it is made, if nothing says their sizes as yet; it has no text of its own then.
     """
 
     def __init__(self, shape: Shape, text: Callable[[], str], *inside: Part) -> None:
@@ -82,6 +96,7 @@ class Part:
         self.blocks: Blocks = []
         self.weight: int = 1 + sum(part.weight for part in inside)
         self.is_zero = False
+        self.is_one = False
         self.is_table = False
         self.terms: list[Term] = [(False, [self])]
         self.symbols: frozenset[str] = frozenset().union(*(part.symbols for part in inside))
@@ -107,7 +122,7 @@ def number_of(text: Callable[[], str], *inside: Part) -> Part:
 def constant(text: str) -> Part:
     """Return a printed number."""
     found = number_of(lambda: text)
-    found.is_zero = text == "0"
+    found.is_zero, found.is_one = text == "0", text == "1"
     return found
 
 
@@ -115,12 +130,15 @@ def same_shape(left: Part, right: Part) -> None:
     """Take the shapes of two parts for the same."""
     for one, other in zip(left.shape, right.shape, strict=True):
         one.unite(other)
-    if left.blocks or right.blocks:
-        if [*map(len, left.blocks)] != [*map(len, right.blocks)]:
-            raise _unknown_sizes()
+    if have_same_blocks(left, right):
         for first, second in zip(left.blocks, right.blocks, strict=True):
             for one_block, other_block in zip(first, second, strict=True):
                 same_shape(one_block, other_block)
+
+
+def have_same_blocks(left: Part, right: Part) -> bool:
+    """Whether two matrices have as many rows and columns of blocks."""
+    return bool(left.blocks) and [*map(len, left.blocks)] == [*map(len, right.blocks)]
 
 
 def scalar(part: Part, what: str) -> Part:
@@ -146,26 +164,22 @@ def refused(what: str) -> UnreadableError:
     return UnreadableError(f"{what} is read, and not computed with letters")
 
 
-def _unknown_sizes() -> UnreadableError:
-    return UnreadableError("a matrix of blocks has blocks of unknown size")
-
-
-def _without_text() -> str:
-    raise _unknown_sizes()
-
-
-def total_of(sizes: list[Size]) -> Size:
-    """Return how many rows or columns blocks have together; a size of its own if nothing says how many one has."""
-    return Size(None if any(size.value is None for size in sizes) else sum(size.value or 0 for size in sizes))
-
-
 def of_blocks(rows: Blocks) -> Part:
-    """Return the matrix of some blocks; its text is that of the only one, and there is none if there are more."""
+    """Return the matrix of some blocks; there is no text of more than one as long as nothing says the size of each."""
     if len(rows) == len(rows[0]) == 1:
         return rows[0][0]
-    shape = total_of([row[0].shape[0] for row in rows]), total_of([each.shape[1] for each in rows[0]])
-    found = Part(shape, _without_text, *(each for row in rows for each in row))
-    found.blocks = rows
+    heights, widths = [row[0].shape[0] for row in rows], [each.shape[1] for each in rows[0]]
+
+    def text() -> str:
+        for total, sizes in zip(found.shape, (heights, widths), strict=True):
+            _split(total, sizes)
+        if any(size.value is None for size in (*heights, *widths)):
+            raise UnreadableError("a matrix of blocks has blocks of unknown size")
+        lines = (", ".join(cell.text() for cell in row) for row in rows)
+        return f"block({', '.join(f'[{line}]' for line in lines)})"
+
+    found = Part((Size(blocks=heights), Size(blocks=widths)), text, *(each for row in rows for each in row))
+    found.blocks = rows if any(size.value is None for size in found.shape) else []
     return found
 
 
@@ -183,7 +197,7 @@ def _times_blocks(left: Part, right: Part) -> Part:
             [[times(left, each) if left.is_number else times(each, right) for each in row] for row in rows]
         )
     if not (left.blocks and right.blocks) or len(left.blocks[0]) != len(right.blocks):
-        raise _unknown_sizes()
+        return _product(left, right)
     columns = [*zip(*right.blocks, strict=True)]
     return of_blocks([[_row_times_column(row, each) for each in columns] for row in left.blocks])
 
@@ -196,8 +210,10 @@ def _row_times_column(row: Sequence[Part], column: Sequence[Part]) -> Part:
 
 def times(left: Part, right: Part) -> Part:
     """Return a product."""
-    if left.blocks or right.blocks:
-        return _times_blocks(left, right)
+    return _times_blocks(left, right) if left.blocks or right.blocks else _product(left, right)
+
+
+def _product(left: Part, right: Part) -> Part:
     if left.is_number or right.is_number:
         shape = (right if left.is_number else left).shape
     else:
@@ -214,7 +230,7 @@ def sum_of(signed: list[tuple[bool, Part]]) -> Part:
     first = signed[0][1]
     for _, value in signed[1:]:
         same_shape(first, value)
-    if first.blocks:
+    if all(have_same_blocks(first, value) for _, value in signed):
         rows = zip(*(value.blocks for _, value in signed), strict=True)
         signs = [minus for minus, _ in signed]
         return of_blocks(

@@ -73,6 +73,9 @@ _OF_MATRICES = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathbb|mathbf)\s*\{?\s*[RC]\s*\}?\s*\^\s*\{\s*[a-zA-Z]\s*\\times\s*[a-zA-Z]\s*\}"
     r"|(?:\\(?:mathrm|mathbf|text|operatorname|mathbb|mathcal)\s*)?\{?\s*(?:[GS]L|S?[OUE]|Sp|M_n|M_\{n\})\s*\}?\s*\()"
 )
+_VECTOR_SPACE = re.compile(
+    r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathbb|mathbf|Bbb)\s*\{?\s*[RC]\s*\}?|\\R(?![a-zA-Z]))\s*\^\s*\{?\s*(?:[a-zA-Z]|[2-9]|\d+\s*\\times|\d\d)"
+)
 _COMPLEX = re.compile(r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*C\b")
 _ROTATIONS = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathrm|mathbf|text|operatorname|mathbb)\s*)?\{?\s*SO\s*\}?\s*\(\s*([23])\s*\)\s*$"
@@ -89,22 +92,28 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
     return _agreed(_properties(statements))
 
 
-def matrices_in(statements: Iterable[Statement]) -> frozenset[str]:
-    """Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters."""
+def matrices_in(statements: Iterable[Statement], angles: frozenset[str]) -> frozenset[str]:
+    r"""Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters.
+
+    An angle is no rotation: "$\Omega$ is defined by a rotation", or it is the angle of one.
+    """
     every = tuple(statements)
-    return called(
-        every,
-        rf"(?:{_VECTORS}|quaternions?|operators?|rotations?|permutations?|strings?|reflections?|transformations?|"
-        r"(?<=the )set|(?<=a )set|sets|"
-        r"events?|groups?|maps?|homograph(?:y|ies))",
-    ).union(
-        symbol for each in every if (match := _OF_MATRICES.match(each.latex)) for symbol in symbols_in_list(match[1])
+    return frozenset().union(
+        called(
+            every,
+            rf"(?:{_VECTORS}|quaternions?|operators?|(?<=the )set|(?<=a )set|sets|events?|groups?|maps?|"
+            r"homograph(?:y|ies))",
+        ),
+        called(every, r"(?:rotations?|permutations?|strings?|reflections?|transformations?)") - angles,
+        (symbol for each in every if (match := _OF_MATRICES.match(each.latex)) for symbol in symbols_in_list(match[1])),
     )
 
 
 def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
-    """Return the symbols that are said to be vectors or matrices: what is added to them is one, too."""
-    return called(statements, rf"(?:{_VECTORS})")
+    """Return the symbols that are said to be vectors or matrices, or of a space: what is added to them is one, too."""
+    every = tuple(statements)
+    members = (side for each in every if (match := _VECTOR_SPACE.match(each.latex)) for side in match[1].split("="))
+    return called(every, rf"(?:{_VECTORS})") | {symbol for each in members for symbol in symbols_in_list(each)}
 
 
 def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:

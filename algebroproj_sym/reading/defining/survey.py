@@ -12,7 +12,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
-from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
+from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
 from algebroproj_sym.reading.defining.meanings import (
     Meanings,
     dependences,
@@ -278,8 +278,9 @@ class Survey:
         """Which letters are vectors or matrices."""
         formulas = [each for each in self.formulas.values() if isinstance(each, Parsed)]
         words = " ".join(f"{each.before} {each.after}" for each in self.document.formulas)
-        found = kinds_of(formulas, vectors_in(self.statements), words)
-        return replace(found, no_numbers=found.no_numbers | matrices_in(self.statements))
+        said = vectors_in(self.statements) | {*properties_in(self.statements)}
+        found = kinds_of(formulas, said, words)
+        return replace(found, no_numbers=found.no_numbers | matrices_in(self.statements, angles_in(formulas)))
 
     def _has_euler(self) -> bool:
         """Whether e is Euler's number: the base of powers with letters, and nothing else."""

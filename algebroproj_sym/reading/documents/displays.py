@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
+from algebroproj_sym.reading.documents.escapes import escapes_subscripts, unescaped
 from algebroproj_sym.reading.documents.macros import Macro, expanded, macros_in, redefinitions
 from algebroproj_sym.reading.documents.tidying import tidied
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
@@ -47,8 +49,6 @@ _STRUCK_IN_MARKDOWN = re.compile(
 )
 """What an author takes back."""
 _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
-_ROW_END = re.compile(r"(?<!\\)\\\\\\(?=[ \t]*\n)")
-"""A line break of LaTeX of which Markdown takes one backslash away."""
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
@@ -243,14 +243,14 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
         plain = _without_versions(plain)
     else:
         plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, text))))
-        plain = _ROW_END.sub(r"\\\\ ", plain)
         plain = _INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain)
+    written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
         plain = plain[:begin] + " " * (end - begin) + plain[end:]
     document = Document((), starts, numbered[: len(starts)])
-    formulas = tuple(islice(_formulas(plain, macros, changes, document), MAX_FORMULAS + 1))
+    formulas = tuple(islice(_formulas(plain, macros, changes, document, written), MAX_FORMULAS + 1))
     if len(formulas) > MAX_FORMULAS:
         raise UnreadableDocumentError(f"expected at most {MAX_FORMULAS} formulas, got more")
     return Document(formulas, starts, document.lines)
@@ -339,7 +339,11 @@ _OPTION = re.compile(r"(?::label: (\S+)|:\w+:)[^\n]*")
 
 
 def _formulas(
-    text: str, macros: dict[str, Macro], changes: list[tuple[int, str, Macro]], document: Document
+    text: str,
+    macros: dict[str, Macro],
+    changes: list[tuple[int, str, Macro]],
+    document: Document,
+    written: Callable[[str], str],
 ) -> Iterator[Display]:
     changes = changes[::-1]
     openers, closers = _own_environments(macros)
@@ -373,7 +377,7 @@ def _formulas(
                 why = f"the formula is not closed within {MAX_DISPLAY} characters"
                 yield Display(document.line_of(match.start()), environment, "", (), why, words, "", part, False, group)
             continue
-        inside = text[place:end]
+        inside = written(text[place:end])
         after = _HTML.sub(_blank, text[end + len(ending) : end + len(ending) + 300])
         pieces, reason = _expanded(_without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")

@@ -19,6 +19,8 @@ _COUNT = re.compile(r"\s*\[(\d)\]")
 _DEFAULT = re.compile(r"\s*\[([^\[\]]*)\]")
 _DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
+_ALPHABET = re.compile(r"\\DeclareMathAlphabet\s*\{\s*(\\[a-zA-Z]+)\s*\}(?:\s*\{[^{}]*\}){2}\s*\{[a-z]?bx?\}")
+_BOLD_ONES = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*(?:\{\s*)?[a-zA-Z]")
 _FRAMES = (r"\boxed", r"\fbox", r"\mathrel", r"\mathopen", r"\mathclose")
 """Commands that change the looks of their argument only."""
 _OF_PACKAGES = {
@@ -60,6 +62,8 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
     found = {name: Macro(1, None, "#1") for name in _FRAMES if name in text}
     known = {name: Macro(count, None, body) for name, (count, body) in _OF_PACKAGES.items() if name in text}
     spans: list[tuple[int, int]] = []
+    if len(bold := {*_ALPHABET.findall(text)}) == 1 and not _BOLD_ONES.search(text):
+        known |= dict.fromkeys(bold, Macro(1, None, r"\mathbf{#1}"))
     for name, count, default, begin, start in _begun(text):
         end = _closing(text, start)
         if end is not None:

@@ -314,6 +314,9 @@ class _Pass:
                 both = both_sides(questions) if isinstance(questions, list) else None
                 links.append(Link("definition", rests_on=rests_of(self.vocabulary, definition.tree), sides=both))
                 continue
+            if relation == "∈" and definition is not None:
+                links.append(Link("definition"))
+                continue
             link, question = self._link(statement, found, index, relation, place)
             links.append(link)
             if question is not None:
@@ -382,6 +385,8 @@ class _Pass:
 
     def _assert(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
         """Keep an equation as a premise of what stands behind it."""
+        if len(formula.relations) > 1 and formula.relations[-1] == "∈":
+            formula = replace(formula, sides=formula.sides[:-1], relations=formula.relations[:-1])
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
         if self.beside.exchanged or not any(self.vocabulary.letters_of(each) for each in formula.sides):

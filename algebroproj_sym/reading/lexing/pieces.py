@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import NamedTuple
 
 from algebroproj_sym.reading.lexing.commands import BOLD, CLOSING, OPENING, PIECE, RELATIONS
@@ -117,20 +117,46 @@ def outside_brackets(texts: Sequence[str]) -> list[str]:
 
 
 def with_norms(pieces: Sequence[Piece]) -> list[Piece]:
-    r"""Return pieces with ``\|`` for two bars, if all bars are double, and pairs of them enclose a formula.
+    r"""Return pieces with ``\|`` for two bars, if all bars of a brace are double, and pairs of them enclose a formula.
 
     Examples
     --------
     >>> ["".join(each.text for each in with_norms(pieces_of(text))) for text in ("||x - y||", "|a||b|", "(p||q)")]
     ['\\|x - y\\|', '|a||b|', '(p||q)']
     """
-    bars = [place for place, piece in enumerate(pieces) if piece.text == "|"]
-    first, second = bars[::2], bars[1::2]
-    doubled = len(bars) % 4 == 0 and all(b - a == 1 for a, b in zip(first, second, strict=True))
-    if not doubled or not all(_is_balanced(pieces[a + 1 : b]) for a, b in zip(second[::2], first[1::2], strict=True)):
+    plain = [
+        piece
+        for place, piece in enumerate(pieces)
+        if not (_SIZED.fullmatch(piece.text) and [each.text for each in pieces[place + 1 : place + 2]] == ["|"])
+    ]
+    norms, others = set[int](), set[int]()
+    for bars in _bars_in(plain):
+        first, second = bars[::2], bars[1::2]
+        doubled = len(bars) % 4 == 0 and all(b - a == 1 for a, b in zip(first, second, strict=True))
+        if doubled and all(_is_balanced(plain[a + 1 : b]) for a, b in zip(second[::2], first[1::2], strict=True)):
+            norms |= {*first}
+            others |= {*second}
+    if not norms:
         return [*pieces]
-    whole = [Piece(r"\|", each.place) if place in first else each for place, each in enumerate(pieces)]
-    return [each for place, each in enumerate(whole) if place not in second]
+    whole = [Piece(r"\|", each.place) if place in norms else each for place, each in enumerate(plain)]
+    return [each for place, each in enumerate(whole) if place not in others]
+
+
+_SIZED = re.compile(r"\\[bB]igg?[lrm]?")
+
+
+def _bars_in(pieces: Sequence[Piece]) -> Iterable[list[int]]:
+    """Return the places of bars, those of each brace and of what stands in none for themselves."""
+    found: dict[int, list[int]] = {}
+    opened = [-1]
+    for place, piece in enumerate(pieces):
+        if piece.text == "|":
+            found.setdefault(opened[-1], []).append(place)
+        elif piece.text == "{":
+            opened.append(place)
+        elif piece.text == "}" and len(opened) > 1:
+            opened.pop()
+    return found.values()
 
 
 def _is_balanced(pieces: Sequence[Piece]) -> bool:

@@ -1,0 +1,36 @@
+r"""What Markdown escapes within formulas: ``\_`` for a subscript, and ``\\\\`` or ``\\\`` for the end of a row."""
+
+from __future__ import annotations
+
+import re
+
+_NAMES = r"\\(?:text[a-z]*|math(?:rm|tt|it|sf)|operatorname\*?|mbox|label|tag)\s*\{[^{}]*\}"
+_SUBSCRIPT = re.compile(rf"({_NAMES})|(?<!\\)\\_")
+_OF_SUBSCRIPTS = re.compile(r"(?<!\\)\\_\{|\}\\_(?![a-zA-Z]{2})")
+"""No underscore of a name stands before a brace, or behind one."""
+_ROW_OR_STAR = re.compile(
+    r"(?<!\\)\\\\(?=\\\\(?!\\))|(?<=(?<!\\)\\\\)\\(?=[ \t]*\n)|(?<=\^)\\(?=\*)|(?<=\^\{)\\(?=\*\})"
+)
+
+
+def escapes_subscripts(text: str) -> bool:
+    r"""Whether a text of Markdown has ``\_`` for subscripts, and not for underscores in names.
+
+    Examples
+    --------
+    >>> escapes_subscripts(r"$\mathbf{R}\_B$"), escapes_subscripts(r"$v\_max$")
+    (True, False)
+    """
+    return _OF_SUBSCRIPTS.search(text) is not None
+
+
+def unescaped(latex: str, *, subscripts: bool) -> str:
+    r"""Return a formula as LaTeX, each character at its place.
+
+    Examples
+    --------
+    >>> unescaped(r"a\_1 \\\\ b^\*", subscripts=True)
+    'a _1   \\\\ b^ *'
+    """
+    latex = _ROW_OR_STAR.sub(lambda found: " " * len(found.group()), latex)
+    return _SUBSCRIPT.sub(lambda found: found[1] or " _", latex) if subscripts else latex

@@ -1,0 +1,43 @@
+"""Equations that say of what space a letter is."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+
+def verdicts(latex: str) -> list[str]:
+    return [each.verdict for each in read_document(document_of(latex))]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ \mathbf{x} = \begin{bmatrix} a \\ b \end{bmatrix} \in \mathbb{R}^2 \]",
+        r"\[ \mathbf{x} = \begin{bmatrix} \mathbf{p} \\ \mathbf{v} \end{bmatrix} \in \mathbb{R}^{6} \]",
+        r"\[ \mathbf{u} = \begin{bmatrix} a & b & c \end{bmatrix}^T \in {\rm I\! R}^3. \]",
+        r"\[ J = B^T A B \in \mathbb{R}^{n\times n} \]",
+        r"The step needs the Jacobian $J(x_k)$. It is "
+        r"\[ J = \begin{bmatrix} a & b \end{bmatrix} \in \mathbb{R}^{1\times 2} \]",
+    ],
+)
+def test_an_equation_with_the_space_of_its_letter_gives_the_letter(latex):
+    assert verdicts(latex) == ["definition"]
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\[ J = B^T A B \in \mathbb{R}^{n\times n} \] \[ B^T A^T B = J \]", "independent"),
+        (r"\[ J = B^T A B \in \mathbb{R}^{n\times n} \] \[ B^T A B = J \]", "follows"),
+        (r"\[ A B = C \in \mathbb{R}^{2\times 2} \] \[ B A = C \]", "independent"),
+        (r"Let $x, y \in \mathbb{R}^n$. \[ z = A x + A y \] \[ z = x A + A y \]", "independent"),
+        (r"Let $x, y \in \mathbb{R}^n$. \[ z = A x + A y \] \[ z = A (x + y) \]", "follows"),
+        (r"\[ x = y z \in \mathbb{R}^{2\times 2} \] \[ x = z y \]", "not decided"),
+        (r"\[ x = y z \in \mathbb{R}^{2\times 2} \] \[ 2 x = 2 y z \]", "follows"),
+        (r"\[ a^T b > 0 \] \[ A = a b^T \] \[ A = b^T a \]", "independent"),
+    ],
+)
+def test_what_is_of_a_space_is_no_number(latex, verdict):
+    assert verdicts(latex)[-1] == verdict

@@ -3,6 +3,7 @@ r"""Equations that give a letter beside words of a case, in another section, or 
 import pytest
 
 from algebroproj_sym.reading import document_at, document_of, read_document
+from algebroproj_sym.reading.judging.deciding import NOT_DERIVED
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
@@ -36,6 +37,14 @@ def verdicts(latex):
         USED + r"The log-likelihood is \[ \ln p(y|m) = - \frac{n}{2} s. \]",
         USED + r"The velocity is \[ v(x) = \frac{\partial}{\partial x} \left\lbrace \phi(x, y) \right\rbrace. \]",
         SUM + NEXT + r"Here it is \[ s = 5 c \]",
+        r"In equilibrium, when both are known, the fraction is \[ q = \frac{a}{a + b}. \]",
+        r"The total cost is \[ J(\mathbf{x}) := \sum_i J_i(\mathbf{x}), \]",
+        BEFORE + r"\[ b := f + A. \]",
+        r"The next state is \[ \begin{pmatrix} x_{k+1} \\ y_{k+1} \end{pmatrix} = "
+        r"\begin{pmatrix} a & 1 \\ 0 & b \end{pmatrix} \begin{pmatrix} x_k \\ y_k \end{pmatrix}. \]",
+        r"Let $\Pi$ be the Exner function. \[ \theta = \frac{T}{\Pi} \]",
+        r"The operators $A$ and $B$ do not commute. One step is \[ s = e^{A h} e^{B h} u. \]",
+        r"We introduce the Hamiltonian \[ \mathcal{H}(\mathbf{x}, \mathbf{p}) = \lambda_0 c + \lambda_1 f. \]",
     ],
 )
 def test_an_equation_that_gives_its_letter_is_a_definition(latex):
@@ -71,12 +80,21 @@ def test_an_equation_that_gives_its_letter_is_a_definition(latex):
         r"The angle has \[ \cos t = \sin u. \] The angle has \[ \cos t = \tan u. \]",
         BEFORE + r"The identity is \[ \sin (2 f) = 2 g. \]",
         r"\[ \mathrm{E}(a X) = a \mathrm{E}(X). \]",
+        BEFORE + r"If \[ t = b + c, \] it stops.",
+        BEFORE + r"It is wrong that \[ t := b + c. \]",
+        r"The sum is of numbers modulo 4. \[ 2 x = 2 y. \] Hence \[ x = y. \]",
+        r"\[ x'' = -x. \] \[ \begin{pmatrix} x \\ t \end{pmatrix} = \begin{pmatrix} x \\ a \end{pmatrix}. \]",
     ],
 )
 def test_a_condition_and_what_holds_but_roughly_gives_no_letter(latex):
     found = verdicts(latex)
     assert "definition" not in found[1:]
     assert found[-1] != "follows"
+
+
+def test_a_definition_that_is_said_to_follow_says_that_it_was_not_derived():
+    found = read_document(document_of(USED + r"Hence we have \[ b = \int_0^1 k \, dx. \]"), seconds=5)
+    assert (found[-1].verdict, found[-1].links[0].reason) == ("definition", NOT_DERIVED)
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
+VARIES = "is another number each time"
 _SIGNS = (
     (
         r"\b(?:computations?|calculations?|arithmetic|operations?|integers|numbers|everything)\b[^.]{0,30}\bmodulo\b"
@@ -202,7 +203,7 @@ class Meanings:
             if is_inline and is_named and not _NUMBER.search(before[-20:] + after):
                 found[r"\pi"] = "is called something else than the number"
         for match in _EACH_TIME.finditer(self.words):
-            found |= dict.fromkeys(symbols_in_list(match[1]), "is another number each time")
+            found |= dict.fromkeys(symbols_in_list(match[1]), VARIES)
         return found
 
     @cached_property
@@ -233,11 +234,11 @@ class Meanings:
         if _TRANSFORM.search(latex):
             return "a letter before a brace may be an operator"
         if match := _ORDER.search(latex) or _DRAW.search(latex):
-            return f"{match[0].rstrip('( ')}(...) is another number each time"
+            return f"{match[0].rstrip('( ')}(...) {VARIES}"
         symbols = {symbol for side in formula.sides for symbol in symbols_in(side)}
         for symbol in sorted(symbols):
             if _FILLER.fullmatch(symbol) and symbol not in self.given:
-                return f"{symbol} is another number each time"
+                return f"{symbol} {VARIES}"
             if symbol in self._letters:
                 return f"{symbol} {self._letters[symbol]}"
             if symbol.startswith(r"\hat{") and self._has_operators:

@@ -38,6 +38,22 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
     return "", ()
 
 
+def introduced_by(tree: Formula) -> frozenset[str]:
+    r"""Return the letters that a left side may introduce; empty if it is none that does.
+
+    ``W(e^{it})``, ``x^T`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.
+    """
+    tree = argument_of(tree)
+    if symbol := defined_by(tree)[0]:
+        return frozenset((symbol,))
+    if tree.data == "call":
+        return frozenset((str(tree.children[0]),))
+    if tree.data == "matrix":
+        entries = [introduced_by(part) for cell in tree.find_data("cell") for part in cell.children]  # type: ignore[arg-type]
+        return frozenset().union(*entries) if all(entries) else frozenset()
+    return introduced_by(tree.children[0]) if tree.data == "marked" else frozenset()  # type: ignore[arg-type]
+
+
 def is_named(tree: Formula) -> bool:
     """Whether a side is the value of a function with a name of its own, such as Var(X): the value is what is given.
 

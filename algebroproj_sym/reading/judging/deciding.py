@@ -35,6 +35,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions
 
+NOT_DERIVED = "it gives its letter; that it follows was not derived"
 MOST_REPAIRS = 8
 
 
@@ -56,6 +57,7 @@ class Asked:
     certain: bool
     chained: bool
     gives: bool
+    claimed: bool
 
 
 def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
@@ -87,7 +89,8 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
             each.link = link
     for each in asked:
         if each.gives and each.link.verdict != "follows" and not any(_says(each.link)):
-            each.link = Link("definition", rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
+            rests = rests_of(each.ways[0].vocabulary, each.ways[0].right)
+            each.link = Link("definition", NOT_DERIVED if each.claimed else "", rests_on=rests)
 
 
 def _says(link: Link) -> tuple[bool, bool]:

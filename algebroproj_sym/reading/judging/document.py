@@ -11,6 +11,7 @@ from algebroproj_sym.reading.defining.citing import apart_in, cited_in
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.instances import numbers_put_in
+from algebroproj_sym.reading.defining.meanings import VARIES
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     Premise,
@@ -24,6 +25,7 @@ from algebroproj_sym.reading.defining.recognising import (
     computes,
     defined_by,
     given_by,
+    introduced_by,
     is_circular,
     is_indexed_above,
     is_named,
@@ -301,6 +303,9 @@ class _Pass:
         if reason := self.survey.meanings.reason(statement, found):
             self._note(statement, found)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
+            equal = bool(found.relations) and found.relations[0] in EQUALITIES
+            if equal and not reason.endswith(VARIES) and self._introduces(statement, found):
+                links[0] = Link("definition")
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         definition = self._definition(statement, found, explicit=False)
         for index, relation in enumerate(found.relations):
@@ -432,12 +437,48 @@ class _Pass:
         made = Definition(*given, explicit, not statement.condition, place=place, words=words, context=self.context)
         return replace(made, usable=made.usable and computes(made, self.vocabulary))
 
+    def _tells(self, statement: Statement, formula: Parsed, index: int) -> bool:
+        """Whether a relation of a chain says what its left side is, so that there is nothing to check."""
+        left, right = formula.sides[index], formula.sides[index + 1]
+        if formula.relations[index] == "∈":
+            return index > 0 and self._introduces(statement, formula)
+        first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
+        introduces = index == 0 and self._introduces(statement, formula)
+        return formula.relations[index] in EQUALITIES and (
+            introduces or (first and self._gives(statement, left, right))
+        )
+
+    def _introduces(self, statement: Statement, formula: Parsed) -> bool:
+        """Whether an equation says what something is of which nothing was said before, though perhaps in a case."""
+        left, right = formula.sides[:2] if formula.relations[0] != "=:" else formula.sides[1::-1]
+        if self.beside.is_denied or self.beside.exchanged or self._named(statement, self.given.statements):
+            return False
+        if formula.relations[0] in (":=", "=:"):
+            return True
+        symbols, place = introduced_by(left), statement.display.place
+        before = {*self.vocabulary.definitions, *self.given.whole.symbols}
+        before |= {symbol for symbol, since in self.asserted.items() if since != place}
+        theirs, parameters = {*symbols_in(right)}, defined_by(left)[1]
+        values = [str(each.children[0]) for each in left.iter_subtrees() if each.data == "call"]
+        value = not defined_by(right)[0] and (bool(parameters) or all(map(self.survey.has_one_argument, values)))
+        everywhere = not values or (bool(parameters) and not is_one_value(parameters, right))
+        return (
+            bool(symbols)
+            and not symbols & (before | theirs)
+            and (everywhere or value)
+            and bool(theirs)
+            and not derivatives_in((left,), self.vocabulary, self.survey.occurring)
+            and not self.beside.is_condition
+        )
+
     def _gives(self, statement: Statement, left: Formula, right: Formula) -> bool:
         """Whether an equation is the first one of its section that gives its letter, though the letter was used before.
 
         It may not be a condition, or hold but roughly.  Where an equation near it may give the letter as well, its
         sentence must say that it is introduced.
         """
+        if self.beside.is_denied or self.beside.exchanged:
+            return False
         if is_indexed_above(left):
             above = any(
                 left in (each.left, each.right) and each.part == statement.display.part for each in self.premises
@@ -448,8 +489,6 @@ class _Pass:
         symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
         part = statement.display.part
         if not symbol or not (symbols_in(right) or self.survey.is_parameter(statement)):
-            return False
-        if self.beside.exchanged:
             return False
         if is_one_value(parameters, right) and (symbol in self.asserted or not self.survey.has_one_argument(symbol)):
             return False
@@ -475,6 +514,8 @@ class _Pass:
     ) -> tuple[Link, Asked | None]:
         left, right = formula.sides[index], formula.sides[index + 1]
         rests = rests_of(self.vocabulary, left, right)
+        if relation == "∈" and self._tells(statement, formula, index):
+            return Link("definition", rests_on=rests), None
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         letters = self.vocabulary.letters_of(left) | self.vocabulary.letters_of(right)
@@ -482,11 +523,20 @@ class _Pass:
         certain = not letters and all(each.explicit for each in used_by(self.vocabulary, left, right))
         ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
-        first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *self.asserted})
-        gives = first and self._gives(statement, left, right)
+        gives = self._tells(statement, formula, index)
         others = [left] if index > 0 else self._said_of(left) if not symbols_in(right) else []
         gives = gives or any(self._is_instance(each, right) for each in others)
-        asked = Asked(place, index, ways, Link("not decided", rests_on=rests), identity, certain, chained, gives)
+        asked = Asked(
+            place,
+            index,
+            ways,
+            Link("not decided", rests_on=rests),
+            identity,
+            certain,
+            chained,
+            gives,
+            self.beside.follows,
+        )
         return asked.link, asked
 
     def _said_of(self, left: Formula) -> list[Formula]:

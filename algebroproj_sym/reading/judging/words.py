@@ -175,6 +175,11 @@ class Beside:
         return found.group() if found else ""
 
     @property
+    def is_condition(self) -> bool:
+        """Whether the equation is the condition itself of which its sentence speaks: "If" stands in its own clause."""
+        return _ONLY_SOMETIMES.search(_main_clause(self.sentence)) is not None
+
+    @property
     def names(self) -> bool:
         """Whether its own sentence says what something is or stands for."""
         return _NAMES.search(self.sentence) is not None

@@ -14,6 +14,7 @@ from algebroproj_sym.declaring import (
     UnknownSelectorError,
     derivation_at,
     derivations,
+    derivations_with,
     discovery,
     installed_papers,
     kernels,
@@ -281,3 +282,5 @@ def test_the_functions_of_a_module_and_their_claims_are_those_of_all_modules():
         assert [*kernels([module])] == found
         assert [*kernels([found[-1].qualified_name])] == found[-1:]
         assert [*claims_of(found)] == [claim for claim in select() if (claim.paper, claim.number) in wanted]
+        at_once = [kernel for derivation in derivations_with(wanted) for kernel in derivation.section.kernels]
+        assert not [kernel.name for kernel in found if kernel not in at_once]

@@ -205,7 +205,10 @@ def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together:
 
 
 def derivations_with(wanted: Collection[tuple[str, str]]) -> tuple[Derivation, ...]:
-    """Return modules of the installed papers that declare claims, given by paper and number; all if need be."""
+    """Import the modules of installed papers whose text names claims, given by paper and number.
+
+    All modules are imported if those do not declare each claim.
+    """
     papers_of = dict.fromkeys(paper for paper, _ in sorted(wanted))
     found = [d for paper in papers_of for d in _naming(paper, *(number for of, number in wanted if of == paper))]
     known = {(claim.paper, claim.number) for derivation in found for claim in derivation.section.claims}

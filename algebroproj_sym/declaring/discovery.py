@@ -215,6 +215,14 @@ def derivations_with(wanted: Collection[tuple[str, str]]) -> tuple[Derivation, .
     return _united(found) if {*wanted} <= known else numbered_with()
 
 
+def kernels_on(claims: Iterable[Claim], sources: Sequence[str] = ()) -> list[Kernel]:
+    """Return the kernels that rest on claims; of installed papers, only modules whose text names one are imported."""
+    wanted = {(claim.paper, claim.number) for claim in claims}
+    found = derivations_with(wanted) if {*sources} <= {*installed_papers()} else numbered_with(sources)
+    declared = [kernel for derivation in found for kernel in derivation.section.kernels]
+    return [kernel for kernel in declared if wanted & {(kernel.paper, number) for number in kernel.claims}]
+
+
 def drivers(sources: Sequence[str] = ()) -> tuple[Driver, ...]:
     """Return the hand-written functions that travel with the kernels of some sources, sorted by module."""
     found = [driver for derivation in derivations_of(sources) for driver in derivation.section.drivers]

@@ -6,6 +6,7 @@ both, with every extra.
 """
 
 import os
+import pickle
 import shutil
 import subprocess
 import sys
@@ -193,10 +194,20 @@ def lemmas(made_once, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def lowered():
-    """Return a function from the name of a kernel of the papers to its program; each is lowered once."""
+def lowered(made_once):
+    """Return a function from the name of a kernel of the papers to its program; each is lowered once for all workers.
+
+    What is read is what worker processes hand over in a build.
+    """
     declared = {kernel.qualified_name: kernel for kernel in kernels()}
-    return cache(lambda name: lower(declared[name]))
+
+    def program(name):
+        def written(folder):
+            (folder / "program").write_bytes(pickle.dumps(lower(declared[name])))
+
+        return pickle.loads((made_once(f"lowered {name}", written) / "program").read_bytes())
+
+    return cache(program)
 
 
 @pytest.fixture(scope="module")

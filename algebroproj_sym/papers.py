@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import importlib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -69,8 +69,10 @@ def is_package(folder: Path) -> bool:
     return (folder / "__init__.py").is_file()
 
 
-def may_name(source: str, part: str) -> bool:
+def may_name(source: str, *parts: str) -> bool:
     """Whether the text of a module has a string that is a number, or begins with it and ``#``, or names its section.
+
+    One of several numbers is enough.
 
     Examples
     --------
@@ -79,9 +81,27 @@ def may_name(source: str, part: str) -> bool:
     >>> may_name('section = Section("mypaper", "1.3", "Lines")', "1")
     True
     """
-    name, stem = re.escape(part), re.escape(part.partition("#")[0])
-    written = rf"""["']({name}["'#]|{stem}#[^"'{{]*\{{)|Section\([^)]*["']{name}\."""
+    names, stems = map(_one_of, (parts, {part.partition("#")[0] for part in parts}))
+    written = rf"""["']({names}["'#]|{stems}#[^"'{{]*\{{)|Section\([^)]*["']{names}\."""
     return re.search(written, source) is not None
+
+
+def may_make(source: str, functions: Iterable[str]) -> bool:
+    """Whether the text of a module has a string that begins with the module of a function, or a name that is computed.
+
+    Examples
+    --------
+    >>> may_make('section.kernel("optics.scale", ...)', ["optics"]), may_make('"optics.scale"', ["optic.scale"])
+    (True, False)
+    >>> may_make('section.kernel(f"{module}.scale", ...)', ["optics"])
+    True
+    """
+    modules = _one_of({function.partition(".")[0] for function in functions})
+    return re.search(rf"""["']{modules}\.|\.kernel\(\s*[^"'\s]""", source) is not None
+
+
+def _one_of(texts: Iterable[str]) -> str:
+    return f"(?:{'|'.join(map(re.escape, sorted(texts)))})"
 
 
 def names_in(path: Path) -> Iterator[str]:

@@ -22,13 +22,13 @@ def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) ->
     """
     from algebroproj_sym.cli.judging import require_as_declared
     from algebroproj_sym.cli.terminal import console, echo
-    from algebroproj_sym.declaring import derivation_at, judge, located, numbered_with, quotations, split
+    from algebroproj_sym.declaring import derivation_at, judge, kernels_on, located, quotations, split
     from algebroproj_sym.reporting.explaining import explanation
     from algebroproj_sym.reporting.findings import declared_consequence
     from algebroproj_sym.showing.display import markdown
 
     found = located(selectors)
-    kernels = [k for d in numbered_with([split(selector)[0] for selector in selectors]) for k in d.section.kernels]
+    kernels = kernels_on((claim for _, claim in found), [split(selector)[0] for selector in selectors])
     judgements = []
     for derivation, claim in found:
         judgement = judge(claim, engine)

@@ -14,7 +14,7 @@ import click
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.steps import lowered_kernels
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show
-from algebroproj_sym.declaring import kernels, select
+from algebroproj_sym.declaring import kernels_on, select
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.mutating.claims import Fate, MutatedClaim, mutate_claim
 from algebroproj_sym.mutating.explanations import explanations, superfluous, with_reasons
@@ -70,8 +70,7 @@ def mutate(
         found = mapped(partial(mutate_claim, limit=limit), proved, jobs)
         claims = with_reasons(list(progressing(found, len(proved), "changing claims")), explanations())
     if only != "claims":
-        names = {(claim.paper, claim.number) for claim in chosen}
-        resting = [kernel for kernel in kernels() if names & {(kernel.paper, number) for number in kernel.claims}]
+        resting = sorted(kernels_on(chosen), key=lambda kernel: kernel.module)
         lowered = lowered_kernels(resting, (), jobs) if resting else []
         changed = mapped(partial(_mutated, folder=folder, limit=limit, size=samples), lowered, jobs)
         functions = list(progressing(changed, len(lowered), "changing functions"))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import importlib
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -168,6 +168,9 @@ def split(selector: str) -> tuple[str, str]:
 def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together: bool = False) -> tuple[Kernel, ...]:
     """Return the kernels of some sources, sorted by module, in the order of their declaration.
 
+    For names in the installed papers, only the modules whose text may declare them are imported.  The others are
+    imported if those do not declare all.
+
     Parameters
     ----------
     names : sequence of str
@@ -184,7 +187,8 @@ def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together:
     DeclarationError
         If two kernels have the same name.
     """
-    modules_found = numbered_with(sources) if together else derivations_of(sources)
+    at_once = _making(names) if names and not sources else ()
+    modules_found = at_once or (numbered_with(sources) if together else derivations_of(sources))
     found = [kernel for derivation in modules_found for kernel in derivation.section.kernels]
     twice = [name for name, count in Counter(kernel.qualified_name for kernel in found).items() if count > 1]
     if twice:
@@ -198,6 +202,25 @@ def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together:
             )
     chosen = [k for k in found if not names or k.module in names or k.qualified_name in names]
     return tuple(sorted(chosen, key=lambda kernel: kernel.module))
+
+
+def derivations_with(wanted: Collection[tuple[str, str]]) -> tuple[Derivation, ...]:
+    """Import the modules of installed papers whose text names claims, given by paper and number.
+
+    All modules are imported if those do not declare each claim.
+    """
+    papers_of = dict.fromkeys(paper for paper, _ in sorted(wanted))
+    found = [d for paper in papers_of for d in _naming(paper, *(number for of, number in wanted if of == paper))]
+    known = {(claim.paper, claim.number) for derivation in found for claim in derivation.section.claims}
+    return _united(found) if {*wanted} <= known else numbered_with()
+
+
+def kernels_on(claims: Iterable[Claim], sources: Sequence[str] = ()) -> list[Kernel]:
+    """Return the kernels that rest on claims; of installed papers, only modules whose text names one are imported."""
+    wanted = {(claim.paper, claim.number) for claim in claims}
+    found = derivations_with(wanted) if {*sources} <= {*installed_papers()} else numbered_with(sources)
+    declared = [kernel for derivation in found for kernel in derivation.section.kernels]
+    return [kernel for kernel in declared if wanted & {(kernel.paper, number) for number in kernel.claims}]
 
 
 def drivers(sources: Sequence[str] = ()) -> tuple[Driver, ...]:
@@ -337,10 +360,8 @@ def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int]
 
 def _located(selector: str) -> list[tuple[Derivation, Claim]]:
     source, part = split(selector)
-    if part and source in installed_papers():
-        files = [file for file in papers.module_files(source) if papers.may_name(file.read_text("utf-8"), part)]
-        if named := _named(part, _imported(source, files)):
-            return named
+    if part and source in installed_papers() and (named := _named(part, _naming(source, part))):
+        return named
     found = _modules_of(source, selector)
     named = _named(part, found)
     if part and not named:
@@ -349,6 +370,22 @@ def _located(selector: str) -> list[tuple[Derivation, Claim]]:
             f"selector: expected a section or number of {source}, got {part!r}{suggestion(part, known)}"
         )
     return named
+
+
+def _naming(paper: str, *parts: str) -> tuple[Derivation, ...]:
+    """Import the modules of an installed paper whose text may declare sections or numbers."""
+    files = papers.module_files(paper)
+    return _imported(paper, [file for file in files if papers.may_name(file.read_text("utf-8"), *parts)])
+
+
+def _making(functions: Sequence[str]) -> tuple[Derivation, ...]:
+    """Import the modules of the installed papers whose text may declare functions; none if not all are found."""
+    found: list[Derivation] = []
+    for paper in installed_papers():
+        files = papers.module_files(paper)
+        found += _imported(paper, [file for file in files if papers.may_make(file.read_text("utf-8"), functions)])
+    known = {name for d in found for kernel in d.section.kernels for name in (kernel.module, kernel.qualified_name)}
+    return _united(found) if {*functions} <= known else ()
 
 
 def _named(part: str, found: Sequence[Derivation]) -> list[tuple[Derivation, Claim]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from importlib.resources import files as resources
 from typing import Any
 
@@ -243,7 +244,8 @@ def render(claims: Iterable[Exported]) -> dict[str, str]:
     }
 
 
-def lemmas() -> dict[str, str]:
+@cache
+def lemmas() -> Mapping[str, str]:
     """Return the texts of the files that all theorems need, by name."""
     folder = resources("algebroproj_sym.exporting")
     return {name.removesuffix(".v"): folder.joinpath(name).read_text(encoding="utf-8") for name in LEMMAS}

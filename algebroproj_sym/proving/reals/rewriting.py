@@ -70,20 +70,19 @@ def _lead(zero: Any, variable: int, degree: int) -> Any:
 def reduced_by(polynomial: Any, given: Sequence[Rule], most: int = MOST_STEPS) -> tuple[Any, dict[int, Any]] | None:
     """Return what is left of a polynomial, and the cofactors, by the places of facts, of what was subtracted."""
     cofactors: dict[int, Any] = {}
+    context, degrees = polynomial.context(), polynomial.degrees()
     steps, changed = 0, True
     while changed:
         changed = False
         for rule in given:
-            gen = polynomial.context().gens()[rule.variable]
-            while polynomial != 0 and (top := int(polynomial.degrees()[rule.variable])) >= rule.degree:
+            while polynomial != 0 and (top := int(degrees[rule.variable])) >= rule.degree:
                 terms = {}
                 for powers, value in polynomial.to_dict().items():
-                    listed = [*map(int, powers)]
-                    if listed[rule.variable] == top:
-                        listed[rule.variable] = 0
-                        terms[tuple(listed)] = value
-                quotient = polynomial.context().from_dict(terms) * gen ** (top - rule.degree)
+                    if powers[rule.variable] == top:
+                        terms[(*powers[: rule.variable], 0, *powers[rule.variable + 1 :])] = value
+                quotient = context.from_dict(terms) * context.gen(rule.variable) ** (top - rule.degree)
                 polynomial = polynomial - quotient * rule.zero
+                degrees = polynomial.degrees()
                 for place, part in rule.combination.items():
                     cofactors[place] = cofactors.get(place, polynomial * 0) + quotient * part
                 steps, changed = steps + 1, True

@@ -1,0 +1,170 @@
+"""Which equations say what a letter is, so that there is nothing to check."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from algebroproj_sym.reading.defining.instances import numbers_put_in
+from algebroproj_sym.reading.defining.premises import (
+    derivatives_in,
+    neighbours,
+)
+from algebroproj_sym.reading.defining.recognising import (
+    EQUALITIES,
+    argument_of,
+    computes,
+    defined_by,
+    given_by,
+    introduced_by,
+    is_circular,
+    is_indexed_above,
+    is_named,
+    is_one_value,
+    is_table,
+)
+from algebroproj_sym.reading.defining.vocabulary import Definition
+from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.judging.memory import Memory, where_of
+from algebroproj_sym.reading.judging.words import (
+    beside,
+)
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+
+
+def definition_in(
+    memory: Memory, statement: Statement, formula: Parsed, *, explicit: bool, late: bool = False
+) -> Definition | None:
+    """Return what a statement defines: a letter, or a function of letters, of which nothing was asserted before."""
+    if not formula.relations or formula.relations[0] not in EQUALITIES:
+        return None
+    relation = formula.relations[0]
+    left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
+    symbol, parameters = defined_by(left)
+    if not symbol or memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
+        return None
+    if memory.is_of_one_index(formula) or memory.beside.exchanged or (symbol == r"\pi" and not symbols_in(right)):
+        return None
+    explicit = explicit or relation in (":=", "=:") or memory.is_named(statement, memory.given.definitions)
+    table = is_table(symbol, right, memory.vocabulary)
+    if (
+        memory.beside.is_denied
+        or (memory.beside.is_conditional and not (explicit or table))
+        or (not explicit and is_one_value(parameters, right))
+    ):
+        return None
+    late = late or explicit or memory.introduced or table
+    used = memory.asserted.get(symbol, statement.display.place) != statement.display.place and not late
+    again = symbol in memory.vocabulary.definitions and relation not in (":=", "=:")
+    if used or again or is_circular(symbol, right, memory.vocabulary):
+        return None
+    if not explicit and derivatives_in((left,), memory.vocabulary, memory.survey.occurring):
+        return None
+    given = symbol, parameters, right, where_of(statement), statement.display.part
+    words, place = beside(statement, "").words, statement.display.place
+    made = Definition(*given, explicit, not statement.condition, place=place, words=words, context=memory.context)
+    return replace(made, usable=made.usable and computes(made, memory.vocabulary))
+
+
+def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> bool:
+    """Whether a relation of a chain says what its left side is, so that there is nothing to check.
+
+    So does one that names the entries of a matrix: ``x = (q, u) = (a, b, c, d)``, and one that puts numbers in.
+    """
+    left, right = formula.sides[index], formula.sides[index + 1]
+    others = [left] if index > 0 else _said_of(memory, left) if not symbols_in(right) else []
+    first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *memory.asserted})
+    return (
+        (index == 0 and introduces(memory, statement, formula))
+        or (index > 0 and right.data == "matrix" and _are_new(memory, introduced_by(right), left, statement))
+        or (first and _gives(memory, statement, left, right))
+        or any(_is_instance(memory, each, right) for each in others)
+    )
+
+
+def _are_new(memory: Memory, symbols: frozenset[str], other: Formula, statement: Statement) -> bool:
+    """Whether nothing was said of letters before, and the other side does not have them."""
+    before = {*memory.vocabulary.definitions, *memory.given.whole.symbols}
+    before |= {symbol for symbol, since in memory.asserted.items() if since != statement.display.place}
+    return bool(symbols) and not symbols & before.union(symbols_in(other))
+
+
+def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
+    """Whether an equation says what something is of which nothing was said before, though perhaps in a case."""
+    left, right = formula.sides[:2] if formula.relations[0] != "=:" else formula.sides[1::-1]
+    if memory.beside.is_rejected or memory.beside.exchanged or memory.is_named(statement, memory.given.statements):
+        return False
+    if formula.relations[0] in (":=", "=:"):
+        return True
+    parameters = defined_by(left)[1]
+    values = [str(each.children[0]) for each in left.iter_subtrees() if each.data == "call"]
+    value = not defined_by(right)[0] and (bool(parameters) or all(map(memory.survey.has_one_argument, values)))
+    everywhere = not values or (bool(parameters) and not is_one_value(parameters, right))
+    return (
+        _are_new(memory, introduced_by(left), right, statement)
+        and (everywhere or value)
+        and bool(symbols_in(right))
+        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
+        and not memory.beside.is_condition
+    )
+
+
+def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+    """Whether an equation is the first one of its section that gives its letter, though the letter was used before.
+
+    It may not be a condition, or hold but roughly.  Where an equation near it may give the letter as well, its
+    sentence must say that it is introduced.
+    """
+    if memory.beside.is_rejected or memory.beside.exchanged:
+        return False
+    if is_indexed_above(left):
+        above = any(left in (each.left, each.right) and each.part == statement.display.part for each in memory.premises)
+        return not (above or memory.beside.case_of_sentence or left in right.iter_subtrees() or not symbols_in(right))
+    square = left.data == "power" and not symbols_in(left.children[1])  # type: ignore[arg-type]  # two trees
+    base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
+    symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
+    part = statement.display.part
+    if not symbol or not (symbols_in(right) or memory.survey.is_parameter(statement)):
+        return False
+    if is_one_value(parameters, right) and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol)):
+        return False
+    if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
+        return False
+    known = memory.vocabulary.definitions.get(symbol)
+    if memory.beside.case_of_sentence or (square and symbol in memory.asserted):
+        return False
+    if memory.beside.defines:
+        return not is_circular(symbol, right, memory.vocabulary)
+    if derivatives_in((left,), memory.vocabulary, memory.survey.occurring):
+        return False
+    near = neighbours(memory.premises, part, memory.cited)
+    tied = any(each.gives is None and symbol in each.symbols for each in near) or memory.open.get(symbol) == part
+    here = (known is not None and known.part == part) or memory.alone.get(given_by(base)) == part
+    anew = not (memory.beside.follows or memory.cited) and (memory.beside.names or memory.beside.renews)
+    return not (
+        (tied and not memory.beside.names) or (here and not anew) or is_circular(symbol, right, memory.vocabulary)
+    )
+
+
+def _said_of(memory: Memory, left: Formula) -> list[Formula]:
+    """Return what equations above give as a letter."""
+    symbol, parameters = defined_by(left)
+    known = memory.vocabulary.definitions.get(symbol)
+    pairs = [pair for each in memory.serving for pair in ((each.left, each.right), (each.right, each.left))]
+    given = [known.tree] if known and not (known.parameters or parameters) else []
+    return given + [other for one, other in pairs if symbol and one == left]
+
+
+def _is_instance(memory: Memory, left: Formula, right: Formula) -> bool:
+    """Whether numbers are put in for letters that have no value: the equation gives them, in this case."""
+    given = numbers_put_in(left, right)
+    return bool(given) and not any(
+        known.usable and not memory.vocabulary.letters_of(known.tree)
+        for symbol in given
+        if (known := memory.vocabulary.definitions.get(symbol))
+    )
+
+
+def is_only_one(memory: Memory, definition: Definition) -> bool:
+    """Whether a letter is given by letters, and by no other equation of the document."""
+    ties = memory.survey.dependence.ties
+    return bool(definition.symbols) and sum(tie.given == definition.symbol for tie in ties) == 1

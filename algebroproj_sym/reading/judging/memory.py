@@ -1,0 +1,261 @@
+"""What a document has said up to an equation: definitions, premises, and the words beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from algebroproj_sym.reading.defining.citing import apart_in, cited_in
+from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
+from algebroproj_sym.reading.defining.dependence import letters_of_symbol
+from algebroproj_sym.reading.defining.premises import (
+    MOST_PREMISES,
+    Premise,
+    extended,
+)
+from algebroproj_sym.reading.defining.recognising import (
+    EQUALITIES,
+    argument_of,
+    computes,
+    defined_by,
+    differ_in_one_letter,
+    given_by,
+    is_circular,
+    is_named,
+    is_one_value,
+    is_update,
+)
+from algebroproj_sym.reading.defining.survey import Survey
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.judging.deciding import agree
+from algebroproj_sym.reading.judging.scopes import Scopes
+from algebroproj_sym.reading.judging.words import (
+    Beside,
+    beside,
+    has_ended,
+    last_sentence,
+    takes_back,
+    words_of,
+)
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+
+
+class Memory:
+    """What was said so far, and what of it still holds."""
+
+    def __init__(self, survey: Survey) -> None:
+        self.survey = survey
+        self.given = survey.given
+        self.vocabulary = survey.vocabulary()
+        self.asserted: dict[str, int] = {}
+        self.premises: list[Premise] = []
+        self.alone: dict[str, int] = {}
+        self.given_at: dict[str, int] = {}
+        self.open: dict[str, int] = {}
+        self.introduced = False
+        self.context = ANYWHERE
+        self.scopes = Scopes()
+        self.supposed = set[int]()
+        self.part = 0
+        self.beside = Beside("", "", "", "", False, 0, 0, True)
+        self.display: Display | None = None
+        self.carried = ""
+        self.ended = True
+
+    def leave(self, display: Display) -> None:
+        """Forget what a quotation or an example says where it ends, and what a theorem supposes."""
+        self.scopes, ended, supposed = self.scopes.at(display)
+        for start in ended:
+            self._retract_from(start)
+        for start in supposed:
+            self._retract({each for each in self.supposed if each >= start})
+
+    def _retract_from(self, place: int) -> None:
+        later = {each.place for each in self.premises if each.place >= place}
+        self._retract(later.union(each.place for each in self.vocabulary.definitions.values() if each.place >= place))
+
+    def listen(self, statement: Statement) -> None:
+        """Take in the words beside a statement."""
+        display = statement.display
+        if display is not self.display:
+            self.leave(display)
+        same_part = self.beside.part == display.part
+        if display is not self.display:
+            if self.display is not None and takes_back(display.before):
+                self._retract({self.display.place})
+            self.carried = "" if self.ended or not same_part else self.beside.sentence
+        self.display = display
+        self.beside = beside(statement, self.carried)
+        if self.beside.supposes:
+            self.supposed.add(display.place)
+        self.stand_at(display)
+        marked = {each for each in self.survey.occurring for mark in self.beside.dropped if mark in each}
+        for symbol in self.beside.changed | marked:
+            self.forget(symbol)
+        if words_of(display.before):
+            self.introduced = self.beside.introduces
+        self.ended = has_ended(display)
+
+    def _retract(self, places: Collection[int]) -> None:
+        """Forget what displays said."""
+        self.premises = [each for each in self.premises if each.place not in places]
+        self._drop([each.symbol for each in self.vocabulary.definitions.values() if each.place in places])
+
+    def forget(self, symbol: str) -> None:
+        """Forget what was said of a letter, and with it."""
+        self.premises = [each for each in self.premises if symbol not in each.symbols]
+        self._drop(
+            each.symbol for each in self.vocabulary.definitions.values() if symbol in (each.symbol, *each.symbols)
+        )
+
+    def _drop(self, symbols: Iterable[str]) -> None:
+        for symbol in [*symbols]:
+            if symbol in self.vocabulary.definitions:
+                self.vocabulary.drop(symbol)
+
+    def stand_at(self, display: Display) -> None:
+        """Take in where an equation holds: what one before it says goes on, up to the next heading."""
+        behind = display.after if display.environment == "inline" else ""
+        own = context_of(last_sentence(display.before), behind)
+        self.context = own if own.kind or self.part != display.part else self.context
+        self.part = display.part
+
+    def is_named(self, statement: Statement, names: frozenset[str]) -> bool:
+        """Whether a statement is one of those that the symbols file names."""
+        return bool(names & {statement.number, statement.label, str(statement.display.where), "all"} - {""})
+
+    def note(self, statement: Statement, formula: Parsed) -> None:
+        """Take notice of the letters of a statement, and of those that are alone on a side."""
+        for side in formula.sides:
+            if formula.relations:
+                self.given_at[defined_by(side)[0]] = statement.display.place
+            for symbol in symbols_in(side):
+                self.asserted.setdefault(symbol, statement.display.place)
+
+    def renew(self, statement: Statement, formula: Parsed) -> None:
+        """Forget what a letter was in another section or context, and what rests on it, where one gives it anew.
+
+        It does if words say so, or if its value is another one of the same letters; one of other letters may be equal.
+        The letter stands for the new value from there on, unless words speak of a case.
+        """
+        if not formula.relations or formula.relations[0] not in EQUALITIES:
+            return
+        left, value, part = formula.sides[0], formula.sides[1], statement.display.part
+        symbol, parameters = defined_by(left)
+        known = self.vocabulary.definitions.get(symbol)
+        before = known.part if known else self.alone.get(given_by(left), part)
+        if not given_by(left) or self.is_named(statement, self.given.statements):
+            return
+        elsewhere = known is not None and (
+            self.context.excludes(known.context) or (known.part == part and bool(self.beside.strange(known.words)))
+        )
+        if before == part and not (known and self.beside.defines) and not elsewhere:
+            return
+        older, recent = self.premises[:-MOST_PREMISES], self.premises[-MOST_PREMISES:]
+        told = extended(self.vocabulary, [each.gives for each in recent if each.gives and each.gives.symbol == symbol])
+        others = [
+            two for each in recent for one, two in ((each.left, each.right), (each.right, each.left)) if one == left
+        ]
+        letters = told.letters_of(left).union(*map(told.letters_of, others if is_named(left) else []))
+        theirs = self.vocabulary.letters_of(value)
+        if not (self.beside.renews or elsewhere or letters <= theirs or theirs <= letters):
+            return
+        if not is_named(left) and (is_one_value(parameters, value) or agree(told, (left, value))):
+            return
+        self.premises = older + [
+            each
+            for each in recent
+            if (each.part == part and before != part)
+            or not (left in (each.left, each.right) if is_named(left) else symbol in each.symbols)
+        ]
+        if known is None:
+            return
+        self.vocabulary.drop(symbol)
+        if not (statement.condition or self.beside.case() or is_circular(symbol, value, self.vocabulary)):
+            where, words = where_of(statement), self.beside.words
+            given = symbol, parameters, value, where, part, False
+            made = Definition(*given, place=self.beside.place, words=words, context=self.context)
+            self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
+
+    def restate(self, formula: Parsed) -> None:
+        """Take notice that a letter with a definition is given within the text, and otherwise."""
+        for side in formula.sides:
+            known = self.vocabulary.definitions.get(defined_by(side)[0])
+            if known is not None and known.tree not in formula.sides and formula.relations[0] in EQUALITIES:
+                self.vocabulary.define(replace(known, role="case"))
+
+    def is_of_one_index(self, formula: Parsed) -> bool:
+        """Whether an equation with an index holds for one value of it, which the words give."""
+        symbols = (symbol for side in formula.sides for symbol in symbols_in(side))
+        return bool(self.context.fixed) and any(self.context.fixed in letters_of_symbol(each) for each in symbols)
+
+    def take(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
+        """Keep an equation as a premise of what stands behind it."""
+        if len(formula.relations) > 1 and formula.relations[-1] == "∈":
+            formula = replace(formula, sides=formula.sides[:-1], relations=formula.relations[:-1])
+        if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
+            return
+        if self.beside.exchanged or not any(self.vocabulary.letters_of(each) for each in formula.sides):
+            return
+        if self.beside.is_denied or is_update(*formula.sides[:2]) or self.is_of_one_index(formula):
+            return
+        known = self.vocabulary.definitions.get(defined_by(formula.sides[0])[0])
+        if known and len(formula.sides) == 2 and differ_in_one_letter([known.tree], formula.sides[1:]):
+            return
+        for each in self.premises_of(statement, formula, formula.sides[defines:]):
+            self.premises.append(each)
+            sides = map(argument_of, (each.left, each.right))
+            self.alone |= dict.fromkeys(map(given_by, sides), statement.display.part)
+
+    def premises_of(self, statement: Statement, formula: Parsed, sides: Sequence[Formula]) -> list[Premise]:
+        """Return the equations between sides of a statement: of those next to each other, and of the first and last."""
+        pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
+        names = frozenset((statement.number, statement.label)) - {""}
+        display, special, words = statement.display, bool(self.beside.case()), self.beside.words
+        given = where_of(statement), display.part, display.place, names, special, words
+        chained = len(formula.sides) > 2
+        return [Premise(left, right, *given, chained=chained, context=self.context) for left, right in pairs]
+
+    def forget_elsewhere(self, vocabulary: Vocabulary) -> None:
+        """Drop the definitions that belong to another context, but for those that words cite."""
+        names = tuple(f"({name})" for name in self.cited)
+        apart = tuple(f"({name})" for name in self.apart)
+        for known in [*vocabulary.definitions.values()]:
+            elsewhere = self.context.excludes(known.context) and not known.where.startswith(names)
+            elsewhere = elsewhere or (bool(apart) and known.where.startswith(apart))
+            if elsewhere and known.symbol in vocabulary.definitions:
+                vocabulary.drop(known.symbol)
+
+    @property
+    def cited(self) -> frozenset[str]:
+        """The labels and numbers of the equations that words before the display name."""
+        return cited_in(self.display.before) if self.display is not None else frozenset()
+
+    @property
+    def apart(self) -> frozenset[str]:
+        """Likewise of those of which the words say that it is not so here."""
+        return apart_in(self.display.before) if self.display is not None else frozenset()
+
+    @property
+    def serving(self) -> list[Premise]:
+        """The premises that do not belong to another context, and those that words cite."""
+        cited = self.cited
+        changed = self.beside.exchanged
+        premises = (each for each in self.premises if not (changed & each.symbols or self.apart & each.names))
+        return [each for each in premises if each.names & cited or not self.context.excludes(each.context)]
+
+    @property
+    def exchanged(self) -> list[str]:
+        """The letters with a definition that rests on what is exchanged in the sentence."""
+        known = self.vocabulary.definitions.values()
+        return [each.symbol for each in known if self.beside.exchanged & {each.symbol, *each.symbols}]
+
+
+def where_of(statement: Statement) -> str:
+    """Return the number, or the label, and the line of a statement."""
+    number = statement.number or statement.label
+    where = str(statement.display.where)
+    return f"({number}), {where}" if number else where

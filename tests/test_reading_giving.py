@@ -45,6 +45,10 @@ def verdicts(latex):
         r"Let $\Pi$ be the Exner function. \[ \theta = \frac{T}{\Pi} \]",
         r"The state is \[ \mathbf{x} = \begin{bmatrix} \mathbf{q} \\ \mathbf{u} \end{bmatrix} "
         r"= \begin{bmatrix} a \\ b \\ c \\ d \end{bmatrix}. \]",
+        r"The map is \[ T \left( \begin{bmatrix} v_1 \\ v_2 \end{bmatrix} \right) "
+        r"= \begin{bmatrix} 2 v_1 \\ 0 \\ v_2 \end{bmatrix}. \]",
+        r"\[ A = \begin{bmatrix} 1 & 0 \\ 2 & 1 \end{bmatrix} \] " + NEXT + r"Let "
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 2 & 3 \end{bmatrix} \]",
         r"The simplest model would be \[ b = f + g. \]",
         BEFORE + r"\[ \mathbf{v} = \begin{pmatrix} b \\ c \end{pmatrix} \in \mathbb{R}^2 \]",
         r"The operators $A$ and $B$ do not commute. One step is \[ s = e^{A h} e^{B h} u. \]",

@@ -104,7 +104,7 @@ _ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order-?(?:terms)?|noise|etc\.?")
 """Names that stand for another thing each time."""
 _ORDER = re.compile(
-    r"(?<![a-zA-Z\\])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\("
+    r"(?<![a-zA-Z\\_])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\("
     r"|\\(?:Theta|Omega)\s*(?:\\left\s*)?\((?=\s*(?:[nN]\b|\\log))"
 )
 _DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")

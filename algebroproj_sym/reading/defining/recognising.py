@@ -12,7 +12,7 @@ from algebroproj_sym.reading.defining.dependence import letters_in
 from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 _RANDOM = re.compile(r"[XYZ](?:_.*)?")
@@ -42,7 +42,8 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
 def introduced_by(tree: Formula) -> frozenset[str]:
     r"""Return the letters that a left side may introduce; empty if it is none that does.
 
-    ``W(e^{it})``, ``x^T`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.
+    ``W(e^{it})``, ``x^T`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.  So does T, of a
+    column in brackets.
     """
     tree = argument_of(tree)
     if symbol := defined_by(tree)[0]:
@@ -52,6 +53,9 @@ def introduced_by(tree: Formula) -> frozenset[str]:
     if tree.data == "matrix":
         entries = [introduced_by(part) for cell in tree.find_data("cell") for part in cell.children]  # type: ignore[arg-type]
         return frozenset().union(*entries) if all(entries) else frozenset()
+    is_map = tree.data == "run" and [each.data for each in trees_in(tree)] == ["symbol", "bracket"]
+    if is_map and (columns := [*tree.find_data("matrix")]) and all(map(introduced_by, columns)):
+        return introduced_by(trees_in(tree)[0])
     return introduced_by(tree.children[0]) if tree.data == "marked" else frozenset()  # type: ignore[arg-type]
 
 

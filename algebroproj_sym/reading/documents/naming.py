@@ -16,6 +16,8 @@ _LETTER = re.compile("[a-zA-Z]")
 _FILLERS = ("noise", "const", "pH", "pK")
 _WORD = re.compile(r"(?<![\\\w])[A-Za-z]{3,}(?!\w)")
 _SAYS_ITSELF = re.compile(r"[A-Z]{3,}|[a-z]{4,}")
+_WITH_MORE = re.compile(r"[A-Z][a-z]{2,}\([^()=]*\)|([A-Z])\1_\{[^{}]*(?:\{[^{}]*\})?\}|[A-Z]{3,}_(?:\w|\{[^{}]*\})")
+"""Names with an argument or a subscript, as in Mean(x) and SS_{total}."""
 _TAKES = frozenset((*UPRIGHT, *STYLES, r"\text", r"\label", r"\tag", r"\ref", r"\begin", r"\end", "_", "^"))
 """What stands before letters that are a name already."""
 
@@ -65,8 +67,11 @@ def _alone_on_the_left(pieces: Sequence[Piece]) -> str:
     end = next((place for place, piece in enumerate(pieces) if piece.text in RELATIONS), 0)
     left = [piece for piece in pieces[:end] if not piece.text.isspace() and piece.text != "&"]
     run = next((run for run, *_ in _runs(pieces[:end])), "")
-    if not run or run != "".join(piece.text for piece in left):
+    text = "".join(piece.text for piece in left)
+    if not run or not text.startswith(run):
         return ""
+    if run != text:
+        return run if _WITH_MORE.fullmatch(text) else ""
     return run if run in _SHORT or _SAYS_ITSELF.fullmatch(run) else ""
 
 

@@ -386,6 +386,8 @@ def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> boo
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
     if following in RELATIONS and not _without_idle(before) and _names(words):
         return True
+    if following == "_" and words.isalpha():
+        return True
     goes_on = following in ("+", "-", "/", r"\cdot", r"\times") or following in RELATIONS
     return goes_on and any(not piece.text.isspace() for piece in before) and words not in _BETWEEN
 

@@ -123,7 +123,7 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
     symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
     part = statement.display.part
-    if not symbol or not (symbols_in(right) or memory.survey.is_parameter(statement)):
+    if not symbol or not (symbols_in(right) or right.data == "matrix" or memory.survey.is_parameter(statement)):
         return False
     if is_one_value(parameters, right) and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol)):
         return False
@@ -138,11 +138,10 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
         return False
     near = neighbours(memory.premises, part, memory.cited)
     tied = any(each.gives is None and symbol in each.symbols for each in near) or memory.open.get(symbol) == part
+    told = memory.beside.names or memory.introduced
     here = (known is not None and known.part == part) or memory.alone.get(given_by(base)) == part
     anew = not (memory.beside.follows or memory.cited) and (memory.beside.names or memory.beside.renews)
-    return not (
-        (tied and not memory.beside.names) or (here and not anew) or is_circular(symbol, right, memory.vocabulary)
-    )
+    return not ((tied and not told) or (here and not anew) or is_circular(symbol, right, memory.vocabulary))
 
 
 def _said_of(memory: Memory, left: Formula) -> list[Formula]:

@@ -56,7 +56,7 @@ def read(latex, **options):
         (r"T^{n+1,k} = \zeta_0^{\ell,0} + U^{\ast\ast}", ["T_nplus1_k = zeta_0_ell0 + U_astast"]),
         (r"Mean(x) = a + SS_{\text{Total}}", ["Mean(x) = a + S*S_Total"]),
         (r"SS_{\text{Total}} = a", ["SS_Total = a"]),
-        (r"AA^T = C", ["A*(A).T = C"]),
+        (r"AA^T = C", ["A*A.T = C"]),
         (r"\text{start}_{j} + \text{due}_{j} = c", ["start_j + due_j = c"]),
         (r"V = A^{k^\prime}", ["V = Ap**k"]),
         (r"a = \\ = b == c", ["a = b = c"]),

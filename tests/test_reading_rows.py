@@ -43,3 +43,23 @@ def test_it_follows(latex: str) -> None:
 )
 def test_it_does_not_follow(latex: str) -> None:
     assert last_verdict(latex) != "follows"
+
+
+TWO = r"x = a & t = 0 \\ y = b & t = 1"
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (rf"\[ \begin{{cases}} {TWO} \end{{cases}} \] Hence \[ a t = 0. \]", False),
+        (rf"\[ \begin{{cases}} {TWO} \end{{cases}} \] Hence \[ x + y = a + b. \]", False),
+        (rf"\[ \left\{{ \begin{{array}}{{ll}} {TWO} \end{{array}} \right. \] Hence \[ a t = 0. \]", False),
+        (rf"\[ \left\{{ \begin{{matrix}} {TWO} \end{{matrix}} \right. \] Hence \[ a t = 0. \]", False),
+        (r"\[ \begin{matrix} x = a & t = 0 \\ x = b & t = 1 \end{matrix} \] Hence \[ x - a = 0. \]", False),
+        (r"\[ \begin{matrix} x = a & \text{if } t = 0 \\ y = b & u = 1 \end{matrix} \] Hence \[ x - a = 0. \]", False),
+        (r"\[ \begin{cases} x &= a t \\ y &= b + c \end{cases} \] Hence \[ x + y = a t + b + c. \]", True),
+        (r"\[ \begin{matrix} x = a & y = b \\ u = c & v = d \end{matrix} \] Hence \[ x + v = a + d. \]", True),
+    ],
+)
+def test_what_stands_in_the_second_column_of_cases_is_a_condition(latex: str, follows: bool) -> None:
+    assert (last_verdict(latex) == "follows") == follows

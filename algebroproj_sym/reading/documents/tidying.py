@@ -334,21 +334,41 @@ def _system(pieces: list[Piece]) -> list[Piece]:
     rows = [row for row in split_pieces(inside, (r"\\",), brackets=False) if not _says_nothing(row)]
     if match[1] == "matrix":
         cells = [cell for row in rows for cell in split_pieces(row, ("&",)) if not _says_nothing(cell)]
-        each_one = bool(cells) and all(any(piece.text in RELATIONS for piece in cell) for cell in cells)
+        left = {"".join(piece.text for piece in split_pieces(cell, ("=",))[0] if piece.text.strip()) for cell in cells}
+        each_one = len(left) == len(cells) and all(
+            any(x.text == "=" for x in cell) and _is_bare(cell) for cell in cells
+        )
         parted = [_as(each, r"\\") if each.text == "&" else each for each in inside]
-        return [*pieces[:place], *parted, *behind] if each_one else pieces
+        return [*pieces[:place], *parted, *behind] if cells and each_one else pieces
     columns = rows if match[1] == "array" else map(_first_column, rows)
     equations = [any(piece.text in RELATIONS for piece in outside_environments(each)) for each in columns]
     alone = equations and (any if match[1] == "array" else all)(equations)
     end = [_as(behind[0], r"\\")] if goes_on else []
-    return [*pieces[:place], *inside, *end, *behind] if alone else pieces
+    told = [piece for row in rows for piece in (*_with_condition(row), _as(row[0], r"\\"))][:-1]
+    return [*pieces[:place], *told, *end, *behind] if alone else pieces
 
 
 def _first_column(row: Sequence[Piece]) -> list[Piece]:
-    """Return what stands before the first mark of alignment; the whole row if a lone relation follows it."""
+    """Return what stands before the first mark of alignment; the whole row if a relation follows it."""
     first, *others = split_pieces(row, ("&",))
-    lone = others and "".join(piece.text for piece in others[0]).strip() in RELATIONS
-    return list(row) if lone else first
+    begins = bool(others) and next((each.text for each in others[0] if each.text.strip()), "") in RELATIONS
+    return list(row) if begins else first
+
+
+def _with_condition(row: Sequence[Piece]) -> list[Piece]:
+    """Return a row in which a relation in its second column is a condition of the one in the first, and no factor."""
+    first, *others = split_pieces(row, ("&",))
+    has = [any(each.text in RELATIONS for each in outside_environments(cell)) for cell in (first, *others)]
+    last = next((each.text for each in reversed(first) if each.text.strip()), "")
+    begins = [next((each.text for each in cell if each.text.strip()), "") in RELATIONS for cell in others]
+    if len(others) == 1 and all(has) and not begins[0] and last not in RELATIONS and _is_bare(others[0]):
+        return [*first, *(_as(first[-1], text) for text in (r"\quad", r"\text", "{", *"if", "}")), *others[0]]
+    return list(row)
+
+
+def _is_bare(cell: Sequence[Piece]) -> bool:
+    """Whether there are no words in it."""
+    return not any(each.text in _BOXES for each in cell)
 
 
 def _says_nothing(pieces: Sequence[Piece]) -> bool:

@@ -174,6 +174,14 @@ DOCUMENTS = {
         r"We use the summation convention. \[ s = a_{ii} b \] Let \[ a_{ij} = c_i d_j. \] Hence \[ s = c_i d_i b. \]",
         True,
     ),
+    "a bracket under the summation convention": (
+        r"We use the summation convention. \[ s = a_i (b_i + c) \] Hence \[ \frac{s}{a_i} = b_i + c. \]",
+        True,
+    ),
+    "a root under the summation convention": (
+        r"We use the summation convention. \[ s = a_i^2 \] Hence \[ s - a_1^2 = a_i^2 - a_1^2. \]",
+        True,
+    ),
     "a square under a silent sum": (
         r"Repeated indices are summed. \[ s = a_i b_i \] Hence \[ s^2 = a_i a_i b_i b_i. \]",
         True,

@@ -17,7 +17,7 @@ from algebroproj_sym.reading.defining.phrases import called, symbols_in_list
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
 VARIES = "is another number each time"
 _SIGNS = (
@@ -282,7 +282,8 @@ class Meanings:
                 return f"{symbol} {self._letters[symbol]}"
             if symbol.startswith(r"\hat{") and self._has_operators:
                 return f"{symbol} may be an operator"
-        if index := _summed_silently(formula.sides, convention=self._has_convention):
+        index = _summed_silently(formula.sides) or (_twice_in(formula.sides) if self._has_convention else "")
+        if index:
             return f"the index {index} may be summed over silently"
         return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
 
@@ -324,19 +325,30 @@ _TRANSFORM = re.compile(r"\\(?:mathcal|mathscr|mathfrak)\s*\{?\s*[A-Z]\s*\}?\s*(
 _INDEX = re.compile(r"(?<![a-zA-Z\\])(?:[i-n]|\\(?:mu|nu|rho|sigma|alpha|beta|lambda|kappa))(?![a-zA-Z])")
 
 
-def _summed_silently(sides: Sequence[Formula], *, convention: bool) -> str:
-    """Return an index that two factors of a product have, and another side has not; empty for none.
+def _twice_in(sides: Sequence[Formula]) -> str:
+    r"""Return an index that a product, a power or a letter has twice, as in ``a_i (b_i + c)`` and ``a_i^2``."""
+    for side in sides:
+        for part in side.iter_subtrees():
+            if part.data in ("run", "product", "fraction", "quotient"):
+                found = [frozenset().union(*map(_indices_of, symbols_in(each))) for each in trees_in(part)]
+            elif part.data == "power":
+                found = [_indices_of(_text(part.children[0]))] * 2
+            else:
+                found = [frozenset(letter) for letter in _scripts_of(_text(part))]
+            twice = [each for each in frozenset().union(*found) if sum(each in one for one in found) > 1]
+            if twice:
+                return min(twice)
+    return ""
 
-    Where the text has the convention of summation, two factors are enough.
-    """
+
+def _summed_silently(sides: Sequence[Formula]) -> str:
+    """Return an index that two factors of a product have, and another side has not; empty for none."""
     indices = [{each for symbol in symbols_in(side) for each in _indices_of(symbol)} for side in sides]
     for place, side in enumerate(sides):
         for product in side.find_data("run"):
             bound = {str(token) for big in side.find_data("big") for token in _INDEX.findall(str(big.children[0]))}
             factors = [_indices_of(_text(each)) for each in product.children]
             twice = {each for one in factors for each in one if sum(each in other for other in factors) == 2} - bound
-            if convention and twice:
-                return min(twice)
             twice -= _labels_in(side, product, twice)
             for other, theirs in enumerate(indices):
                 if other != place and (free := theirs) and (lone := twice - theirs) and free & indices[place]:
@@ -358,14 +370,16 @@ def _head_of(factor: object) -> str:
 
 
 def _indices_of(symbol: str) -> frozenset[str]:
+    return frozenset(_scripts_of(symbol))
+
+
+def _scripts_of(symbol: str) -> list[str]:
+    """Return the indices of a letter in their order."""
     if not symbol or " " in symbol or "/" in symbol:
-        return frozenset()
+        return []
     _, _, below, above = split_symbol(symbol)
-    return frozenset(
-        _INDEX.findall(
-            re.sub(r"(?<=[a-z])(?=[a-z])", " ", f"{below} {above}") if "\\" not in below + above else f"{below} {above}"
-        )
-    )
+    scripts = f"{below} {above}"
+    return _INDEX.findall(scripts if "\\" in below + above else re.sub(r"(?<=[a-z])(?=[a-z])", " ", scripts))
 
 
 _NAMED = re.compile(

@@ -14,6 +14,7 @@ def verdicts(text, *, latex=True):
     [
         r"\[ E = \frac{1}{2} m v^2 + m g h \] At the top, \[ v = 0 \] At the bottom, \[ h = 0 \] \[ E = 0 \]",
         r"\[ E = \frac12 m v^2 + m g h \] At the top, let $v = 0$. At the bottom, let $h = 0$. \[ E = 0 \]",
+        r"In equilibrium, the fraction is \[ q = \frac{a}{a + b}. \] In general, \[ q (a + b) = a. \]",
         r"At the wall \[ u = 0 \] Far away \[ u = U \] \[ U = 0 \]",
         r"Left boundary: \[ y = 0 \] Right boundary: \[ y + x = 1 \] \[ x = 1 \]",
         r"Model 1: \[ y = a x + b \] Model 2: \[ y = c x \] \[ a x + b = c x \]",

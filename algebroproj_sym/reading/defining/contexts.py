@@ -90,6 +90,8 @@ class Context:
         """
         if not self.kind or self.words == other.words:
             return False
+        if self.words.startswith(("in general", "generally")):
+            return bool(other.kind)
         if self.kind != other.kind:
             return other.kind == "condition"
         return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)

@@ -4,6 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_at, document_of, read_document
 from algebroproj_sym.reading.judging.deciding import NOT_DERIVED
+from algebroproj_sym.reporting.readings import reading_lines
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
@@ -105,6 +106,7 @@ def test_a_condition_and_what_holds_but_roughly_gives_no_letter(latex):
 def test_a_definition_that_is_said_to_follow_says_that_it_was_not_derived():
     found = read_document(document_of(USED + r"Hence we have \[ b = \int_0^1 k \, dx. \]"), seconds=5)
     assert (found[-1].verdict, found[-1].links[0].reason) == ("definition", NOT_DERIVED)
+    assert f"definition: {NOT_DERIVED} (line 1)" in reading_lines("a.tex", found, full=False)
 
 
 @pytest.mark.parametrize(

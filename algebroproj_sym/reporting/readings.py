@@ -76,8 +76,11 @@ def reading_lines(name: str, readings: Sequence[Reading], missing: Sequence[str]
             if each.verdict == "independent" and link is not None and link.suggestion:
                 yield f"{_heading(each)} would follow with {link.suggestion}: {link.reason}"
         for verdict in ("definition", "follows", "independent"):
-            if found := [each.where for each in readings if each.verdict == verdict]:
+            alike = [each for each in readings if each.verdict == verdict]
+            claimed = [each for each in alike if verdict == "definition" and reason_of(each)]
+            if found := [each.where for each in alike if verdict != "definition" or not reason_of(each)]:
                 yield f"{verdict}: {_some(found)}"
+            yield from _by_reason(verdict, claimed)
         for verdict in ("not decided", "not read"):
             yield from _by_reason(verdict, [each for each in readings if each.verdict == verdict])
     for file in dict.fromkeys(missing):

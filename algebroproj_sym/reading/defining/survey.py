@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
 
-from lark import Token, Tree
+from lark import Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
+from algebroproj_sym.reading.defining.labels import E, iterates_in, labels_in, lone_letter, without_above
 from algebroproj_sym.reading.defining.meanings import (
     Meanings,
     dependences,
@@ -29,12 +29,10 @@ from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.lexing.commands import MARKS
-from algebroproj_sym.reading.lexing.names import split_symbol, written
+from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
 from algebroproj_sym.reading.lexing.tokens import tokens_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, parsed, symbols_in
-
-_E = Tree("symbol", [Token("SYMBOL", "e")])
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
 
 
 @dataclass(frozen=True)
@@ -115,39 +113,11 @@ class Survey:
     @cached_property
     def labels(self) -> frozenset[str]:
         r"""The letters with a label above: ``p^h`` with one that stands nowhere else, and iterates ``x^{k+1}``."""
-        above: dict[str, set[str]] = {}
-        elsewhere = set[str]()
-        for side in _sides(self._first):
-            for power in side.find_data("power"):
-                base, exponent = power.children
-                if (
-                    isinstance(base, Tree)
-                    and base.data == "symbol"
-                    and base != _E
-                    and (label := _lone_letter(exponent))
-                ):
-                    above.setdefault(label, set()).add(str(base.children[0]))
-            elsewhere |= {*_not_raised(side)}
-        alone = {written(*_split(base), label) for label in above.keys() - elsewhere for base in above[label]}
-        return self._iterates.union(alone)
+        return labels_in(self._first_equations)
 
     @property
-    def _iterates(self) -> frozenset[str]:
-        """The letters that are given by what they were one step before, with the number of the step above them."""
-        given = set[tuple[str, str]]()
-        for formula in self._first.values():
-            if isinstance(formula, Parsed) and len(formula.sides) > 1:
-                letter, index, step = _raised(formula.sides[0])
-                within = {_raised(power)[:2] for side in formula.sides[1:] for power in side.find_data("power")}
-                alone = {symbol for side in formula.sides[1:] for symbol in _beside_steps(side)}
-                if step == "+1" and (letter, index) in within and letter not in alone:
-                    given.add((_split(letter)[0], index))
-        found = (_raised(power) for side in _sides(self._first) for power in side.find_data("power"))
-        return frozenset(
-            written(*_split(letter), index + step)
-            for letter, index, step in found
-            if (_split(letter)[0], index) in given
-        )
+    def _first_equations(self) -> list[Sides]:
+        return [each.sides for each in self._first.values() if isinstance(each, Parsed)]
 
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
@@ -215,7 +185,7 @@ class Survey:
     def meanings(self) -> Meanings:
         """What words say of letters and signs."""
         given = frozenset(tie.given for tie in self.dependence.ties)
-        iterated = frozenset(written(*_split(each), "") for each in self._iterates)
+        iterated = frozenset(map(without_above, iterates_in(self._first_equations)))
         return Meanings(self.statements, self._prose, tuple(_sides(self.formulas)), given, iterated)
 
     @cached_property
@@ -238,7 +208,7 @@ class Survey:
         trees = [tree for side in _sides(self.formulas) for tree in side.iter_subtrees()]
         names = [str(each.children[0]) for each in trees if each.data == "big"]
         raised = {symbol for each in trees if _is_exponential(each) for symbol in symbols_in(each)}
-        alone = {_lone_letter(each.children[-1]) for each in trees if each.data == "function"}
+        alone = {lone_letter(each.children[-1]) for each in trees if each.data == "function"}
         given = {tie.given for tie in self.dependence.ties if tie.others}
         indices = frozenset().union(*map(letters_in, names), *map(letters_of_symbol, self.occurring - {"i", "j"}))
         found = {each for each in ("i", "j") if each in raised or self._is_root(each)}
@@ -289,7 +259,7 @@ class Survey:
             letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
             for power in side.find_data("power"):
                 base, exponent = power.children
-                if base == _E and isinstance(exponent, Tree):
+                if base == E and isinstance(exponent, Tree):
                     powers.append(bool(symbols_in(exponent)))
         return len(powers) == letters and any(powers)
 
@@ -307,58 +277,10 @@ def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula
 
 
 def _is_exponential(tree: Formula) -> bool:
-    return tree.children[:1] == [_E] if tree.data == "power" else tree.data == "function" and tree.children[0] == "exp"
+    return tree.children[:1] == [E] if tree.data == "power" else tree.data == "function" and tree.children[0] == "exp"
 
 
 def _has_index(name: str) -> bool:
     """Whether what stands above a letter may be an index: no mark of matrices, and no inverse."""
     above = split_symbol(name)[3]
     return bool(above) and above not in MARKS and not above.startswith(("-1", "*", r"\dagger", r"\circ"))
-
-
-def _beside_steps(tree: Formula) -> Iterator[str]:
-    """Yield the symbols of a formula that have no number of a step above them."""
-    if tree.data == "symbol":
-        yield str(tree.children[0])
-    elif not (tree.data == "power" and _raised(tree)[1]):
-        for child in tree.children:
-            if isinstance(child, Tree):
-                yield from _beside_steps(child)
-
-
-def _raised(tree: Any) -> tuple[str, str, str]:
-    """Return the letter, and what stands above it: a letter, and what is added to it; empty for another formula."""
-    base, exponent = tree.children if tree.data == "power" else (tree, tree)
-    while isinstance(exponent, Tree) and exponent.data in ("group", "items") and len(exponent.children) == 1:
-        (exponent,) = exponent.children
-    if not (isinstance(base, Tree) and base.data == "symbol" and base != _E and isinstance(exponent, Tree)):
-        return "", "", ""
-    parts = exponent.children if exponent.data == "sum" else [exponent]
-    index = _lone_letter(parts[0])
-    step = "".join(str(each.children[0]) if isinstance(each, Tree) else str(each) for each in parts[1:])
-    return (str(base.children[0]), index, step) if index and len(step) in (0, 2) else ("", "", "")
-
-
-def _lone_letter(tree: Any) -> str:
-    """Return the Latin letter that an exponent is; empty if it is more or something else."""
-    while isinstance(tree, Tree) and tree.data in ("group", "items") and len(tree.children) == 1:
-        (tree,) = tree.children
-    alone = isinstance(tree, Tree) and tree.data == "symbol"
-    letter = str(tree.children[0]) if alone else ""
-    return letter if len(letter) == 1 and letter.isalpha() else ""
-
-
-def _not_raised(tree: Any) -> Iterator[str]:
-    """Yield the letters of a tree that are no whole exponent."""
-    if isinstance(tree, Token):
-        yield from re.findall(r"(?<![\\a-zA-Z])[a-zA-Z](?![a-zA-Z])", str(tree))
-    elif tree.data == "power" and _lone_letter(tree.children[1]):
-        yield from _not_raised(tree.children[0])
-    else:
-        for child in tree.children:
-            yield from _not_raised(child)
-
-
-def _split(symbol: str) -> tuple[str, int, str]:
-    letter, primes, below, _ = split_symbol(symbol)
-    return letter, primes, below

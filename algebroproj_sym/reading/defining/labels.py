@@ -1,0 +1,139 @@
+r"""What stands above a letter and is no power: a label, as in ``p^h``, and the number of a step, as in ``x^{k+1}``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.lexing.names import split_symbol, written
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides
+
+E = Tree("symbol", [Token("SYMBOL", "e")])
+
+
+class _Raised(NamedTuple):
+    """A letter, and what stands above it: another letter, and what is added to that one."""
+
+    symbol: str
+    counter: str
+    step: str
+
+    @property
+    def letter(self) -> str:
+        return split_symbol(self.symbol)[0]
+
+
+def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
+    """Return the letters with a label that stands nowhere but above letters, and those with the number of a step."""
+    above: dict[str, set[str]] = {}
+    elsewhere = set[str]()
+    for side in _every(equations):
+        for power in side.find_data("power"):
+            base, exponent = power.children
+            if isinstance(base, Tree) and base.data == "symbol" and base != E and (label := lone_letter(exponent)):
+                above.setdefault(label, set()).add(str(base.children[0]))
+        elsewhere |= {*_not_raised(side)}
+    alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
+    return iterates_in(equations).union(alone)
+
+
+def iterates_in(equations: Sequence[Sides]) -> frozenset[str]:
+    r"""Return the letters with the number of a step above them.
+
+    One equation gives such a letter by what it was one step before: ``x^{k+1} = x^k - g``.  In an equation with one, a
+    letter that stands nowhere without a number is counted by the same steps.  A ``t`` above a vector counts steps if
+    ``t + 1`` stands above it in the same equation; else it is the sign of a transposed one.
+    """
+    given = {(each.letter, each.counter) for sides in equations for each in _given_by_steps(sides)}
+    raised = [[each for side in sides for each in _raised_in(side)] for sides in equations]
+    counted = {each[:2] for found in raised for each in found if (each.letter, each.counter) in given}
+    without = {symbol for side in _every(equations) for symbol in _beside_steps(side)} if counted else set()
+    size = -1
+    while size < len(counted):
+        size = len(counted)
+        for found in raised:
+            counters = {each.counter for each in found if each[:2] in counted}
+            counted |= {each[:2] for each in found if each.counter in counters and each.symbol not in without}
+    return frozenset(
+        _with_above(each.symbol, each.counter + each.step) for found in raised for each in found if each[:2] in counted
+    )
+
+
+def _given_by_steps(sides: Sides) -> Iterator[_Raised]:
+    left, *others = sides
+    given, within = _raised(left), [each for side in others for each in _raised_in(side)]
+    alone = {symbol for side in others for symbol in _beside_steps(side)}
+    if given.step == "+1" and given[:2] in {each[:2] for each in within} and given.symbol not in alone:
+        yield given
+    times = [each for each in (*_raised_in(left), *within) if each.counter == "t" and r"\mathbf" in each.symbol]
+    alone |= {*_beside_steps(left)}
+    for each in times:
+        if each.step and each.symbol not in alone and any(each[:2] == one[:2] and not one.step for one in times):
+            yield each
+
+
+def _every(equations: Sequence[Sides]) -> Iterator[Formula]:
+    return (side for sides in equations for side in sides)
+
+
+def without_above(symbol: str) -> str:
+    """Return a symbol without what stands above it."""
+    return _with_above(symbol, "")
+
+
+def _with_above(symbol: str, label: str) -> str:
+    letter, primes, below, _ = split_symbol(symbol)
+    return written(letter, primes, below, label)
+
+
+def _raised_in(tree: Formula) -> Iterator[_Raised]:
+    found = (_raised(each) for each in tree.iter_subtrees() if each.data in ("power", "marked"))
+    return (each for each in found if each.counter)
+
+
+def _raised(tree: Any) -> _Raised:
+    """Return a letter with what stands above it; empty for another formula."""
+    base, exponent = tree.children if tree.data in ("power", "marked") else (tree, tree)
+    while isinstance(exponent, Tree) and exponent.data in ("group", "items") and len(exponent.children) == 1:
+        (exponent,) = exponent.children
+    if not (isinstance(base, Tree) and base.data == "symbol" and base != E):
+        return _Raised("", "", "")
+    if not isinstance(exponent, Tree):
+        return _Raised(str(base.children[0]), "t" if exponent == "T" else "", "")
+    parts = exponent.children if exponent.data == "sum" else [exponent]
+    counter = lone_letter(parts[0])
+    step = "".join(str(each.children[0]) if isinstance(each, Tree) else str(each) for each in parts[1:])
+    return _Raised(str(base.children[0]), counter if len(parts) in (1, 3) else "", step.replace(" ", ""))
+
+
+def _beside_steps(tree: Formula) -> Iterator[str]:
+    """Yield the symbols of a formula that have no number of a step above them."""
+    if tree.data == "symbol":
+        yield str(tree.children[0])
+    elif not (tree.data in ("power", "marked") and _raised(tree).counter):
+        for child in tree.children:
+            if isinstance(child, Tree):
+                yield from _beside_steps(child)
+
+
+def lone_letter(tree: Any) -> str:
+    """Return the Latin letter that an exponent is; empty if it is more or something else."""
+    while isinstance(tree, Tree) and tree.data in ("group", "items") and len(tree.children) == 1:
+        (tree,) = tree.children
+    alone = isinstance(tree, Tree) and tree.data == "symbol"
+    letter = str(tree.children[0]) if alone else ""
+    return letter if len(letter) == 1 and letter.isalpha() else ""
+
+
+def _not_raised(tree: Any) -> Iterator[str]:
+    """Yield the letters of a tree that are no whole exponent."""
+    if isinstance(tree, Token):
+        yield from re.findall(r"(?<![\\a-zA-Z])[a-zA-Z](?![a-zA-Z])", str(tree))
+    elif tree.data == "power" and lone_letter(tree.children[1]):
+        yield from _not_raised(tree.children[0])
+    else:
+        for child in tree.children:
+            yield from _not_raised(child)

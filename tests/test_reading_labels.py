@@ -1,0 +1,54 @@
+"""What stands above a letter: the number of a step, a power, or the sign of a transposed matrix."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+MOTION = (
+    r"\[ \mathbf{q}^{t+1} = \mathbf{q}^t + \Delta t \dot{\mathbf{q}}^{t+1} \] "
+    r"\[ M \dot{\mathbf{q}}^{t+1} = M \dot{\mathbf{q}}^t + \Delta t \mathbf{f}^{t+1} \] "
+)
+STEP = r"\[ u^{n+1} = u^n + h f^n \] "
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (MOTION + r"\[ M (\mathbf{q}^{t+1} - \mathbf{q}^t) = \Delta t M \dot{\mathbf{q}}^{t+1} \]", True),
+        (MOTION + r"\[ M (\mathbf{q}^{t+1} - \mathbf{q}^t) = \Delta t M \dot{\mathbf{q}}^t \]", False),
+        (
+            r"\[ \dot{\mathbf{p}}^t_i = \frac{\mathbf{p}^t_i - \mathbf{p}^{t-\Delta t}_i}{\Delta t} \] "
+            r"\[ \mathbf{p}^t_i = \mathbf{p}^{t-\Delta t}_i + \Delta t \dot{\mathbf{p}}^t_i \]",
+            True,
+        ),
+        (
+            r"\[ \theta^{t+1} = \theta^t - \eta v^t \] \[ v^t = \beta g^t + c \] "
+            r"\[ \theta^{t+1} = \theta^t - \eta (\beta g^t + c) \]",
+            True,
+        ),
+        (STEP + r"\[ f^n = -u^n \] \[ u^{n+1} = (1 - h) u^n \]", True),
+        (STEP + r"\[ f = -u \] Hence \[ u^{n+1} = (1 - h) u^n. \]", False),
+        (STEP + r"\[ f^n = -u^n \] Hence \[ f^2 = (u^2)^2. \]", False),
+        (r"\[ x^{k+1} = x^k + h \] \[ x_k = 2 \] Hence \[ x^{k+1} = 2 + h. \]", False),
+        (r"\[ p = x^{n+1} + x^n \] \[ p = x^n (1 + x) \]", True),
+        (r"\[ U = \beta^t u + \beta^{t+1} v \] Hence \[ U = \beta^t u + \beta v. \]", False),
+        (r"\[ \mathbf{x}^{t+1} = \mathbf{x}^t + \mathbf{d} \] \[ y^t z = a \] Hence \[ z y^t = a. \]", False),
+        (r"\[ \mathbf{s} = A^t \mathbf{v} \] \[ \mathbf{s}^t = \mathbf{v}^t A \]", True),
+    ],
+)
+def test_a_number_of_a_step_is_no_power(latex: str, follows: bool) -> None:
+    assert (read_document(document_of(latex))[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "read"),
+    [
+        (r"\[ \mathbf{q}^{t+1} = \mathbf{q}^t + \mathbf{v} \]", "q_tplus1 = q_t + v"),
+        (r"\[ s = \mathbf{a}^t \mathbf{b} \]", "s = a.T*b"),
+        (r"\[ U = \beta^t u + \beta^{t+1} v \]", "U = beta.T*u + beta**(t + 1)*v"),
+    ],
+)
+def test_a_t_above_a_letter_counts_steps_where_the_next_one_is_named(latex: str, read: str) -> None:
+    assert read_document(document_of(latex))[0].read == read

@@ -48,6 +48,7 @@ def test_a_number_of_a_step_is_no_power(latex: str, follows: bool) -> None:
         (r"\[ \mathbf{q}^{t+1} = \mathbf{q}^t + \mathbf{v} \]", "q_tplus1 = q_t + v"),
         (r"\[ s = \mathbf{a}^t \mathbf{b} \]", "s = a.T*b"),
         (r"\[ U = \beta^t u + \beta^{t+1} v \]", "U = beta.T*u + beta**(t + 1)*v"),
+        (r"\[ x = a e^t \]", "x = a*e**t"),
     ],
 )
 def test_a_t_above_a_letter_counts_steps_where_the_next_one_is_named(latex: str, read: str) -> None:

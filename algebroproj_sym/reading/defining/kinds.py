@@ -58,7 +58,7 @@ class Kinds:
     no_numbers : frozenset of str
         The symbols that are vectors or matrices.
     columns : frozenset of str
-        Those of them that have the accent of vectors.
+        Those of them that have the accent of vectors, or that words call vectors.
     open : frozenset of str
         The symbols that may be matrices, or numbers.
     oblong : frozenset of str
@@ -74,7 +74,9 @@ class Kinds:
     axes: tuple[Axes, ...] = ()
 
 
-def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Kinds:
+def kinds_of(
+    formulas: Iterable[Parsed], said: frozenset[str], words: str, columns: frozenset[str] = frozenset()
+) -> Kinds:
     """Return what letters are by all equations of a document, and by what its words say of some.
 
     Parameters
@@ -85,12 +87,14 @@ def kinds_of(formulas: Iterable[Parsed], said: frozenset[str], words: str) -> Ki
         The symbols that words call vectors or matrices.
     words : str
         The words of the document.
+    columns : frozenset of str
+        The symbols that words call vectors.
     """
     equations = [sides for formula in formulas for sides in _equal_in(formula)]
     sides = [side for each in equations for side in each]
     occurring = sorted({symbol for side in sides for symbol in symbols_in(side)})
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
-    columns = frozenset(each for each in occurring if accents & _accents_of_vectors(each))
+    columns |= frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)

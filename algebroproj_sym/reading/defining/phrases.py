@@ -116,6 +116,20 @@ def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
     return called(every, rf"(?:{_VECTORS})") | {symbol for each in members for symbol in symbols_in_list(each)}
 
 
+def columns_in(statements: Iterable[Statement]) -> frozenset[str]:
+    r"""Return the symbols that are said to be vectors, in words or as in ``x \in \mathbb{R}^n``, and no rows."""
+    every = tuple(statements)
+    spaces = (match for each in every if (match := _VECTOR_SPACE.match(each.latex)) and not _is_denied(each))
+    members = (
+        symbol
+        for match in spaces
+        if r"\times" not in match.string[match.end(1) :]
+        for symbol in symbols_in_list(match[1])
+    )
+    others = called(every, r"(?:matri(?:x|ces)|tensors?|row[- ]vectors?|rows?)")
+    return (called(every, r"vectors?(?! (?:sub)?spaces?| bundles?| fields?)") | {*members}) - others
+
+
 def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
     r"""Return the symbols that are said to be complex, in words or as in ``z \in \mathbb{C}``."""
     every = tuple(statements)

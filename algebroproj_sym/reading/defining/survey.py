@@ -20,7 +20,14 @@ from algebroproj_sym.reading.defining.meanings import (
     has_superscripts,
     prose_of,
 )
-from algebroproj_sym.reading.defining.phrases import complexes_in, matrices_in, properties_in, sizes_in, vectors_in
+from algebroproj_sym.reading.defining.phrases import (
+    columns_in,
+    complexes_in,
+    matrices_in,
+    properties_in,
+    sizes_in,
+    vectors_in,
+)
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -249,7 +256,7 @@ class Survey:
         formulas = [each for each in self.formulas.values() if isinstance(each, Parsed)]
         words = " ".join(f"{each.before} {each.after}" for each in self.document.formulas)
         said = vectors_in(self.statements) | {*properties_in(self.statements)}
-        found = kinds_of(formulas, said, words)
+        found = kinds_of(formulas, said, words, columns_in(self.statements))
         return replace(found, no_numbers=found.no_numbers | matrices_in(self.statements, angles_in(formulas)))
 
     def _has_euler(self) -> bool:

@@ -326,8 +326,8 @@ _OF_MATRIX = re.compile(r"\\mathbf\{|[A-Z]$|[)\]]")
 
 
 def emit_power(cursor: Cursor, above: str, raised: Sequence[Piece]) -> None:
-    """Add what stands above a value: a mark of matrices, degrees or an exponent."""
-    if above in MARKS:
+    """Add what stands above a value: a mark of matrices, degrees or an exponent, as in ``e^t``."""
+    if above in MARKS and not (above == "t" and cursor.out[-1] == "e"):
         cursor.emit("MARK", MARKS[above])
     elif above[:1] == "-" and MARKS.get(above[1:]) == "T" and _OF_MATRIX.match(cursor.out[-1]):
         cursor.emit("MARK", "T")

@@ -191,7 +191,7 @@ class _Pass:
             self.memory.forget(defined_by(found.sides[0])[0])
         definition = definition_in(self.memory, statement, found, explicit=False)
         for index, relation in enumerate(found.relations):
-            if index == 0 and definition is not None:
+            if index == 0 and definition is not None and not self.memory.beside.follows:
                 questions = asked_of(self.memory.vocabulary, definition.tree, definition.tree)
                 both = both_sides(questions) if isinstance(questions, list) else None
                 links.append(Link("definition", rests_on=rests_of(self.memory.vocabulary, definition.tree), sides=both))
@@ -199,7 +199,8 @@ class _Pass:
             if relation == "∈" and index and (definition is not None or tells(self.memory, statement, found, 0)):
                 links.append(Link("definition"))
                 continue
-            link, question = self._link(statement, found, index, relation, place)
+            gives = index == 0 and definition is not None
+            link, question = self._link(statement, found, index, place, gives=gives)
             links.append(link)
             if question is not None:
                 asked.append(question)
@@ -216,9 +217,9 @@ class _Pass:
         return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
 
     def _link(
-        self, statement: Statement, formula: Parsed, index: int, relation: str, place: int
+        self, statement: Statement, formula: Parsed, index: int, place: int, *, gives: bool
     ) -> tuple[Link, Asked | None]:
-        left, right = formula.sides[index], formula.sides[index + 1]
+        left, right, relation = formula.sides[index], formula.sides[index + 1], formula.relations[index]
         rests = rests_of(self.memory.vocabulary, left, right)
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
@@ -232,7 +233,7 @@ class _Pass:
         certain = not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right))
         ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
-        gives, claimed = tells(self.memory, statement, formula, index), self.memory.beside.follows
+        gives, claimed = gives or tells(self.memory, statement, formula, index), self.memory.beside.follows
         link = Link("not decided", rests_on=rests)
         asked = Asked(place, index, ways, link, identity, certain, chained, gives, claimed)
         return asked.link, asked

@@ -12,6 +12,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
+from algebroproj_sym.reading.defining.indices import Indices
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
 from algebroproj_sym.reading.defining.meanings import (
     Meanings,
@@ -210,6 +211,12 @@ class Survey:
             if of
         )
         return Dependence(tuple(ties))
+
+    @cached_property
+    def indices(self) -> Indices:
+        """What the document says of its indices."""
+        formulas = (each.display.latex for each in self.statements)
+        return Indices(f"{self._prose} {' '.join(formulas)}", self.occurring)
 
     @cached_property
     def meanings(self) -> Meanings:

@@ -11,6 +11,7 @@ from lark import Tree
 from algebroproj_sym.reading.defining.chains import DIVIDED
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
 from algebroproj_sym.reading.defining.gradients import along_directions
+from algebroproj_sym.reading.defining.indices import excludes
 from algebroproj_sym.reading.defining.instances import squares_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
@@ -30,6 +31,7 @@ from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
@@ -108,6 +110,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_as_its_sentence_supposes(standing, left, right),
         *_squared(standing, formula, index),
         *_said_before(standing, left, right),
+        *_at_other_indices(standing, left, right),
         *_without_definitions(standing, left, right),
     ]
     ways += [
@@ -288,6 +291,33 @@ def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[
             said = each.said(f"{standing.vocabulary.text(left)} ", right)
             yield Way(letter_of(said.symbol), right, extended(standing.vocabulary, [said]), A_VALUE)
             return
+
+
+def _at_other_indices(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation with what equations above it say at another index."""
+    known, indices = standing.vocabulary, standing.survey.indices
+    if not indices.counted or excludes(standing.beside.words):
+        return
+    given, others = sources_of(standing.premises, known, standing.part, standing.cited)
+    shown = " = ".join(map(known.text, (left, right)))
+    told = extended(known, given)
+    found = [*instances(given, told, indices, (left, right))]
+    if found:
+        put = "; ".join(f"{how} in {each.where}" for each, how in found)
+        yield Way(left, right, extended(told, [each for each, _ in found]), A_VALUE, f"{shown}, with {put}")
+    for each in others[-MOST_TOGETHER:]:
+        if (instance := instance_of(each, known, indices, {*symbols_in(left), *symbols_in(right)})) is not None:
+            premise, how = instance
+            yield Way(left, right, known, A_VALUE, f"{shown}, with {how} in {each.where}", under=(premise,))
+
+
+def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> bool:
+    """Whether an equation above says what a letter is at another index, by letters that the right side has."""
+    if not standing.survey.indices.counted or excludes(standing.beside.words):
+        return False
+    given, _ = sources_of(standing.premises, standing.vocabulary, standing.part, standing.cited)
+    found = instances(given, standing.vocabulary, standing.survey.indices, (left,))
+    return any({*each.symbols} & {*symbols_in(right)} for each, _ in found)
 
 
 def _without_definitions(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

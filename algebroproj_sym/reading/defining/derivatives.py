@@ -86,6 +86,13 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
     return letter_of(symbol), made
 
 
+def has_rate(letter: str, variable: str, occurring: frozenset[str]) -> bool:
+    """Whether a document has the derivative of a letter by a variable, also as a dot where that is the time."""
+    bare, below = frozenset(map(_bare, occurring)), _bare(variable)
+    rates = {f"{d}{_bare(letter)}/{d}{below}" for d in ("d", r"\partial")}
+    return not bare.isdisjoint(rates | ({_with_dot(letter)} if variable == "t" else set()))
+
+
 def _change(letters: Iterable[str], variable: str, occurring: frozenset[str]) -> bool:
     """Whether the document has a derivative of some letter, by a variable, or by time."""
     bare, below = frozenset(map(_bare, occurring)), _bare(variable)

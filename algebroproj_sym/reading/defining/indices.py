@@ -38,36 +38,12 @@ _SUM = re.compile(r"\\(?:sum|prod)_\{?([a-zA-Z])=(\d+)\}?(?:\^\{?(\d+)(?!\w))?")
 _UNEQUAL = re.compile(
     r"(?<![a-zA-Z\\])([a-zA-Z])\s*(?:\\neq?(?![a-z])|\\not\s*=|≠|<|>|\\[lg]t(?![a-z]))\s*([a-zA-Z0-9])(?![a-zA-Z])"
 )
-_EXCLUDES = frozenset(
-    {
-        *("interior", "inner", "off", "diagonal", "distinct", "different", "other", "others", "odd", "even", "except"),
-        *("unless", "remaining", "some", "exists", "noise", "noisy", "random", "drawn", "disturbance", "boundary"),
-        *("boundaries", "unequal", "varies", "vary", "varying", "changes", "changing", "anew", "depends", "depend"),
-        *(
-            "certain",
-            "special",
-            "instead",
-            "however",
-            "unlike",
-            "but",
-            "initial",
-            "initially",
-            "alternately",
-            "replaced",
-        ),
-        *(
-            "updated",
-            "adapted",
-            "adaptive",
-            "periodic",
-            "switches",
-            "alternates",
-            "single",
-            "only",
-            "fixed",
-            "constant",
-        ),
-    }
+_SOME = re.compile(r"\b(?:some|certain|one)\s+(?:index\s+)?\$\s*([a-zA-Z])(?![a-zA-Z])")
+_EXCLUDES = re.compile(
+    r"interior|inner|outer|off|diagonal|distinct|different|differs?|others?|odd|even|except|unless|remaining|exists?|"
+    r"nois[ey]|noisy|random\w*|drawn|disturbances?|boundar(?:y|ies)|unequal|var(?:y|ies|ying)|chang(?:es?|ing)|anew|"
+    r"depends?|special|instead|however|unlike|but|not|initial\w*|alternat\w+|replaced|updated|adapt\w+|periodic|switch\w*|"
+    r"model|scenario|variant|input|output|inlet|outlet|internal|mean|maxim\w+|minim\w+|average"
 )
 """Words beside an equation by which it may not hold at every index, or by which what has no index may change."""
 
@@ -93,7 +69,7 @@ class Indices:
         shifted = {each for symbol in self.symbols if "/" not in symbol for each in _SHIFTED.findall(symbol)}
         sums = {each for each in map(index_of, re.findall(r"\\sum_\{[^{}]*\}", self.text)) if each}
         ranges = {match[1] for match in _COUNTED.finditer(self.text)}
-        return frozenset(shifted | sums | ranges) & _LETTERS
+        return frozenset((shifted | sums | ranges) - {*_SOME.findall(self.text)}) & _LETTERS
 
     @cached_property
     def least(self) -> Mapping[str, int]:
@@ -214,7 +190,7 @@ class Indices:
 
 def excludes(words: Iterable[str]) -> bool:
     """Whether words say that an equation may not hold at every index."""
-    return not _EXCLUDES.isdisjoint(words)
+    return any(map(_EXCLUDES.fullmatch, words))
 
 
 def indices_in(symbols: Iterable[str], indices: Indices) -> frozenset[str]:

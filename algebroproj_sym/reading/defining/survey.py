@@ -11,6 +11,7 @@ from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.arguments import lone_arguments
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.indices import Indices
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
@@ -108,6 +109,12 @@ class Survey:
             for call in side.find_data("call"):
                 found.setdefault(str(call.children[0]), set()).add(call)
         return found
+
+    @cached_property
+    def lone_arguments(self) -> Mapping[str, str]:
+        """The functions that may be the same with and without their argument, with the argument."""
+        parsed = (each.sides for each in self.formulas.values() if isinstance(each, Parsed))
+        return lone_arguments(parsed, self._prose)
 
     @cached_property
     def _first(self) -> dict[int, Parsed | UnreadableError]:

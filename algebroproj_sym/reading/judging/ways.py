@@ -8,6 +8,7 @@ from itertools import combinations
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.arguments import alike, known_without, premise_without, without_arguments
 from algebroproj_sym.reading.defining.chains import DIVIDED
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
 from algebroproj_sym.reading.defining.gradients import along_directions
@@ -111,6 +112,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_squared(standing, formula, index),
         *_said_before(standing, left, right),
         *_at_other_indices(standing, left, right),
+        *_without_arguments(standing, formula, index),
         *_without_definitions(standing, left, right),
     ]
     ways += [
@@ -309,6 +311,29 @@ def _at_other_indices(standing: Standing, left: Formula, right: Formula) -> Iter
         if (instance := instance_of(each, known, indices, {*symbols_in(left), *symbols_in(right)})) is not None:
             premise, how = instance
             yield Way(left, right, known, A_VALUE, f"{shown}, with {how} in {each.where}", under=(premise,))
+
+
+def _without_arguments(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield a relation in which functions with and without their argument are the same letters."""
+    survey = standing.survey
+    functions = alike(survey.lone_arguments, survey.occurring, standing.vocabulary, standing.premises)
+    if not functions:
+        return
+    sides = tuple(without_arguments(each, functions) for each in formula.sides)
+    left, right = sides[index : index + 2]
+    premises = [premise_without(each, functions) for each in standing.premises]
+    known = known_without(standing.vocabulary, functions)
+    used = (left, right, *(each.tree for each in used_by(known, left, right)))
+    if functions.keys().isdisjoint(symbol for each in used for symbol in symbols_in(each)):
+        return
+    bare = replace(standing, vocabulary=known, premises=premises)
+    told = ", ".join(
+        f"{known.name(each)} is {known.name(each)}({letter})" for each, letter in sorted(functions.items())
+    )
+    of_letters = replace(formula, sides=sides)
+    for way in (Way(left, right, known), *_with_premises(bare, of_letters, index)):
+        shown = " = ".join(map(known.text, way.sides))
+        yield replace(way, doubt=A_VALUE, reads=f"{shown}, where {told}")
 
 
 def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> bool:

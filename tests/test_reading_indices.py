@@ -49,10 +49,14 @@ MISLEADING = {
         r"The random walk is \[ x_{k+1} = a x_k + w \] where $w$ is noise. Then \[ x_{k+2} = a^2 x_k + a w + "
         r"w \]"
     ),
-    "a factor with the index": r"The recurrence is \[ x_{k+1} = a x_k \] The factor is \[ a = c k \] Then \[ x_{k+2} = a^2 x_k \]",
-    "a factor that depends on it by words": r"The recurrence is \[ x_{k+1} = a x_k \] where $a$ depends on $k$. Then \[ x_{k+2} = a^2 x_k \]",
+    "a factor with the index": (
+        r"The recurrence is \[ x_{k+1} = a x_k \] The factor is \[ a = c k \] Then \[ x_{k+2} = a^2 x_k \]"
+    ),
+    "a factor that depends on it by words": (
+        r"The recurrence is \[ x_{k+1} = a x_k \] where $a$ depends on $k$. Then \[ x_{k+2} = a^2 x_k \]"
+    ),
     "another section": (
-        r"Newton's iteration is \[ x_{k+1} = x_k - h f_k \] # Gradient The gradient method uses another "
+        r"Newton's iteration is \[ x_{k+1} = x_k - h f_k \] \section{Gradient} The gradient method uses another "
         r"iterate, and therefore \[ x_{k+2} = x_{k+1} - h f_{k+1} \]"
     ),
     "a negative index": r"For $n \ge 2$ we have \[ F_n = F_{n-1} + F_{n-2} \] Then \[ F_1 = F_0 + F_{-1} \]",
@@ -61,8 +65,12 @@ MISLEADING = {
         r"At the interior points \[ u_{i+1} - 2 u_i + u_{i-1} = 0 \] with $i = 0, 1, \dots, n$. Hence \[ u_2 "
         r"- 2 u_1 + u_0 = 0 \]"
     ),
-    "a sum up to the index": r"The partial sums are \[ s_n = \sum_{k=1}^n a_k \] Then \[ s_{n+1} = \sum_{k=1}^{n} a_{k+1} \]",
-    "every second step": r"Every second step \[ x_{k+1} = x_k + h \] The other steps do nothing, so \[ x_{k+2} = x_k + 2h \]",
+    "a sum up to the index": (
+        r"The partial sums are \[ s_n = \sum_{k=1}^n a_k \] Then \[ s_{n+1} = \sum_{k=1}^{n} a_{k+1} \]"
+    ),
+    "every second step": (
+        r"Every second step \[ x_{k+1} = x_k + h \] The other steps do nothing, so \[ x_{k+2} = x_k + 2h \]"
+    ),
     "the last step": (
         r"The steps are \[ x_{k+1} = x_k + h \] The last step is cut. Thus $k = 0, 1, \dots, 9$ and \[ "
         r"x_{11} = x_{10} + h \]"
@@ -72,13 +80,23 @@ MISLEADING = {
         r"differs: \[ V_1 = R I_1 \]"
     ),
     "a mean": r"The mean is \[ y_m = a x_m \] The sum over all is $\sum_{m=1}^M x_m = 0$ and \[ y_n = a x_n \]",
-    "an index within an integral": r"Let \[ a_k = \int_0^1 x^k dx \] with $\sum_{k=0}^N a_k = 1$. Then \[ a_2 = \int_0^1 x^k dx \]",
+    "an index within an integral": (
+        r"Let \[ a_k = \int_0^1 x^k dx \] with $\sum_{k=0}^N a_k = 1$. Then \[ a_2 = \int_0^1 x^k dx \]"
+    ),
     "another model": r"In model A \[ x_{k+1} = a x_k \] In model B \[ x_{k+2} = a x_{k+1} \]",
     "even numbers only": r"For even $k$ \[ x_{k+1} = a x_k \] Then \[ x_{k+2} = a x_{k+1} \]",
-    "what does not hold at the start": r"The rule is \[ x_{k+1} = a x_k \] It does not hold at the start. There \[ x_1 = a x_0 \]",
-    "an index that stands there twice": r"We define \[ c_{i} = b_i + b_j \] with $\sum_i \sum_j c_i = 1$. Then \[ c_{j} = b_j + b_j \]",
-    "a power that is another one": r"The polynomials are \[ p_n = x^n \] with $\sum_{n=0}^N p_n = y$. Then \[ p_2 = x \cdot 2 \]",
-    "where it has no value": r"It holds \[ b_k = \frac{1}{k - 1} \] with $\sum_{k=2}^n b_k = s$. Then \[ b_1 = \frac{1}{1 - 1} \]",
+    "what does not hold at the start": (
+        r"The rule is \[ x_{k+1} = a x_k \] It does not hold at the start. There \[ x_1 = a x_0 \]"
+    ),
+    "an index that stands there twice": (
+        r"We define \[ c_{i} = b_i + b_j \] with $\sum_i \sum_j c_i = 1$. Then \[ c_{j} = b_j + b_j \]"
+    ),
+    "a power that is another one": (
+        r"The polynomials are \[ p_n = x^n \] with $\sum_{n=0}^N p_n = y$. Then \[ p_2 = x \cdot 2 \]"
+    ),
+    "where it has no value": (
+        r"It holds \[ b_k = \frac{1}{k - 1} \] with $\sum_{k=2}^n b_k = s$. Then \[ b_1 = \frac{1}{1 - 1} \]"
+    ),
 }
 
 

@@ -6,7 +6,7 @@ A letter is an index only where the document counts with it: in ``x_{k+1}``, a s
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -38,11 +38,12 @@ _SUM = re.compile(r"\\(?:sum|prod)_\{?([a-zA-Z])=(\d+)\}?(?:\^\{?(\d+)(?!\w))?")
 _UNEQUAL = re.compile(
     r"(?<![a-zA-Z\\])([a-zA-Z])\s*(?:\\neq?(?![a-z])|\\not\s*=|≠|<|>|\\[lg]t(?![a-z]))\s*([a-zA-Z0-9])(?![a-zA-Z])"
 )
+_HOLDS = frozenset({"hold", "holds", "valid", "true", "apply", "applies", "defined", "so", "case"})
 _SOME = re.compile(r"\b(?:some|certain|one)\s+(?:index\s+)?\$\s*([a-zA-Z])(?![a-zA-Z])")
 _EXCLUDES = re.compile(
     r"interior|inner|outer|off|diagonal|distinct|different|differs?|others?|odd|even|except|unless|remaining|exists?|"
     r"nois[ey]|noisy|random\w*|drawn|disturbances?|boundar(?:y|ies)|unequal|var(?:y|ies|ying)|chang(?:es?|ing)|anew|"
-    r"depends?|special|instead|however|unlike|but|not|initial\w*|alternat\w+|replaced|updated|adapt\w+|periodic|switch\w*|"
+    r"depends?|special|instead|however|unlike|but|initial\w*|alternat\w+|replaced|updated|adapt\w+|periodic|switch\w*|"
     r"model|scenario|variant|input|output|inlet|outlet|internal|mean|maxim\w+|minim\w+|average"
 )
 """Words beside an equation by which it may not hold at every index, or by which what has no index may change."""
@@ -188,9 +189,9 @@ class Indices:
         return Token(token.type, small + written(letter, primes, scripts[0], raised))
 
 
-def excludes(words: Iterable[str]) -> bool:
+def excludes(words: Collection[str]) -> bool:
     """Whether words say that an equation may not hold at every index."""
-    return any(map(_EXCLUDES.fullmatch, words))
+    return ("not" in words and not _HOLDS.isdisjoint(words)) or any(map(_EXCLUDES.fullmatch, words))
 
 
 def indices_in(symbols: Iterable[str], indices: Indices) -> frozenset[str]:

@@ -213,7 +213,8 @@ def test_rows_that_go_on_are_one_chain_and_equations_side_by_side_are_several():
     latex = r"""\begin{align} a &= b + c \\ &= c + b \\ &\quad + d - d \\ x &= 1 & y &= 2 \end{align}
     \[ u = v, \quad v = w \quad \text{for } w > 0, \qquad w_i = 1, \; i = 1, \ldots, n \]
     \[ r_j = s_j, \quad j = 1, 2, 3 \]"""
-    found = [(each.read, each.statement.condition) for each in readings(latex)]
+    stated = statements(document_of(latex))
+    found = [(each.read, one.condition) for each, one in zip(readings(latex), stated, strict=True)]
     assert found == [
         ("a = b + c = c + b + d - d", ""),
         ("x = 1", ""),

@@ -72,3 +72,12 @@ def value(expression, point):
 def test_every_division_can_be_read_from_the_text(expression, data):
     point = {symbol: data.draw(st.sampled_from(values_of(symbol)[:6])) for symbol in expression.free_symbols}
     assert value(parse(text(expression)), point) == value(expression, point)
+
+
+@pytest.mark.parametrize("above", ["t", "-t", "x - y", "y - x", "-t*(x - y)", "-2/3*t"])
+def test_what_divides_keeps_its_parentheses_below_a_negative_product(above):
+    x, below = sympy.Symbol("x"), over(1, sympy.Symbol("z"))
+    quotient = sympy.sympify(above) / below
+    point = {each: sympy.Integer(place) for place, each in enumerate(sorted(quotient.free_symbols, key=str), 3)}
+    assert evaluate(parse(text(quotient)), point) == evaluate(quotient, point)
+    assert text(-x / below) == "-x/(1/z)"

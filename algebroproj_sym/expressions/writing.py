@@ -17,6 +17,16 @@ REMEMBERED = 1 << 18
 class _WithFractions(StrPrinter):  # type: ignore[misc]
     """SymPy's printer, except that a remembered quotient is written as a fraction."""
 
+    _divisors: frozenset[Any] = frozenset()
+
+    def _print_Mul(self, node: Any) -> str:  # noqa: N802 - SymPy calls it so
+        outer = self._divisors
+        self._divisors = frozenset(each.base for each in node.args if each.is_Pow)
+        try:
+            return str(super()._print_Mul(node))
+        finally:
+            self._divisors = outer
+
     def _print_over(self, node: Any) -> str:
         above, below = node.args
         return f"{self.parenthesize(above, PRECEDENCE['Add'])}/{self.parenthesize(below, PRECEDENCE['Mul'])}"
@@ -24,7 +34,8 @@ class _WithFractions(StrPrinter):  # type: ignore[misc]
     def parenthesize(self, item: Any, level: int, strict: bool = False) -> str:
         """Return the text of a part, in parentheses if it does not bind tightly enough."""
         if isinstance(item, over):
-            return f"({self._print(item)})" if level >= PRECEDENCE["Mul"] else str(self._print(item))
+            binds = level < PRECEDENCE["Mul"] and item not in self._divisors
+            return str(self._print(item)) if binds else f"({self._print(item)})"
         return str(super().parenthesize(item, level, strict))
 
 

@@ -1,9 +1,8 @@
-r"""What a document says before an equation, besides its definitions: other equations, and derivatives.
+r"""What a document says before an equation, besides its definitions: other equations.
 
 An equation such as ``\mu = a^3 n^2`` is no definition if the letter was used before.  But the document asserts it, so
 what follows from it follows.  It is a *premise* of the equations behind it.  One such as ``L \omega = u - v`` gives any
-letter in which it is linear.  A derivative, such as ``\dot V`` or
-``\frac{\partial f}{\partial x}``, is computed where the function has a definition.
+letter in which it is linear.
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cached_property
 from typing import Any
 
 import sympy
@@ -19,10 +18,8 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
 from algebroproj_sym.reading.defining.contexts import Context
-from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
-from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary, stands_within
-from algebroproj_sym.reading.lexing.names import split_symbol, written
+from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions
@@ -39,13 +36,6 @@ _VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
 """What may be given as a whole: a value of a function, and a square."""
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
-_DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
-_OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
-
-_FIXED = re.compile(
-    r"_\{?0|\\(?:mathbf|vec|hat|overrightarrow)\{?(?:\\mathbf\{?)?(?:[ijkxyz]\}*$|e\}*_\{?[xyz123]\}?$)"
-)
-"""The vectors that may be fixed though nothing says so: those of the axes, and those at the start."""
 
 
 @dataclass(frozen=True)
@@ -249,34 +239,6 @@ def with_given(tree: Formula, given: Mapping[Formula, Definition]) -> Formula:
     return Tree(tree.data, [with_given(each, given) if isinstance(each, Tree) else each for each in tree.children])
 
 
-def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: frozenset[str]) -> list[Definition]:
-    """Return what the derivatives in some formulas are, as far as the functions have definitions.
-
-    Parameters
-    ----------
-    trees : iterable of Tree
-        The formulas.
-    vocabulary : Vocabulary
-        The definitions.
-    occurring : frozenset of str
-        The symbols of the document: a letter changes with time if its derivative by time is one of them.
-    """
-    found: dict[str, Definition] = {}
-    waiting = [symbol for tree in trees for symbol in symbols_in(tree)]
-    seen = set[str]()
-    while waiting:
-        symbol = waiting.pop()
-        if symbol in seen:
-            continue
-        seen.add(symbol)
-        if symbol in vocabulary.definitions:
-            waiting += vocabulary.definitions[symbol].symbols
-        elif (made := _derivative(symbol, vocabulary, occurring)) is not None:
-            found[symbol] = made
-            waiting += made.symbols
-    return [*found.values()][::-1]
-
-
 def crosses_in(symbols: Iterable[str], words: Iterable[str]) -> Iterator[Definition]:
     r"""Yield what ``\tilde{\mathbf{a}}`` stands for where the words of a document say "tilde matrix".
 
@@ -290,230 +252,6 @@ def crosses_in(symbols: Iterable[str], words: Iterable[str]) -> Iterator[Definit
                 yield Definition(symbol, (), cross, 'the words "tilde matrix"', 0, True)
 
 
-def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tuple[Any, list[Definition]]:
-    r"""Return a formula in which each ``\frac{d}{dx}`` of something is a letter, and what these letters stand for.
-
-    The letters beside x do not change.  A derivative stays as it is if the document speaks of one of another letter.
-    """
-    if not isinstance(tree, Tree):
-        return tree, []
-    parts = [computed(each, vocabulary, occurring) for each in tree.children]
-    found, made = Tree(tree.data, [each for each, _ in parts]), [each for _, more in parts for each in more]
-    match = _OPERATOR.fullmatch(str(tree.children[0])) if tree.data == "big" else None
-    if match is None:
-        return found, made
-    sign, order, variable = match.groups()
-    body = found.children[1]
-    letters = vocabulary.letters_of(body) - {each.symbol for each in made}
-    others = sorted(letters - {variable})
-    bare = frozenset(map(_bare, occurring))
-    changing = any(
-        {_with_dot(each), f"{_bare(each)}'", *(f"{d}{_bare(each)}/{d}{variable}" for d in ("d", r"\partial"))} & bare
-        for each in others
-    )
-    inside = {variable, *others} & {str(each.children[0]) for each in tree.iter_subtrees() if each.data == "call"}
-    if sign == "d":
-        hidden = vocabulary.moves_with(others, variable)
-    else:
-        hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
-    if variable not in letters or changing or inside or hidden or stands_within(variable, letters):
-        return found, made
-    where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
-    symbol = f"{tree.children[0]} {vocabulary.text(body)}"
-    made.append(Definition(symbol, (), _slope(body, variable, order), where, -1, True))
-    return letter_of(symbol), made
-
-
-def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
-    if "/" in symbol:
-        match = _DERIVATIVE.fullmatch(symbol)
-        if match is None:
-            return None
-        factors = _of_factors(symbol, _function_of(match), match[4], vocabulary, occurring)
-        found = _of_quotient(symbol, match, vocabulary) or _as_dots(symbol, match, occurring)
-        return factors if found is None or (factors and match[3].endswith(")")) else found
-    if "'" in symbol:
-        return _of_prime(symbol, vocabulary)
-    bare = _without_dot(symbol)
-    function = _by_bare(vocabulary.definitions).get(bare) if bare else None
-    if function is None:
-        return None
-    is_computed = vocabulary.is_computed(vocabulary.definitions[function].tree)
-    found = None if is_computed else _of_factors(symbol, bare, "t", vocabulary, occurring)
-    return found or _rate(symbol, function, vocabulary, occurring)
-
-
-def _function_of(match: re.Match[str]) -> str:
-    r"""Return the bare letter of which a quotient is the first derivative: ``d^2r/dt^2`` that of ``dr/dt``."""
-    sign, order, above, below = match.groups()
-    return {None: re.sub(r"\(.*\)$", "", above), "^2": f"d{above}/d{below}"}.get(order, "") if sign == "d" else ""
-
-
-def _of_factors(
-    symbol: str, function: str, variable: str, vocabulary: Vocabulary, occurring: frozenset[str]
-) -> Definition | None:
-    """Return the derivative of what a letter stands for, factor by factor; a letter without a rate does not change."""
-    definition = vocabulary.definitions.get(_by_bare(vocabulary.definitions).get(function, ""))
-    if definition is None or not definition.usable or definition.role == "case":
-        return None
-    if definition.parameters not in ((), (variable,)):
-        return None
-    tree = definition.tree
-    rates = _rates_in(occurring, variable)
-    letters = [each for each in symbols_in(tree) if each != variable]
-    if any(each not in rates and vocabulary.gives_letters(each) for each in letters):
-        return None
-    constant = [each for each in letters if each not in rates and f"{each}({variable})" not in rates]
-    if any(" " in each or "/" in each for each in constant) or vocabulary.depends(constant, variable):
-        return None
-    changing = [each for each in constant if vocabulary.is_matrix(each) and not _FIXED.search(each)]
-    if changing and variable not in symbols_in(tree):
-        return None
-    try:
-        rate = rate_of(tree, {**rates, variable: ONE})
-    except UnreadableError:
-        return None
-    if rate is None or symbol in symbols_in(rate):
-        return None
-    return _made(symbol, rate, definition, constant, vocabulary)
-
-
-def _rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:
-    """Return the letters, and values such as x(t), whose derivatives by a variable stand in a document, with these."""
-    found: dict[str, Formula] = {}
-    bare = _by_bare(sorted(occurring))
-    for each in sorted(occurring):
-        name, value = _bare(each), f"{_bare(each)}({variable})"
-        second = re.fullmatch(rf"d([^/^]+)/d{re.escape(variable)}", name)
-        rate = bare.get(f"d^2{second[1]}/d{variable}^2") if second else bare.get(f"d{name}/d{variable}")
-        rate = rate or (bare.get(_with_dot(each)) if variable == "t" else None)
-        if rate is not None:
-            found[each] = letter_of(rate)
-        if (whole := bare.get(f"d{value}/d{variable}")) is not None:
-            found[f"{each}({variable})"] = found[each] = letter_of(whole)
-    return found
-
-
-def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Definition | None:
-    sign, order, above, below = match.groups()
-    function = _by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), "")
-    definition = vocabulary.definitions.get(function)
-    if definition is None or not definition.usable:
-        return None
-    value = letter_of(definition.symbol)
-    if definition.parameters:
-        arguments: list[Any] = [*map(letter_of, definition.parameters)]
-        value = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", arguments)])
-    letters = vocabulary.letters_of(definition.tree) | {*definition.parameters}
-    variable = _by_bare(sorted(letters)).get(below)
-    used = vocabulary.used_in(definition.tree)
-    if variable is None or any(variable in vocabulary.letters_of(each.tree) for each in used):
-        return None
-    if stands_within(variable, letters):
-        return None
-    others = sorted(letters - {variable}) if sign == "d" else []
-    if vocabulary.moves_with(others, variable):
-        return None
-    return _made(symbol, _slope(value, variable, order), definition, others, vocabulary)
-
-
-def _as_dots(symbol: str, match: re.Match[str], occurring: frozenset[str]) -> Definition | None:
-    r"""Return a derivative by t as the letter with dots, as in ``\frac{dx}{dt} = \dot x``; None if there is none."""
-    sign, order, above, below = match.groups()
-    dotted = {None: _with_dot(above), "^2": _with_dot(_with_dot(above))}.get(order, "")
-    rate = _by_bare(sorted(occurring)).get(dotted) if (sign, below) == ("d", "t") else None
-    return Definition(symbol, (), letter_of(rate), "a dot as the derivative by t", -1, True) if rate else None
-
-
-def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
-    """Return the derivative of a function of one letter."""
-    letter, primes, below, above = split_symbol(symbol)
-    definition = vocabulary.definitions.get(written(letter, 0, below, above))
-    if definition is None or not definition.usable or len(definition.parameters) != 1:
-        return None
-    (variable,) = definition.parameters
-    if any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(definition.tree)):
-        return None
-    value: Formula = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", [letter_of(variable)])])
-    for _ in range(primes):
-        value = _slope(value, variable)
-    try:
-        vocabulary.value(value)
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
-        return None
-    others = sorted(vocabulary.letters_of(definition.tree) - {variable})
-    if vocabulary.depends(others, variable):
-        return None
-    return replace(_made(symbol, value, definition, others, vocabulary), parameters=(variable,))
-
-
-def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
-    definition = vocabulary.definitions[function]
-    if definition.parameters or not definition.usable:
-        return None
-    rates = _by_bare(sorted(occurring))
-    terms: list[Formula] = []
-    constant: list[str] = []
-    for letter in sorted(vocabulary.letters_of(definition.tree)):
-        rate = rates.get(_with_dot(letter))
-        if rate == symbol:
-            return None
-        if rate is None:
-            constant.append(letter)
-        else:
-            terms.append(Tree("run", [_slope(letter_of(function), letter), letter_of(rate)]))
-    if not terms or vocabulary.depends(constant, "t"):
-        return None
-    signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]
-    return _made(symbol, Tree("sum", signed), definition, constant, vocabulary)
-
-
-def _made(
-    symbol: str, tree: Formula, definition: Definition, constant: list[str], vocabulary: Vocabulary
-) -> Definition:
-    where = f"the derivative of {definition.where}{_unchanged(constant, vocabulary)}"
-    return Definition(symbol, (), tree, where, definition.part, True, place=definition.place, words=definition.words)
-
-
-def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
-    verb = "does" if len(letters) == 1 else "do"
-    return f", where {', '.join(map(vocabulary.name, letters))} {verb}{UNCHANGED}" if letters else ""
-
-
-def _slope(value: Formula, variable: str, order: str | None = None) -> Formula:
-    for _ in range(int((order or "^1")[1:])):
-        value = Tree("slope", [value, letter_of(variable)])
-    return value
-
-
 def letter_of(symbol: str) -> Formula:
     """Return a symbol as a formula."""
     return Tree("symbol", [Token("SYMBOL", symbol)])
-
-
-def _by_bare(symbols: Iterable[str]) -> dict[str, str]:
-    return {_bare(each): each for each in symbols}
-
-
-@cache
-def _bare(symbol: str) -> str:
-    """Return a symbol without braces, and with its dots first."""
-    return re.sub(r"\\mathbf\\(d*dot)", r"\\\1\\mathbf", re.sub(r"[{}\s]", "", symbol))
-
-
-def _without_dot(symbol: str) -> str:
-    r"""Return the bare symbol of which one may be the derivative by time; empty for none.
-
-    Examples
-    --------
-    >>> _without_dot(r"\dot{r}_1"), _without_dot(r"\mathbf{\ddot r}"), _without_dot("r")
-    ('r_1', '\\dot\\mathbfr', '')
-    """
-    bare = _bare(symbol)
-    return bare[4:] if bare.startswith(r"\dot") else rf"\dot{bare[5:]}" if bare.startswith(r"\ddot") else ""
-
-
-def _with_dot(symbol: str) -> str:
-    """Return the bare symbol of the derivative by time."""
-    bare = _bare(symbol)
-    return rf"\d{bare[1:]}" if re.match(r"\\d*dot", bare) else rf"\dot{bare}"

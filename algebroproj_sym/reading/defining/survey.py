@@ -10,7 +10,9 @@ from itertools import pairwise
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.arguments import lone_arguments
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
+from algebroproj_sym.reading.defining.indices import Indices
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
 from algebroproj_sym.reading.defining.labels import E, iterates_in, labels_in, lone_letter, without_above
 from algebroproj_sym.reading.defining.meanings import (
@@ -34,6 +36,7 @@ from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
+from algebroproj_sym.reading.documents.ranges import without_ranges
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -62,7 +65,7 @@ class Survey:
         """All statements in the order of the document, also those within the text."""
         order = {id(each): place for place, each in enumerate(self.document.formulas)}
         every = named([*statements(self.document), *inline_statements(self.document)])
-        return tuple(sorted(every, key=lambda each: order[id(each.display)]))
+        return tuple(without_ranges(sorted(every, key=lambda each: order[id(each.display)])))
 
     @cached_property
     def _prose(self) -> str:
@@ -112,6 +115,12 @@ class Survey:
             for call in side.find_data("call"):
                 found.setdefault(str(call.children[0]), set()).add(call)
         return found
+
+    @cached_property
+    def lone_arguments(self) -> Mapping[str, str]:
+        """The functions that may be the same with and without their argument, with the argument."""
+        parsed = (each.sides for each in self.formulas.values() if isinstance(each, Parsed))
+        return lone_arguments(parsed, self._prose)
 
     @cached_property
     def _first(self) -> dict[int, Parsed | UnreadableError]:
@@ -187,6 +196,12 @@ class Survey:
             if of
         )
         return Dependence(tuple(ties))
+
+    @cached_property
+    def indices(self) -> Indices:
+        """What the document says of its indices."""
+        formulas = (each.display.latex for each in self.statements)
+        return Indices(f"{self._prose} {' '.join(formulas)}", self.occurring)
 
     @cached_property
     def meanings(self) -> Meanings:

@@ -36,7 +36,7 @@ from algebroproj_sym.reading.judging.questions import (
 from algebroproj_sym.reading.judging.signs import may_be_negative, without_signs
 from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
-from algebroproj_sym.reading.judging.ways import Standing, ways_of
+from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
 from algebroproj_sym.reading.judging.words import (
     CASES,
     SAYS,
@@ -190,6 +190,9 @@ class _Pass:
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])
         definition = definition_in(self.memory, statement, found, explicit=False)
+        if definition is not None and not (definition.explicit or definition.parameters):
+            repeats = gives_at_other_index(self._standing(statement), found.sides[0], found.sides[1])
+            definition = None if repeats else definition
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None and not self.memory.beside.follows:
                 questions = asked_of(self.memory.vocabulary, definition.tree, definition.tree)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from algebroproj_sym.reading.defining.derivatives import derivatives_in
 from algebroproj_sym.reading.defining.instances import numbers_put_in
-from algebroproj_sym.reading.defining.premises import derivatives_in, neighbours
+from algebroproj_sym.reading.defining.premises import neighbours
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     argument_of,

@@ -8,15 +8,17 @@ from itertools import combinations
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.arguments import alike, known_without, premise_without, without_arguments
+from algebroproj_sym.reading.defining.chains import DIVIDED
+from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
 from algebroproj_sym.reading.defining.gradients import along_directions
+from algebroproj_sym.reading.defining.indices import excludes
 from algebroproj_sym.reading.defining.instances import squares_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
     Premise,
     applicable,
-    computed,
-    derivatives_in,
     extended,
     given_values,
     letter_of,
@@ -30,6 +32,7 @@ from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
@@ -46,6 +49,11 @@ _CHANGES = frozenset(
     }
 )
 """Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""
+
+_DIVIDES = frozenset(
+    {"divide", "divided", "dividing", "division", "quotient", "ratio", "chain", "eliminating", "parametric"}
+)
+"""Words of an equation in which one rate is divided by another one."""
 
 
 @dataclass(frozen=True)
@@ -103,6 +111,8 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_as_its_sentence_supposes(standing, left, right),
         *_squared(standing, formula, index),
         *_said_before(standing, left, right),
+        *_at_other_indices(standing, left, right),
+        *_without_arguments(standing, formula, index),
         *_without_definitions(standing, left, right),
     ]
     ways += [
@@ -285,6 +295,56 @@ def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[
             return
 
 
+def _at_other_indices(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation with what equations above it say at another index."""
+    known, indices = standing.vocabulary, standing.survey.indices
+    if not indices.counted or excludes(standing.beside.words):
+        return
+    given, others = sources_of(standing.premises, known, standing.part, standing.cited)
+    shown = " = ".join(map(known.text, (left, right)))
+    told = extended(known, given)
+    found = [*instances(given, told, indices, (left, right))]
+    if found:
+        put = "; ".join(f"{how} in {each.where}" for each, how in found)
+        yield Way(left, right, extended(told, [each for each, _ in found]), A_VALUE, f"{shown}, with {put}")
+    for each in others[-MOST_TOGETHER:]:
+        if (instance := instance_of(each, known, indices, {*symbols_in(left), *symbols_in(right)})) is not None:
+            premise, how = instance
+            yield Way(left, right, known, A_VALUE, f"{shown}, with {how} in {each.where}", under=(premise,))
+
+
+def _without_arguments(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield a relation in which functions with and without their argument are the same letters."""
+    survey = standing.survey
+    functions = alike(survey.lone_arguments, survey.occurring, standing.vocabulary, standing.premises)
+    if not functions:
+        return
+    sides = tuple(without_arguments(each, functions) for each in formula.sides)
+    left, right = sides[index : index + 2]
+    premises = [premise_without(each, functions) for each in standing.premises]
+    known = known_without(standing.vocabulary, functions)
+    used = (left, right, *(each.tree for each in used_by(known, left, right)))
+    if functions.keys().isdisjoint(symbol for each in used for symbol in symbols_in(each)):
+        return
+    bare = replace(standing, vocabulary=known, premises=premises)
+    told = ", ".join(
+        f"{known.name(each)} is {known.name(each)}({letter})" for each, letter in sorted(functions.items())
+    )
+    of_letters = replace(formula, sides=sides)
+    for way in (Way(left, right, known), *_with_premises(bare, of_letters, index)):
+        shown = " = ".join(map(known.text, way.sides))
+        yield replace(way, doubt=A_VALUE, reads=f"{shown}, where {told}")
+
+
+def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> bool:
+    """Whether an equation above says what a letter is at another index, by letters that the right side has."""
+    if not standing.survey.indices.counted or excludes(standing.beside.words):
+        return False
+    given, _ = sources_of(standing.premises, standing.vocabulary, standing.part, standing.cited)
+    found = instances(given, standing.vocabulary, standing.survey.indices, (left,))
+    return any({*each.symbols} & {*symbols_in(right)} for each, _ in found)
+
+
 def _without_definitions(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     """Yield a relation as it stands, of letters of which nothing is known but their sizes.
 
@@ -320,7 +380,12 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
 
 
 def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
-    """Whether a derivative takes letters to be fixed though words say that something changes."""
+    """Whether a derivative takes letters to be fixed though words say that something changes.
+
+    Likewise whether rates are divided, and no words say so.
+    """
+    if rate.where == DIVIDED:
+        return _DIVIDES.isdisjoint(beside.words)
     return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})
 
 

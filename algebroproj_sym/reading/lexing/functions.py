@@ -50,7 +50,12 @@ def _derivative(above: str, below: str) -> str | None:
     sign = next((each for each in _SIGNS if above.startswith(each) and below.startswith(each)), None)
     if sign == r"\delta" and above[len(sign) :] and not re.match(r"\^\{?[2-9]", above[len(sign) :]):
         return None
-    if sign is None or len(below) == len(sign) or not re.match(r"[A-Za-z\\(]", below[len(sign) :]):
+    if (
+        sign is None
+        or "/" in above + below
+        or len(below) == len(sign)
+        or not re.match(r"[A-Za-z\\(]", below[len(sign) :])
+    ):
         return None
     rest = re.sub(r"^\^?\d*", "", above[len(sign) :])
     return f"{above}/{below}" if rest else ""

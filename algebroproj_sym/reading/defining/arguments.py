@@ -1,0 +1,106 @@
+"""Functions that are written with and without their argument: x is x(t)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+
+from lark import Tree
+
+from algebroproj_sym.reading.defining.derivatives import has_rate
+from algebroproj_sym.reading.defining.premises import Premise
+from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+
+_AT_ONE_TIME = re.compile(
+    r"\b(?:initial|starting|start|final|mean|average|constant|fixed|equilibrium|amplitude|maxim\w+|minim\w+|reference|"
+    r"rest)\b[^.$]{0,40}\$([^$=]*)\$"
+)
+"""Words before a letter that stands for one value of a function."""
+
+
+def lone_arguments(formulas: Iterable[Sequence[Formula]], prose: str) -> dict[str, str]:
+    """Return the functions that have one letter as their argument everywhere, and stand elsewhere without it.
+
+    None stands beside itself without its argument, nor beside its argument as a factor, nor is it one value by words.
+
+    Parameters
+    ----------
+    formulas : iterable of sequence of Tree
+        The sides of each formula of a document.
+    prose : str
+        Its words.
+    """
+    arguments: dict[str, set[str]] = {}
+    alone, beside = set[str](), set[tuple[str, str]]()
+    apart = {re.sub(r"[{}\s]", "", each) for each in _AT_ONE_TIME.findall(prose)}
+    for sides in formulas:
+        called = [each for side in sides for each in side.find_data("call")]
+        lone = {str(each.children[0]) for side in sides for each in side.find_data("symbol")}
+        runs = [[str(part.children[0]) for part in trees_in(each)] for side in sides for each in side.find_data("run")]
+        for call in called:
+            arguments.setdefault(str(call.children[0]), set()).add(" ".join(defined_by(call)[1]))
+        apart |= {str(each.children[0]) for each in called} & lone
+        alone |= lone
+        beside |= {(one, other) for factors in runs for one in factors for other in factors}
+    found = {function: min(letters) for function, letters in arguments.items() if len(letters) == 1}
+    return {
+        each: letter
+        for each, letter in found.items()
+        if letter in alone
+        and each in alone - apart
+        and (each, letter) not in beside
+        and re.sub(r"[{}]", "", each) not in apart
+    }
+
+
+def alike(
+    lone_arguments: Mapping[str, str], occurring: frozenset[str], vocabulary: Vocabulary, premises: Iterable[Premise]
+) -> dict[str, str]:
+    """Return the functions that are the same with and without their argument, with the argument.
+
+    The letter gives the function where it stands without it, or the document has its derivative by it.
+    """
+    lone = {each.gives.symbol for each in premises if each.gives is not None and not each.gives.parameters}
+    found = {}
+    for function, argument in lone_arguments.items():
+        known = vocabulary.definitions.get(function)
+        if known is not None and not known.parameters:
+            is_same = argument in vocabulary.behind(function)
+        else:
+            is_same = function not in lone and has_rate(function, argument, occurring)
+        if is_same:
+            found[function] = argument
+    return found
+
+
+def without_arguments(tree: Formula, functions: Mapping[str, str]) -> Formula:
+    """Return a formula in which letters stand for the values of functions at their argument."""
+    symbol, parameters = defined_by(tree) if tree.data == "call" else ("", ())
+    if parameters and (functions.get(symbol),) == parameters:
+        return Tree("symbol", [tree.children[0].update(type="SYMBOL")])  # type: ignore[union-attr]  # the name of a call
+    return Tree(
+        tree.data, [without_arguments(each, functions) if isinstance(each, Tree) else each for each in tree.children]
+    )
+
+
+def known_without(vocabulary: Vocabulary, functions: Mapping[str, str]) -> Vocabulary:
+    """Return what letters stand for where functions are letters."""
+    found = vocabulary.copied()
+    for each in vocabulary.definitions.values():
+        own = (functions.get(each.symbol),) == each.parameters
+        tree = without_arguments(each.tree, functions)
+        if own and each.symbol in symbols_in(tree):
+            found.definitions.pop(each.symbol)
+        else:
+            found.define(replace(each, tree=tree, parameters=() if own else each.parameters))
+    found.forget()
+    return found
+
+
+def premise_without(premise: Premise, functions: Mapping[str, str]) -> Premise:
+    """Return an equation where functions are letters."""
+    left, right = (without_arguments(each, functions) for each in (premise.left, premise.right))
+    return replace(premise, left=left, right=right)

@@ -1,0 +1,127 @@
+r"""Derivatives by the chain rule, as ``\frac{\partial L}{\partial w}`` where y gives L, and w gives y.
+
+``\frac{dy}{dx}`` is a rate divided by another one, if y and x have rates by the same letter.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.defining.premises import letter_of
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+
+DIVIDED = "one rate divided by another one"
+"""What a derivative rests on that is a quotient of rates."""
+_CLOSED = ("big", "call", "slope", "inner", "matrix")
+"""What letters are not put into."""
+
+
+def chained(
+    sign: str, function: str, below: str, names: Mapping[str, str], vocabulary: Vocabulary
+) -> tuple[Formula, tuple[str, ...], Definition, Definition | None] | None:
+    r"""Return a derivative of what a letter stands for, through the letters that give it.
+
+    A partial derivative by a letter that stands in the formula itself, and in what another letter of it stands for, may
+    mean two things: there is none.
+
+    Parameters
+    ----------
+    sign : str
+        ``d`` or ``\partial``.
+    function : str
+        The letter whose derivative it is.
+    below : str
+        The bare name of the letter by which it is taken.
+    names : mapping of str to str
+        The letters of the document by their bare names.
+    vocabulary : Vocabulary
+        The definitions.
+
+    Returns
+    -------
+    tuple
+        What it is, the letters that do not change, the definition of the function, and that of the derivative with the
+        letter free if it has a value itself; None if there is no derivative.
+    """
+    definition = vocabulary.definitions.get(function)
+    if definition is None or not definition.usable or definition.parameters or definition.role == "case":
+        return None
+    used = {each.symbol: each for each in vocabulary.used_in(definition.tree)}
+    reached = {*definition.symbols}.union(*(each.symbols for each in used.values()))
+    variable = names.get(below, "")
+    if variable not in reached or variable == function:
+        return None
+    through = _through(variable, used)
+    direct, via = variable in definition.symbols, through & {*definition.symbols}
+    if (direct and via and sign != "d") or any(used[each].parameters or used[each].role == "case" for each in through):
+        return None
+    tree = _put_in(definition.tree, {each: used[each].tree for each in through})
+    closed = [part for part in tree.iter_subtrees() if part.data in _CLOSED]
+    others = frozenset(symbols_in(tree)) - {variable}
+    others |= frozenset().union(*(vocabulary.behind(each) for each in others if each in used))
+    if variable in others or vocabulary.moves_with(others, variable) or stands_within(variable, others):
+        return None
+    kept = tuple(sorted(vocabulary.letters_of(tree) - {variable})) if sign == "d" else ()
+    if variable not in used:
+        return (_slope(letter_of(function), variable), kept, definition, None) if via else None
+    own = {variable}.union(vocabulary.behind(variable))
+    if closed or (sign == "d" and own & others):
+        return None
+    free = Definition(f"{function} by {variable} ", (variable,), _slope(tree, variable), definition.where, -1, True)
+    value: Formula = Tree("call", [Token("CALLEE", free.symbol), Tree("items", [letter_of(variable)])])
+    return value, kept, definition, free
+
+
+def _through(variable: str, used: Mapping[str, Definition]) -> frozenset[str]:
+    """Return the letters, without the variable, in whose values the variable stands."""
+    found = set[str]()
+    while more := {
+        each.symbol
+        for each in used.values()
+        if each.symbol not in found | {variable} and ({variable} | found) & {*each.symbols}
+    }:
+        found |= more
+    return frozenset(found)
+
+
+def _put_in(tree: Formula, values: Mapping[str, Formula]) -> Formula:
+    """Return a formula with what letters stand for in their place."""
+    if tree.data == "symbol" and (value := values.get(str(tree.children[0]))) is not None:
+        return Tree("group", [_put_in(value, values)])
+    return Tree(tree.data, [_put_in(each, values) if isinstance(each, Tree) else each for each in tree.children])
+
+
+def _slope(value: Formula, variable: str) -> Formula:
+    return Tree("slope", [value, letter_of(variable)])
+
+
+def divided(above: str, below: str, names: Mapping[str, str], variables: Iterable[str]) -> Formula | None:
+    r"""Return ``\frac{dy}{dx}`` as the rate of y divided by that of x; None if there are none, or several such pairs.
+
+    Neither may be a field, of which the document has a partial derivative.
+
+    Parameters
+    ----------
+    above, below : str
+        The bare names of y and x.
+    names : mapping of str to str
+        The symbols of the document by their bare names.
+    variables : iterable of str
+        The bare names of the letters by which rates are taken.
+    """
+    if any(
+        re.match(rf"\\partial(?:\^\d)?(?:{re.escape(above)}|{re.escape(below)})(?![a-zA-Z_'^])", each) for each in names
+    ):
+        return None
+    pairs = [
+        (names[one], names[other])
+        for each in variables
+        if each not in (above, below)
+        for one, other in [(f"d{above}/d{each}", f"d{below}/d{each}")]
+        if one in names and other in names
+    ]
+    return Tree("fraction", [*map(letter_of, pairs[0])]) if len(pairs) == 1 else None

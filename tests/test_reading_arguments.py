@@ -1,0 +1,94 @@
+r"""Functions with and without their argument: where x is x(t), and where the letter is another thing."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+FOLLOWS = {
+    "functions of an angle": (
+        r"The reflection and transmission are \[ r = \frac{\cos\theta - m}{\cos\theta + m} \] \[ t = "
+        r"\frac{2\cos\theta}{\cos\theta + m} \] Then \[ t(\theta) - r(\theta) = 1 \]"
+    ),
+    "a position and its speed": (
+        r"The position is \[ x(t) = a t^2 \] The speed is \[ \dot x = 2 a t \] The energy is \[ E = k x \] "
+        r"so that \[ E = k a t^2 \]"
+    ),
+    "a differential equation": (
+        r"The balance is \[ \frac{dv}{dt} = g - \frac{c}{m} v \] In our example \[ \frac{dv}{dt} = g - "
+        r"\frac{c}{m} v(t) \]"
+    ),
+    "a rate of time": r"The mass is \[ \dot m = - k u \] \[ \dot u = - u \] so \[ \dot m = - k u(t) \]",
+}
+MISLEADING = {
+    "the speed of sound": (
+        r"The speed of sound is \[ v = \lambda f \] The car moves with \[ v(t) = a t \] \[ \dot v = a \] "
+        r"Hence \[ a t = \lambda f \]"
+    ),
+    "a variable of the transform": (
+        r"The signal is \[ s(t) = a \sin t \] The Laplace variable is \[ s = w + b \] Hence \[ \dot s = a "
+        r"\cos t \] \[ a \sin t = w + b \]"
+    ),
+    "a focal length": (
+        r"The function is \[ f(x) = x^2 \] The focal length is \[ f = 2 c \] with $\frac{df}{dx} = 2x$. "
+        r"Hence \[ x^2 = 2 c \]"
+    ),
+    "a product": (
+        r"The force is the product \[ F = m a \] and \[ p = m(a) \] with $\frac{dm}{da} = 1$. Hence \[ F = p "
+        r"a \]"
+    ),
+    "an amplitude": (
+        r"The amplitude is $u$. The wave is \[ u(t) = u \sin t \] \[ \dot u = u \cos t \] and \[ E = k u \] "
+        r"Hence \[ E = k u(t) \]"
+    ),
+    "a value at the start": (
+        r"The temperature at the start is \[ T = a + b \] It falls: \[ \frac{dT}{dt} = - k \] \[ Q = c T \] "
+        r"At a later time \[ Q = c T(t) \]"
+    ),
+    "a mean value": (
+        r"The mean is $x$ and the value is $x(t)$ at the time $t$: \[ x(t) = c + d t \] \[ \dot x = d \] \[ "
+        r"x = c \] \[ y = x^2 \] Then \[ y = (c + d t)^2 \]"
+    ),
+    "an initial height": (
+        r"The initial height is $h$. It falls with \[ \frac{dh}{dt} = - v \] The energy is \[ E = m g h \] "
+        r"and later \[ E = m g h(t) \]"
+    ),
+    "a circle on an orbit": (
+        r"The orbit is \[ r(\theta) = \frac{p}{1 + \cos\theta} \] The circle has the radius $r$. The circle "
+        r"has the area \[ A = \pi r^2 \] so \[ A = \pi \frac{p^2}{(1 + \cos\theta)^2} \]"
+    ),
+    "a probability": (
+        r"The density is \[ p(x) = e^{-x} \] where $p$ is a probability, and the odds are \[ q = p / (1 - p) "
+        r"\] so \[ q = e^{-x} / (1 - e^{-x}) \]"
+    ),
+    "the depth of a well": (
+        r"The height is \[ h(x) = a x^2 \] The well has the depth $h$ below. Its pressure is \[ P = g h \] "
+        r"Thus \[ P = g a x^2 \]"
+    ),
+    "a moment of inertia": (
+        r"The current is \[ I(t) = a t \] The moment of inertia $I$ gives \[ L = I w \] Hence \[ L = a t w "
+        r"\]"
+    ),
+    "a force": (
+        r"The distribution function is \[ F(x) = 1 - e^{-x} \] The force is \[ W = F s \] Thus \[ W = (1 - "
+        r"e^{-x}) s \]"
+    ),
+    "a number of samples": (
+        r"A growth law is \[ N(t) = a + b t \] With $N$ samples we have \[ m = S / N \] Hence \[ m = S / (a "
+        r"+ b t) \]"
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FOLLOWS)
+def test_a_function_is_the_same_without_its_argument(name):
+    last = read_document(document_of(FOLLOWS[name]))[-1]
+    assert (last.read is not None, last.verdict) == (True, "follows")
+
+
+@pytest.mark.parametrize("name", MISLEADING)
+def test_a_letter_may_be_another_thing_than_the_function(name):
+    last = read_document(document_of(MISLEADING[name]))[-1]
+    assert last.read is not None
+    assert last.verdict in ("independent", "not decided", "definition")

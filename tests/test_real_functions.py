@@ -244,8 +244,8 @@ def test_a_forged_value_of_an_undefined_number_is_rejected():
     found = decided(question({"lhs": "sqrt(4)*x", "rhs": "2*x"}))
     step = {"law": "defined", "term": "sin(1/(sqrt(4) - 2))"}
     value = {"law": "value", "polynomial": "_2", "bits": 64}
-    other = {"assumed": "=", "steps": [], "end": "goal"}
-    case = {"of": "_1 - 2", "parts": [{"assumed": "!=", "steps": [step, value], "end": "goal"}, other]}
+    others = [{"assumed": relation, "steps": [], "end": "goal"} for relation in ("=", "<")]
+    case = {"of": "_1 - 2", "parts": [{"assumed": ">", "steps": [step, value], "end": "goal"}, *others]}
     forged = copy.deepcopy(found)
     forged["certificate"]["proof"] = {"steps": [], "cases": case}
     del forged["relation"]

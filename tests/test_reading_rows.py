@@ -57,6 +57,20 @@ TWO = r"x = a & t = 0 \\ y = b & t = 1"
         (rf"\[ \left\{{ \begin{{matrix}} {TWO} \end{{matrix}} \right. \] Hence \[ a t = 0. \]", False),
         (r"\[ \begin{matrix} x = a & t = 0 \\ x = b & t = 1 \end{matrix} \] Hence \[ x - a = 0. \]", False),
         (r"\[ \begin{matrix} x = a & \text{if } t = 0 \\ y = b & u = 1 \end{matrix} \] Hence \[ x - a = 0. \]", False),
+        (rf"\[ \begin{{cases}} {TWO.replace('&', '& &')} \end{{cases}} \] Hence \[ a t = 0. \]", False),
+        (
+            rf"\[ \left\{{ \begin{{array}}{{lll}} {TWO.replace('&', '& &')} \end{{array}} \right. \] Hence \[ a t = 0. \]",
+            False,
+        ),
+        (
+            rf"\[ \begin{{cases}} {TWO.replace('= a', '&= a').replace('= b', '&= b')} \end{{cases}} \] Hence \[ a t = 0. \]",
+            False,
+        ),
+        (
+            rf"\[ \begin{{cases}} {TWO.replace('= a', '&=& a').replace('= b', '&=& b')} \end{{cases}} \] Hence \[ a t = 0. \]",
+            False,
+        ),
+        (r"\[ \begin{cases} x &=& a t \\ y &=& b + c \end{cases} \] Hence \[ x + y = a t + b + c. \]", True),
         (r"\[ \begin{cases} x &= a t \\ y &= b + c \end{cases} \] Hence \[ x + y = a t + b + c. \]", True),
         (r"\[ \begin{matrix} x = a & y = b \\ u = c & v = d \end{matrix} \] Hence \[ x + v = a + d. \]", True),
     ],

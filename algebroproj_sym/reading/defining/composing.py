@@ -10,9 +10,8 @@ from typing import Any
 from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, lone
 from algebroproj_sym.reading.defining.oblong import is_inverse
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import Formula, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
 
-Sides = Sequence[Formula]
 _THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
 _QUATERNIONS = re.compile(r"\bquaternions?\b", re.IGNORECASE)
 _ALL_CAPITALS = re.compile(

@@ -31,9 +31,8 @@ from algebroproj_sym.reading.defining.factors import (
 )
 from algebroproj_sym.reading.defining.oblong import oblong_in
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, symbols_in, trees_in
 
-Sides = Sequence[Formula]
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
 """A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
 _SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")

@@ -9,9 +9,8 @@ from typing import Any
 from lark import Tree
 
 from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, head_of, lone, terms_of
-from algebroproj_sym.reading.parsing.grammar import Formula, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
 
-Sides = Sequence[Formula]
 _SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
 _HAS_NO_INVERSE = (
     r"(?:(?<!non)(?<!non-)singular(?! values?| vectors?)|not (?:be )?(?:square|invertible)|non-?(?:square|invertible)"
@@ -40,10 +39,9 @@ _ARE_OF_SIZE = re.compile(r"\$([^$]+)\$ (?:is|be|are|denotes?) (?:an? |the )?\$(
 
 def oblong_in(equations: Sequence[Sides], occurring: Iterable[str], words: str) -> frozenset[str]:
     """Return the letters of matrices that may not be square."""
-    sides = [side for each in equations for side in each]
     found = set[str]()
     if not _SQUARE.search(words):
-        found |= {*_inverted_squares_in(equations, sides), *_normal_in(equations)}
+        found |= {*_inverted_squares_in(equations), *_normal_in(equations)}
         found |= {*_mapping_in(equations)} if _UNEVEN.search(words) else set()
     declared = {letter for letter, rows, width in _DECLARED.findall(words) if rows != width}
     declared |= {letter or other for letter, other in _SINGULAR.findall(words)}
@@ -57,24 +55,25 @@ def _bare(symbol: str) -> str:
     return re.sub(r"[{}\s]", "", symbol)
 
 
-def _inverted_squares_in(equations: Iterable[Sides], sides: Iterable[Formula]) -> Iterator[str]:
+def _inverted_squares_in(equations: Sequence[Sides]) -> Iterator[str]:
     r"""Yield the letters of which a square is inverted, as X in ``(X^T X)^{-1}``, or in ``S = X^T X``, ``S^{-1}``."""
-    bases = [power.children[0] for side in sides for power in side.find_data("power") if is_inverse(power)]
+    powers = (power for each in equations for side in each for power in side.find_data("power"))
+    bases = [power.children[0] for power in powers if is_inverse(power)]
     inverted = {base_of(each) for each in bases if isinstance(each, Tree)} - {""}
     for each in bases:
         yield from _squared_in(each)
-    yield from _normal_in(equations)
     for both in equations:
         if inverted & {head_of(side) for side in both}:
             for side in both:
                 yield from _squared_in(side)
 
 
-def _normal_in(equations: Iterable[Sides]) -> Iterator[str]:
+def _normal_in(equations: Sequence[Sides]) -> Iterator[str]:
     """Yield the letters of normal equations: A in ``A^T A x = A^T b``, which is not invertible as a rule."""
-    every = [*equations]
-    named = {head_of(one): {*_squared_in(other)} for both in every for one in both for other in both if head_of(one)}
-    for both in every:
+    named = {
+        head_of(one): {*_squared_in(other)} for both in equations for one in both for other in both if head_of(one)
+    }
+    for both in equations:
         terms = [[*trees_in(term)] for side in both for term in terms_of(side) if term.data == "run"]
         turned = [(base_of(first), [lone(each) for each in rest]) for first, *rest in terms if first.data == "marked"]
         squares = {letter for letter, rest in turned if letter and letter in rest[:-1]}

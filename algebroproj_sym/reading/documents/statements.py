@@ -8,7 +8,13 @@ from dataclasses import dataclass
 
 from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of, without_number
 from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING, RELATIONS
-from algebroproj_sym.reading.lexing.pieces import Piece, outside_environments, split_pieces
+from algebroproj_sym.reading.lexing.pieces import (
+    Piece,
+    begins_with_relation,
+    ends_with_relation,
+    has_relation,
+    split_pieces,
+)
 
 _INNER = re.compile(
     r"\\(begin|end)\{(?:split|aligned|gathered|alignedat|multlined|subarray|(?:align|eqnarray|equation|gather|multline)\*?)\}"
@@ -111,7 +117,7 @@ def statements(document: Document) -> list[Statement]:
 def _goes_on_behind(pieces: Sequence[Piece], before: Statement) -> bool:
     """Whether a display begins with a relation, so that it goes on with the equation of the one before it."""
     first = _without_idle(pieces)[:1]
-    return bool(first and before.pieces and not before.condition) and _is_relation(first[0].text)
+    return bool(before.pieces and not before.condition) and begins_with_relation(first)
 
 
 def _last_side(pieces: Sequence[Piece]) -> list[Piece]:
@@ -148,7 +154,7 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
             bare = _without_idle([piece for piece in row if piece.text != "&"])
         if not bare:
             continue
-        if found and found[-1][1] and (_goes_on(found[-1][1][-1][0], row) or _is_relation(bare[0].text)):
+        if found and found[-1][1] and (_goes_on(found[-1][1][-1][0], row) or begins_with_relation(bare)):
             texts, (*before, (pieces, condition)) = found[-1]
             (more, words), *rest = [*_parts(_columns(row), continuing=True)] or [([], "")]
             found[-1] = ([*texts, text], [*before, ([*pieces, *more], condition or words), *rest])
@@ -164,7 +170,7 @@ def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:
     """Return the equations between arrows; all in one if an arrow leads from or to what is no equation."""
     for arrows in (_STEPS, _ARROWS):
         parts = [part for part in split_pieces(pieces, arrows) if _without_idle(part)]
-        if parts and all(map(_has_relation, parts)) and (arrows is _ARROWS or _are_equations(parts)):
+        if parts and all(map(has_relation, parts)) and (arrows is _ARROWS or _are_equations(parts)):
             return parts
     return [list(pieces)]
 
@@ -205,26 +211,17 @@ def _flat(pieces: Sequence[Piece]) -> list[Piece]:
     return kept
 
 
-def _is_relation(text: str) -> bool:
-    return text in RELATIONS
-
-
-def _has_relation(row: Sequence[Piece]) -> bool:
-    return any(_is_relation(piece.text) for part in split_pieces(row, ()) for piece in outside_environments(part))
-
-
 def _behind_words(row: list[Piece], bare: Sequence[Piece]) -> list[Piece]:
     r"""Return a row without its first words if it goes on with a relation, as ``\text{or} &= a`` does."""
     end = _group_end(bare, 1)
     rest = _without_idle(bare[end:])
-    begins = rest and _is_relation(rest[0].text) and not _names(_text_of(bare[1:end]))
+    begins = begins_with_relation(rest) and not _names(_text_of(bare[1:end]))
     return row[row.index(rest[0]) :] if begins else row
 
 
 def _goes_on(before: Sequence[Piece], row: Sequence[Piece]) -> bool:
     """Whether a row goes on with the equation of the row before it."""
-    end = _without_idle(before)[-1:]
-    return bool(end and _is_relation(end[0].text)) or not _has_relation(row) or _begins_with_sign(row)
+    return ends_with_relation(_without_idle(before)) or not has_relation(row) or _begins_with_sign(row)
 
 
 def _begins_with_sign(row: Sequence[Piece]) -> bool:
@@ -239,9 +236,9 @@ def _columns(row: Sequence[Piece]) -> list[list[Piece]]:
     found: list[list[Piece]] = [[]]
     for place, cell in enumerate(cells):
         rest = [piece for each in cells[place : place + 2] for piece in each]
-        begins = place >= 2 and place % 2 == 0 and _has_relation(found[-1]) and _has_relation(rest)
-        begins = begins and not _is_relation(_without_idle(found[-1])[-1].text)
-        if begins and not _is_relation(_without_idle(rest)[0].text):
+        begins = place >= 2 and place % 2 == 0 and has_relation(found[-1]) and has_relation(rest)
+        begins = begins and not ends_with_relation(_without_idle(found[-1]))
+        if begins and not begins_with_relation(_without_idle(rest)):
             found.append([])
         found[-1] += cell
     return found
@@ -259,9 +256,9 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
             if part and begun and not statements and _IF.search(begun[-1]):
                 begun.append(_text_of(part))
                 part = []
-            if part and _has_relation(part) and statements and statements[-1][1] == ["and"]:
+            if part and has_relation(part) and statements and statements[-1][1] == ["and"]:
                 statements[-1][1].clear()
-            bracketed = part and part[0].text == "(" and part[-1].text == ")" and _has_relation(part)
+            bracketed = part and part[0].text == "(" and part[-1].text == ")" and has_relation(part)
             if part and statements and (bracketed or _OPENS.search(statements[-1][1][-1] if statements[-1][1] else "")):
                 statements[-1][1].append("".join(piece.text for piece in part))
                 part = []
@@ -271,7 +268,7 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
                     statements[-1][1].extend([last, "".join(piece.text for piece in part)])
                 ranges = True
                 continue
-            if (part and (_has_relation(part) or (continuing and not statements)) and not ranges) or (
+            if (part and (has_relation(part) or (continuing and not statements)) and not ranges) or (
                 part and not statements
             ):
                 statements.append((list(part), begun))
@@ -298,12 +295,12 @@ def _labelled(parts: list[Part]) -> tuple[str, list[Part]]:
     name, behind = first[:colon], first[colon + 1 :]
     is_spaced = bool(behind) and behind[0].text.isspace() and behind[1:2] != [] and behind[1].text in _SPACES
     is_spaced = is_spaced or (bool(behind) and behind[0].text in _SPACES)
-    is_last = not _without_idle(behind) and any(_has_relation(part) for part, _ in rest)
+    is_last = not _without_idle(behind) and any(has_relation(part) for part, _ in rest)
     if not _without_idle(name) or name[-1].text in (*_SPACES, "=") or colon == len(first):
         return "", parts
     if is_last:
         return _text_of(first), rest
-    if is_spaced and _has_relation(behind) and not any(piece.text in _MAPS for piece in behind):
+    if is_spaced and has_relation(behind) and not any(piece.text in _MAPS for piece in behind):
         return f"{_text_of(name)}:", [(behind, words), *rest]
     return "", parts
 

@@ -10,7 +10,15 @@ import re
 from collections.abc import Iterable, Sequence
 
 from algebroproj_sym.reading.lexing.commands import CLOSING, FUNCTIONS, MAX_PIECES, OPENING, RELATIONS, SIGNS
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, outside_environments, pieces_of, split_pieces
+from algebroproj_sym.reading.lexing.pieces import (
+    Piece,
+    UnreadableError,
+    begins_with_relation,
+    ends_with_relation,
+    has_relation,
+    pieces_of,
+    split_pieces,
+)
 
 _BOXES = frozenset((r"\mbox", r"\hbox", r"\textnormal", r"\textup", r"\textsf", r"\text", r"\textrm"))
 _OVER = frozenset((r"\overset", r"\stackrel", r"\underset"))
@@ -341,7 +349,7 @@ def _system(pieces: list[Piece]) -> list[Piece]:
         parted = [_as(each, r"\\") if each.text == "&" else each for each in inside]
         return [*pieces[:place], *parted, *behind] if cells and each_one else pieces
     columns = rows if match[1] == "array" else map(_first_column, rows)
-    equations = [any(piece.text in RELATIONS for piece in outside_environments(each)) for each in columns]
+    equations = [*map(has_relation, columns)]
     alone = equations and (any if match[1] == "array" else all)(equations)
     end = [_as(behind[0], r"\\")] if goes_on else []
     told = [piece for row in rows for piece in (*_with_condition(row), _as(row[0], r"\\"))][:-1]
@@ -351,19 +359,20 @@ def _system(pieces: list[Piece]) -> list[Piece]:
 def _first_column(row: Sequence[Piece]) -> list[Piece]:
     """Return what stands before the first mark of alignment; the whole row if a relation follows it."""
     first, *others = split_pieces(row, ("&",))
-    begins = bool(others) and next((each.text for each in others[0] if each.text.strip()), "") in RELATIONS
-    return list(row) if begins else first
+    return list(row) if others and begins_with_relation(others[0]) else first
 
 
 def _with_condition(row: Sequence[Piece]) -> list[Piece]:
-    """Return a row in which a relation in its second column is a condition of the one in the first, and no factor."""
-    first, *others = split_pieces(row, ("&",))
-    has = [any(each.text in RELATIONS for each in outside_environments(cell)) for cell in (first, *others)]
-    last = next((each.text for each in reversed(first) if each.text.strip()), "")
-    begins = [next((each.text for each in cell if each.text.strip()), "") in RELATIONS for cell in others]
-    if len(others) == 1 and all(has) and not begins[0] and last not in RELATIONS and _is_bare(others[0]):
-        return [*first, *(_as(first[-1], text) for text in (r"\quad", r"\text", "{", *"if", "}")), *others[0]]
-    return list(row)
+    """Return a row in which a relation in a column behind an equation is a condition of it, and no factor."""
+    said, *others = split_pieces(row, ("&",))
+    for cell in others:
+        ends = has_relation(said) and not ends_with_relation(said)
+        if ends and has_relation(cell) and not begins_with_relation(cell) and _is_bare(cell):
+            said += [_as(cell[0], text) for text in (r"\quad", r"\text", "{", *"if", "}")]
+        else:
+            said.append(_as((*cell, *row)[0], "&"))
+        said += cell
+    return said
 
 
 def _is_bare(cell: Sequence[Piece]) -> bool:

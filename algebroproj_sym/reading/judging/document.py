@@ -181,7 +181,7 @@ class _Pass:
         self.memory.listen(statement)
         if reason := self.survey.meanings.reason(statement, found):
             self.memory.note(statement, found)
-            self.memory.open |= {symbol: display.part for side in found.sides for symbol in symbols_in(side)}
+            self.memory.leave_open(found, display.part)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
             equal = bool(found.relations) and found.relations[0] in EQUALITIES
             if equal and not reason.endswith(VARIES) and introduces(self.memory, statement, found):

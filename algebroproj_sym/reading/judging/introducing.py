@@ -5,10 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from algebroproj_sym.reading.defining.instances import numbers_put_in
-from algebroproj_sym.reading.defining.premises import (
-    derivatives_in,
-    neighbours,
-)
+from algebroproj_sym.reading.defining.premises import derivatives_in, neighbours
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     argument_of,
@@ -25,9 +22,7 @@ from algebroproj_sym.reading.defining.recognising import (
 from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.memory import Memory, where_of
-from algebroproj_sym.reading.judging.words import (
-    beside,
-)
+from algebroproj_sym.reading.judging.words import beside
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 
@@ -53,7 +48,7 @@ def definition_in(
     ):
         return None
     late = late or explicit or memory.introduced or table
-    used = memory.asserted.get(symbol, statement.display.place) != statement.display.place and not late
+    used = bool(memory.said_before((symbol,), statement.display.place)) and not late
     again = symbol in memory.vocabulary.definitions and relation not in (":=", "=:")
     if used or again or is_circular(symbol, right, memory.vocabulary):
         return None
@@ -83,9 +78,8 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
 
 def _are_new(memory: Memory, symbols: frozenset[str], other: Formula, statement: Statement) -> bool:
     """Whether nothing was said of letters before, and the other side does not have them."""
-    before = {*memory.vocabulary.definitions, *memory.given.whole.symbols}
-    before |= {symbol for symbol, since in memory.asserted.items() if since != statement.display.place}
-    return bool(symbols) and not symbols & before.union(symbols_in(other))
+    elsewhere = {*memory.vocabulary.definitions, *memory.given.whole.symbols, *symbols_in(other)}
+    return bool(symbols) and not symbols & elsewhere and not memory.said_before(symbols, statement.display.place)
 
 
 def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:

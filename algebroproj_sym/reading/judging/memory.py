@@ -180,6 +180,14 @@ class Memory:
             made = Definition(*given, place=self.beside.place, words=words, context=self.context)
             self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
 
+    def leave_open(self, formula: Parsed, part: int) -> None:
+        """Take notice of the letters of an equation of which nothing is decided, in a part of the document."""
+        self.open |= {symbol: part for side in formula.sides for symbol in symbols_in(side)}
+
+    def said_before(self, symbols: Collection[str], place: int) -> frozenset[str]:
+        """Return those of some letters of which a display before a place said something."""
+        return frozenset(each for each in symbols if self.asserted.get(each, place) != place)
+
     def restate(self, formula: Parsed) -> None:
         """Take notice that a letter with a definition is given within the text, and otherwise."""
         for side in formula.sides:

@@ -29,17 +29,18 @@ CONDITIONAL = re.compile(
     re.IGNORECASE,
 )
 """Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
-_REJECTED = (
+_REJECTED = re.compile(
     r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|refuted|dispro\w+|absurd|"
     r"(?:a|was) slip|typo|misprint\w*|erratum|errata|impossible|contradict\w*|invalid|untenable|neither|nor|no longer|"
     r"naive\w*|tempt\w+|sign error|in error|ceases?|fails? (?:to hold|in general)|if only|wrongly|"
     r"earlier (?:version|draft|edition)|(?<!one )(?:writes|claims|asserts|believes|claimed|believed|wrote)|"
     r"not (?:\w+ )?(?:true|equal|hold|follow|valid|correct|right|so|work|the case)|"
-    r"superseded|obsolete|outdated|retracted|withdrawn|fallac(?:y|ies|ious))\b"
+    r"superseded|obsolete|outdated|retracted|withdrawn|fallac(?:y|ies|ious))\b",
+    re.IGNORECASE,
 )
 """Words by which an equation in their sentence is said not to hold."""
 _DENIED = re.compile(
-    _REJECTED + r"|\b(?:(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
+    _REJECTED.pattern + r"|\b(?:(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
     r"conjectur\w*|alleg\w+|nobody|no one|students|beginners|jok(?:e|es|ing)|imagine|pretend|ideally|folk\w*|"
     r"(?:find|spot) the \w+|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
@@ -219,7 +220,12 @@ class Beside:
     @property
     def is_conditional(self) -> bool:
         """Whether its own sentence speaks of a condition, or denies it."""
-        return self.is_denied or CONDITIONAL.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+        return self.is_denied or CONDITIONAL.search(self._whole) is not None
+
+    @property
+    def _whole(self) -> str:
+        """Its own sentence, to its end."""
+        return f"{self.sentence} {self.condition} {self.behind}"
 
     @property
     def supposes(self) -> bool:
@@ -229,13 +235,12 @@ class Beside:
     @property
     def is_denied(self) -> bool:
         """Whether its own sentence says that it does not hold."""
-        return _DENIED.search(f"{self.sentence} {self.condition} {self.behind}") is not None
+        return _DENIED.search(self._whole) is not None
 
     @property
     def is_rejected(self) -> bool:
         """Whether its own sentence says flatly that it does not hold."""
-        words = f"{self.sentence} {self.condition} {self.behind}"
-        return re.search(_REJECTED, words, re.IGNORECASE) is not None
+        return _REJECTED.search(self._whole) is not None
 
     @property
     def words(self) -> frozenset[str]:

@@ -86,6 +86,21 @@ def outside_environments(pieces: Sequence[Piece]) -> list[Piece]:
     return kept
 
 
+def has_relation(pieces: Sequence[Piece]) -> bool:
+    """Whether a relation stands in no brace or environment."""
+    return any(piece.text in RELATIONS for piece in outside_environments(pieces))
+
+
+def begins_with_relation(pieces: Iterable[Piece]) -> bool:
+    """Whether the first piece that is no space is a relation."""
+    return next((piece.text for piece in pieces if not piece.text.isspace()), "") in RELATIONS
+
+
+def ends_with_relation(pieces: Sequence[Piece]) -> bool:
+    """Whether the last piece that is no space is a relation."""
+    return begins_with_relation(reversed(pieces))
+
+
 def outside_braces(pieces: Sequence[Piece]) -> list[Piece]:
     """Return the pieces that stand in no brace."""
     kept, depth = list[Piece](), 0

@@ -18,6 +18,7 @@ from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, outsid
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 
 Formula = Tree[Token]
+Sides = Sequence[Formula]
 
 _ENDINGS = (".", ";", ",", r"\Rightarrow", r"\implies", r"\quad", r"\qquad", "\\ ", r"\,", r"\;", r"\:", r"\!", "~")
 _SEEN = re.compile(

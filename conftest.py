@@ -1,8 +1,8 @@
 """What a run of the tests includes.
 
 By default it is what is quick.  ``--part rest`` is what that leaves out: builds and other long tests, most of many
-similar cases, tests that need an extra, and properties again with all their examples.  ``--part all`` is both.  CI runs
-both, with every extra.
+similar cases, tests that need an extra, and properties again with all their examples.  CI runs both, with every extra.
+``--part coq`` is what `.ci/coq` runs, and ``--part all`` is everything.
 """
 
 import os
@@ -40,7 +40,7 @@ settings.register_profile("whole", REPEATABLE)
 
 
 def pytest_addoption(parser):
-    parser.addoption("--part", choices=("quick", "rest", "all"), default="quick", help="Which tests to run.")
+    parser.addoption("--part", choices=(*PARTS, "all"), default="quick", help="Which tests to run.")
     parser.addoption(
         "--built", type=Path, help="The folder that `algebroproj build` has written; built anew otherwise."
     )
@@ -49,6 +49,7 @@ def pytest_addoption(parser):
 
 def pytest_configure(config):
     config.addinivalue_line("markers", "whole: what takes long, such as a build.")
+    config.addinivalue_line("markers", "coq: what Coq takes minutes for.")
     config.addinivalue_line("markers", "extra(name): the test needs this extra.")
     config.addinivalue_line("markers", "sampled(n): a quick run takes every n-th case.")
     settings.load_profile("quick" if config.getoption("part") == "quick" else "whole")
@@ -58,9 +59,8 @@ def pytest_collection_modifyitems(config, items):
     leave_out_what_is_not_sampled(items)
     part = config.getoption("part")
     if part != "all":
-        chosen = is_quick if part == "quick" else is_rest
-        config.hook.pytest_deselected(items=[item for item in items if not chosen(item)])
-        items[:] = filter(chosen, items)
+        config.hook.pytest_deselected(items=[item for item in items if not PARTS[part](item)])
+        items[:] = filter(PARTS[part], items)
 
 
 def leave_out_what_is_not_sampled(items):
@@ -75,13 +75,22 @@ def leave_out_what_is_not_sampled(items):
 
 
 def is_quick(item):
-    return item.get_closest_marker("whole") is None
+    return item.get_closest_marker("whole") is None and not is_for_coq(item)
 
 
 def is_rest(item):
     """Whether a quick run leaves a test out, skips it without an extra, or gives it fewer examples."""
+    if is_for_coq(item):
+        return False
     needs_extra = extra_of(item) is not None or item.get_closest_marker("extra") is not None
     return not is_quick(item) or needs_extra or hasattr(getattr(item, "obj", None), "hypothesis")
+
+
+def is_for_coq(item):
+    return item.get_closest_marker("coq") is not None
+
+
+PARTS = {"quick": is_quick, "rest": is_rest, "coq": is_for_coq}
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -3,17 +3,16 @@
 import copy
 import json
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
+from real_corpora import found_for
 
 from algebroproj_sym import Section, prove
 from algebroproj_sym.declaring import judge
 from algebroproj_sym.expressions import NotRationalError, ParseError, taylor
-from algebroproj_sym.proving.reals import decided
 from algebroproj_sym.replaying import Rejected, declaration_digest, replay_claim
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.definitions import MOST_PARTS, derivative, expansion, replaced
@@ -23,24 +22,7 @@ from algebroproj_sym.replaying.reals.values import value_of
 from algebroproj_sym.reporting.ledger import claim_record
 from algebroproj_sym.showing.display import markdown
 
-ITEMS = json.loads((Path(__file__).resolve().parent / "corpus" / "expansions.json").read_text(encoding="utf-8"))
-WITHOUT = {"relation": "=", "assumptions": [], "constraints": [], "nonzero": []}
 x, y, a = sympy.symbols("x y a")
-
-
-def found_for(lhs, rhs):
-    return json.loads(json.dumps(decided({**WITHOUT, "lhs": lhs, "rhs": rhs})))
-
-
-@pytest.mark.parametrize("item", ITEMS, ids=[item["name"] for item in ITEMS])
-def test_an_expansion_is_proved_and_a_false_one_refuted(item):
-    found = found_for(item["lhs"], item["rhs"])
-    assert found["verdict"] == item["expected"]
-    require_real(found)
-
-
-def test_each_true_one_stands_beside_a_false_one():
-    assert [item["expected"] for item in ITEMS] == ["proved", "refuted"] * (len(ITEMS) // 2)
 
 
 @pytest.mark.parametrize(
@@ -102,7 +84,7 @@ def test_a_derivative_by_a_letter_that_drops_out_exists_where_the_function_is_sm
     found = found_for(f"diff(taylor({function}, x, 1), a)", "0")
     assert (found["verdict"], {*found["hypotheses"]} <= {*hypotheses}) == ("proved", True)
     assert hypotheses[-1] in found["hypotheses"]
-    at_zero = decided({**WITHOUT, "lhs": f"diff(taylor({function}, x, 1), a)", "rhs": "0", "constraints": ["a = 0"]})
+    at_zero = found_for(f"diff(taylor({function}, x, 1), a)", "0", constraints=["a = 0"])
     assert at_zero["verdict"] == ("proved" if "asin" in function else "open")
 
 

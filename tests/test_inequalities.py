@@ -1,155 +1,19 @@
-"""Relations other than equality: verdicts of a corpus, and mutations of which none that is false may be proved."""
+"""Relations other than equality: mutations and forged proofs of which none that is false may be proved."""
 
 import copy
-import itertools
 import json
-import random
 import re
-from pathlib import Path
 
-import mpmath
 import pytest
 import sympy
+from real_corpora import fails_somewhere, items, question, rejected
 
 from algebroproj_sym import prove
 from algebroproj_sym.proving.reals import decided
-from algebroproj_sym.replaying import NotReplayable, Rejected
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.statement import statement_of
-from algebroproj_sym.replaying.reals.terms import written
 
-CORPUS = Path(__file__).resolve().parent / "corpus" / "inequalities.json"
-ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))
-STATED = [item for item in ITEMS if item["expected"] == "proved"]
-TRUE = [item for item in STATED if "found" not in item]
-FALSE = [item for item in ITEMS if item["expected"] == "refuted"]
-QUICK = TRUE[::6]
-
-
-def question(item, **changes):
-    """The question of an item, as the replay has it."""
-    asked = {"assumptions": [], "constraints": [], "nonzero": []} | item
-    keys = ("lhs", "relation", "rhs", "assumptions", "constraints", "nonzero")
-    return {key: asked[key] for key in keys} | changes
-
-
-def names(items):
-    return [item["name"] for item in items]
-
-
-def checked(item):
-    found = decided(question(item))
-    assert found["verdict"] == item.get("found", item["expected"])
-    if found["verdict"] != "open":
-        require_real(json.loads(json.dumps(found)))
-    return found
-
-
-CASES = [
-    pytest.param(item, id=item["name"], marks=() if item in (*QUICK, *FALSE[::3]) else pytest.mark.whole)
-    for item in ITEMS
-]
-
-
-@pytest.mark.parametrize("item", CASES)
-def test_every_verdict_is_the_declared_one_or_open_where_that_is_listed(item):
-    checked(item)
-
-
-def test_few_of_what_is_true_stay_open():
-    assert len(STATED) >= 140
-    assert len(FALSE) >= 100
-    assert len(TRUE) >= 0.8 * len(STATED)
-
-
-# -- an oracle of its own: values of mpmath, also at points where both sides may be equal ------------------------------
-
-NAMES = ["sqrt", "exp", "sin", "cos", "tan", "asin", "atan", "sinh", "cosh", "tanh", "asinh", "atanh", "log", "pi"]
-FUNCTIONS = {"abs": abs} | {name: getattr(mpmath, name) for name in NAMES}
-SPECIAL = [
-    "0",
-    "1",
-    "-1",
-    "1/2",
-    "-1/2",
-    "2",
-    "3",
-    "4",
-    "1/10",
-    "9",
-    "pi/6",
-    "pi/4",
-    "pi/3",
-    "pi/2",
-    "-pi/2",
-    "pi",
-    "2*pi",
-]
-SPECIAL += ["5*pi/4", "29/50", "159/100", "exp(1)", "sqrt(2)", "-9/10", "11/10", "1/100", "-1/100", "20"]
-
-
-def value(text, point):
-    code = re.sub(r"(?<!\w)[0-9]+", lambda found: f"mpf({found[0]})", text)
-    return eval(code, {"__builtins__": {}, "mpf": mpmath.mpf, **FUNCTIONS, **point})
-
-
-def points(symbols):
-    """Yield points: of special numbers, and at random, also close together."""
-    special = [value(text, {}) for text in SPECIAL]
-    if len(symbols) <= 2:
-        yield from (dict(zip(symbols, each, strict=True)) for each in itertools.product(special, repeat=len(symbols)))
-    else:
-        yield from (dict.fromkeys(symbols, number) for number in special)
-    generator = random.Random(11)
-    for _ in range(400):
-        scale = generator.choice((0.01, 1, 1, 3, 10))
-        shift = generator.choice((0, 0, generator.uniform(-2, 4)))
-        yield {name: mpmath.mpf(generator.uniform(-scale, scale) + shift) for name in symbols}
-
-
-def fails_somewhere(statement):
-    """Whether a relation fails at a point where the conditions hold, by ordinary evaluation with 40 digits."""
-    relation, goal = statement.goal
-    with mpmath.workdps(40):
-        for point in points(sorted(statement.symbols())):
-            try:
-                sides = [value(written(side), point) for side in (statement.left, statement.right)]
-                holds = [is_so(r, value(written(term), point)) for r, term in statement.given]
-                difference = value(written(goal), point)
-            except (ZeroDivisionError, ValueError, OverflowError):
-                continue
-            if all(holds) and all(map(is_real, (*sides, difference))):
-                close = abs(difference) <= 1e-30 * max(1, *map(abs, sides))
-                if not is_so(relation, mpmath.mpf(0) if close else difference):
-                    return True
-    return False
-
-
-def is_real(number):
-    return not isinstance(number, mpmath.mpc) and mpmath.isfinite(number)
-
-
-def is_so(relation, number):
-    if not is_real(number):
-        return False
-    return {"=": number == 0, "!=": number != 0, ">": number > 0, ">=": number >= 0}[relation]
-
-
-@pytest.mark.parametrize("item", QUICK, ids=names(QUICK))
-def test_the_oracle_agrees_with_what_is_true(item):
-    assert not fails_somewhere(statement_of(question(item)))
-
-
-@pytest.mark.whole
-@pytest.mark.parametrize("item", STATED, ids=names(STATED))
-def test_the_oracle_agrees_with_all_that_is_true(item):
-    assert not fails_somewhere(statement_of(question(item)))
-
-
-@pytest.mark.whole
-def test_the_oracle_sees_what_is_false():
-    seen = [fails_somewhere(statement_of(question(item))) for item in FALSE]
-    assert sum(seen) > 0.95 * len(seen)
+STATED = [item for item in items("inequalities") if item["expected"] == "proved"]
 
 
 # -- mutations --------------------------------------------------------------------------------------------------------
@@ -228,14 +92,6 @@ def test_what_is_not_negative_is_multiplied_by_squares(lhs, rhs, verdict):
 
 
 # -- forged proofs ----------------------------------------------------------------------------------------------------
-
-
-def rejected(forged):
-    try:
-        require_real(forged)
-    except (Rejected, NotReplayable, KeyError, TypeError, ValueError, AttributeError, IndexError):
-        return True
-    return False
 
 
 def steps(node):

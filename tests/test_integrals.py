@@ -2,16 +2,16 @@
 
 import copy
 import json
-from pathlib import Path
 
 import mpmath
 import pytest
 import sympy
+from real_corpora import found_for
 
 from algebroproj_sym import Section, prove
 from algebroproj_sym.declaring import judge
 from algebroproj_sym.expressions import NotRationalError, ParseError
-from algebroproj_sym.proving.reals import decided, integrals
+from algebroproj_sym.proving.reals import integrals
 from algebroproj_sym.replaying import Rejected, declaration_digest, replay_claim
 from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.intervals import Intervals
@@ -19,36 +19,6 @@ from algebroproj_sym.replaying.reals.terms import read, written
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, value_of
 from algebroproj_sym.reporting.ledger import claim_record
 from algebroproj_sym.showing.display import markdown
-
-CORPUS = Path(__file__).resolve().parent / "corpus" / "integrals.json"
-ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))
-CASES = [
-    pytest.param(item, id=item["name"], marks=() if place % 10 < 2 else pytest.mark.whole)
-    for place, item in enumerate(ITEMS)
-]
-WITHOUT = {"relation": "=", "assumptions": [], "constraints": [], "nonzero": []}
-
-
-def found_for(lhs, rhs, **given):
-    return json.loads(json.dumps(decided({**WITHOUT, "lhs": lhs, "rhs": rhs, **given})))
-
-
-def judged(item):
-    found = found_for(item["lhs"], item["rhs"], assumptions=item.get("assumptions", []))
-    require_real(found)
-    return found["verdict"]
-
-
-@pytest.mark.parametrize("item", CASES)
-def test_an_integral_is_proved_and_a_false_one_refuted(item):
-    assert judged(item) == item["expected"]
-
-
-def test_each_true_one_stands_beside_a_false_one():
-    verdicts = [item["expected"] for item in ITEMS]
-    assert len(ITEMS) >= 60
-    assert verdicts == ["proved", "refuted"] * (len(ITEMS) // 2)
-
 
 # -- what must never be proved: poles, jumps of an antiderivative, ends without a value
 

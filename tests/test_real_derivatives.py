@@ -1,65 +1,21 @@
 """Derivatives: what is stated of them, where they are said to exist, and whether other arithmetic agrees."""
 
-import json
 import random
 import re
-from pathlib import Path
 
 import mpmath
 import pytest
 import sympy
+from real_corpora import FUNCTIONS, value
 
 from algebroproj_sym import prove
 from algebroproj_sym.expressions import NotRationalError, ParseError, SymbolError
-from algebroproj_sym.proving.reals import decided
 from algebroproj_sym.replaying import Rejected
-from algebroproj_sym.replaying.reals import require_real
 from algebroproj_sym.replaying.reals.definitions import derivative, smoothness
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.statement import statement_of
 from algebroproj_sym.replaying.reals.terms import read, written
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, value_of
-
-CORPUS = Path(__file__).resolve().parent / "corpus" / "derivatives.json"
-ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))
-CASES = [
-    pytest.param(item, id=item["name"], marks=() if place % 8 < 2 else pytest.mark.whole)
-    for place, item in enumerate(ITEMS)
-]
-
-
-def judged(item):
-    sides = {key: item[key] for key in ("lhs", "rhs")}
-    given = {"assumptions": item.get("assumptions", []), "constraints": [], "nonzero": []}
-    found = decided({**sides, "relation": "=", **given})
-    require_real(json.loads(json.dumps(found)))
-    return found["verdict"]
-
-
-@pytest.mark.parametrize("item", CASES)
-def test_a_derivative_is_proved_and_a_false_one_refuted(item):
-    assert judged(item) == item["expected"]
-
-
-def test_each_true_one_stands_beside_a_false_one():
-    verdicts = [item["expected"] for item in ITEMS]
-    assert len(ITEMS) >= 140
-    assert verdicts == ["proved", "refuted"] * (len(ITEMS) // 2)
-    assert not any("found" in item for item in ITEMS)
-
-
-FUNCTIONS = {"abs": abs, "sign": mpmath.sign} | {
-    name: getattr(mpmath, name)
-    for name in (
-        "sqrt", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "asec", "acsc",
-        "sinh", "cosh", "tanh", "coth", "sech", "csch", "asinh", "acosh", "atanh", "acoth", "asech", "acsch", "atan2",
-    )
-}  # fmt: skip
-
-
-def number(text, x):
-    code = re.sub(r"(?<!\w)[0-9]+", lambda found: f"mpf({found[0]})", text)
-    return eval(code, {"__builtins__": {}, "mpf": mpmath.mpf, "x": x, **FUNCTIONS})
 
 
 @pytest.mark.parametrize("name", [*FUNCTIONS, "power", "root"])
@@ -81,7 +37,7 @@ def test_the_derivative_of_each_function_is_what_difference_quotients_tend_to(na
             continue
         with mpmath.workdps(50):
             at = mpmath.mpf(point["x"].numerator) / point["x"].denominator
-            expected = mpmath.diff(lambda value: number(written(whole), value), at)
+            expected = mpmath.diff(lambda x: value(written(whole), {"x": x}), at)
             low, high = numbers.lifted(found)
             assert abs(expected - mpmath.mpf(low + high) / 2 ** (numbers.bits + 1)) < 1e-15 * (1 + abs(expected))
         seen += 1

@@ -151,12 +151,6 @@ Proof. destruct (Rtotal_order 0 p) as [|[|]]; lra. Qed.
 Lemma not_negative_or_negative p : 0 <= p \/ 0 < - p.
 Proof. destruct (Rle_dec 0 p); lra. Qed.
 
-Lemma positive_or_not p : 0 < p \/ 0 <= - p.
-Proof. destruct (Rlt_dec 0 p); lra. Qed.
-
-Lemma nonzero_or_zero p : p <> 0 \/ p = 0.
-Proof. destruct (Req_dec p 0); auto. Qed.
-
 (** ** The number pi *)
 
 Lemma facts_of_pi : 0 < PI - 3 /\ 0 < 22 - 7 * PI.

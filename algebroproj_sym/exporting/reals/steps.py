@@ -21,8 +21,6 @@ Step = Mapping[str, Any]
 _CASES = {
     (">", "=", "<"): ("three_cases", "[{0}|[{1}|{2}]]"),
     (">=", "<"): ("not_negative_or_negative", "[{0}|{1}]"),
-    (">", "<="): ("positive_or_not", "[{0}|{1}]"),
-    ("!=", "="): ("nonzero_or_zero", "[{0}|{1}]"),
 }
 
 

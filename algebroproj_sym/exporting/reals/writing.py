@@ -304,32 +304,31 @@ class Written(Theory):
         return found
 
     def _facts(self, function: str, degree: int, args: Sequence[Element]) -> str:
-        """Return the lemma with the facts of a function."""
-        name = "sin" if function == "cos" else function
-        value, texts = self.name(name, *args, degree=degree), [self.shown(arg) for arg in args]
+        """Return the lemma with the facts of a function; those of a cosine are with its sine."""
+        value, texts = self.name(function, *args, degree=degree), [self.shown(arg) for arg in args]
         u = args[0]
-        if name == "sin":
+        if function == "sin":
             cos = self.name("cos", u)
             return f"facts_of_sin {value} {cos} {texts[0]} d{value} d{cos}"
-        if name == "root":
+        if function == "root":
             strict = self.added[0].relation == ">"
             radicand = self.proof(">" if strict else ">=", u)
             kind = f"sqrt {value}" if degree == 2 else f"root {degree - 1} {value}"
             return f"{'strictly' if strict else 'facts'}_of_{kind} {texts[0]} d{value} {radicand}"
         more = []
-        if name in ("asin", "atan", "atan2"):
+        if function in ("asin", "atan", "atan2"):
             arc = self.field.symbol(next(n for n in self.applications if called(n) == value))
             sin, cos = self.name("sin", arc), self.name("cos", arc)
             given = f"d{value} d{sin} d{cos}"
-            if name == "asin":
+            if function == "asin":
                 more = [self.proof(">=", self.number(1) - u * u, f"(1 - {texts[0]} * {texts[0]})")]
-            elif name == "atan2":
+            elif function == "atan2":
                 y, x = texts
                 more = [self.proof("!=", u * u + args[1] * args[1], f"({y} * {y} + {x} * {x})")]
-            return f"facts_of_{name} {value} {sin} {cos} {' '.join(texts)} {given} {' '.join(more)}"
-        if name == "log":
+            return f"facts_of_{function} {value} {sin} {cos} {' '.join(texts)} {given} {' '.join(more)}"
+        if function == "log":
             more = [self.proof(">", u)]
-        return f"facts_of_{name} {value} {texts[0]} d{value} {' '.join(more)}"
+        return f"facts_of_{function} {value} {texts[0]} d{value} {' '.join(more)}"
 
     # -- terms of the statement
 

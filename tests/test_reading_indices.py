@@ -15,6 +15,7 @@ FOLLOWS = {
         r"Laplace's equation gives \[ u_{i+1,j} + u_{i,j+1} + u_{i-1,j} + u_{i,j-1} - 4 u_{i,j} = 0 \] We "
         r"can write \[ u_{2,1} + u_{1,2} + u_{0,1} + u_{1,0} - 4u_{1,1} = 0 \]"
     ),
+    "second differences": (r"We have \[ y_{n+1} - 2 y_n + y_{n-1} = c \] It follows that \[ y_3 - 2 y_2 + y_1 = c \]"),
     "indices of a grid": (
         r"To do this mapping \[ k_{i,j} = j n + i \] we have \[ k_{i-1,j} = j n + i - 1 \] \[ k_{i,j+1} = "
         r"(j+1) n + i \] and for the center \[ k_{1,1} = 1 \cdot n + 1 \]"

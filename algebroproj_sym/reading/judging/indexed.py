@@ -64,9 +64,9 @@ def instance_of(
 
 
 def sources_of(
-    premises: Sequence[Premise], vocabulary: Vocabulary, part: int, cited: frozenset[str]
+    premises: Sequence[Premise], vocabulary: Vocabulary, indices: Indices, part: int, cited: frozenset[str]
 ) -> tuple[list[Definition], list[Premise]]:
-    """Return what may hold at other indices: what gives a letter, and other equations, of a section or cited."""
+    """Return what may hold at other indices, of a section or cited: what gives a letter with one, and the rest."""
     names = tuple(f"({name})" for name in cited)
     definitions = [
         each
@@ -82,7 +82,8 @@ def sources_of(
         if not (each.special or each.context.kind or excludes(each.words)) and (each.part == part or each.names & cited)
     ]
     given = [each.gives for each in asserted if each.gives is not None and not each.gives.parameters]
-    return [*definitions, *given], [each for each in asserted if each.gives is None]
+    others = [each for each in asserted if each.gives is None or not indices_in([each.gives.symbol], indices)]
+    return [*definitions, *given], others
 
 
 def _at(

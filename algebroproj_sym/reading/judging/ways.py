@@ -300,7 +300,7 @@ def _at_other_indices(standing: Standing, left: Formula, right: Formula) -> Iter
     known, indices = standing.vocabulary, standing.survey.indices
     if not indices.counted or excludes(standing.beside.words):
         return
-    given, others = sources_of(standing.premises, known, standing.part, standing.cited)
+    given, others = sources_of(standing.premises, known, indices, standing.part, standing.cited)
     shown = " = ".join(map(known.text, (left, right)))
     told = extended(known, given)
     found = [*instances(given, told, indices, (left, right))]

@@ -340,7 +340,9 @@ def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> b
     """Whether an equation above says what a letter is at another index, by letters that the right side has."""
     if not standing.survey.indices.counted or excludes(standing.beside.words):
         return False
-    given, _ = sources_of(standing.premises, standing.vocabulary, standing.part, standing.cited)
+    given, _ = sources_of(
+        standing.premises, standing.vocabulary, standing.survey.indices, standing.part, standing.cited
+    )
     found = instances(given, standing.vocabulary, standing.survey.indices, (left,))
     return any({*each.symbols} & {*symbols_in(right)} for each, _ in found)
 

@@ -21,6 +21,7 @@ from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, tex
 from algebroproj_sym.reading.defining.contexts import Context
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
+from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -121,6 +122,8 @@ class Premise:
         difference: Formula = Tree("sum", [self.left, Token("SIGN", "-"), self.right])
         hidden = frozenset().union(*(vocabulary.letters_of(each.tree) for each in vocabulary.used_in(difference)))
         letters = {*symbols_in(difference)} & vocabulary.letters_of(difference) - hidden
+        factors = factors_of_zero(self.left, self.right)
+        letters = {each for each in letters if not leave_a_choice(factors, each)}
         try:
             value = vocabulary.value(difference)
             slopes = {each: _slope_of(value, vocabulary.plain(each)) for each in sorted(letters)}

@@ -177,6 +177,15 @@ MISLEADING = {
         True,
     ),
     "a product with its own letter that is zero": (r"\[ x (x - a) = 0 \] Hence \[ x = a. \]", True),
+    "a sum on both sides": (r"\[ (s - m) x = (s - m) y \] Hence \[ x = y. \]", True),
+    "a sum of matrices on both sides": (
+        r"\[ (\mathbf A - \mathbf B) \mathbf X = (\mathbf A - \mathbf B) \mathbf Y \] Hence \[ \mathbf X = \mathbf Y. \]",
+        True,
+    ),
+    "a sum of matrices behind both sides": (
+        r"\[ \mathbf S (\mathbf X - \mathbf Y) = \mathbf M (\mathbf X - \mathbf Y) \] Hence \[ \mathbf S = \mathbf M. \]",
+        True,
+    ),
     "a product of sums that is zero": (r"\[ (x - a)(y - b) = 0 \] Hence \[ x = a. \]", True),
     "what is enough": (r"It is enough that \[ a = b. \] Hence \[ a - b = 0. \]", True),
     "a letter defined again": (
@@ -266,7 +275,7 @@ def test_what_is_true_of_another_arithmetic_or_sign_is_no_contradiction(name: st
         r"\iftrue \[ g = a - b \] \else \[ g = a + b \] \fi Hence \[ g - a = -b. \]",
         r"For ideal gases \[ p + q = c. \] Hence \[ p = c - q. \]",
         r"\section{One} Let $c$ be a speed, \[ c = a + b. \] Hence \[ c - a = b. \]",
-        r"$\mathbf F$ has full rank. \[ \mathbf F \mathbf x = \mathbf l \] Hence \[ \mathbf x = \mathbf F^{-1} \mathbf l. \]",
+        r"$\mathbf F$ has full rank. \[ \mathbf F \mathbf x = \mathbf l \] \[ \mathbf x = \mathbf F^{-1} \mathbf l \]",
     ],
 )
 def test_such_words_hide_no_consequence_that_they_do_not_concern(latex: str) -> None:

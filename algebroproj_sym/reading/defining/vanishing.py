@@ -20,6 +20,19 @@ def factors_of_zero(left: Formula, right: Formula) -> list[Formula]:
     return []
 
 
+def share_a_sum(left: Formula, right: Formula) -> bool:
+    """Whether both sides have the same sum as a factor: it may be zero, and then they say nothing of the other ones.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> [share_a_sum(*parsed(each).sides) for each in ("(a - b) c = (a - b) d", "a c = a d")]
+    [True, False]
+    """
+    ours, theirs = (trees_in(each) if each.data == "run" else [each] for each in (left, right))
+    return any(each in theirs and any(True for _ in each.find_data("sum")) for each in ours)
+
+
 def are_lone(factors: list[Formula]) -> bool:
     """Whether there are factors, and all are letters."""
     return bool(factors) and all(each.data == "symbol" for each in factors)

@@ -27,7 +27,7 @@ from algebroproj_sym.reading.defining.rates import UNCHANGED
 from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
-from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero
+from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
@@ -327,6 +327,8 @@ def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
 
 def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:
     """Yield what an equation says of a number in which it is linear, or else of vectors and matrices."""
+    if share_a_sum(premise.left, premise.right):
+        return
     if (solution := premise.solved(vocabulary, wanted)) is not None:
         yield solution
         return

@@ -178,11 +178,6 @@ MISLEADING = {
     ),
     "a product with its own letter that is zero": (r"\[ x (x - a) = 0 \] Hence \[ x = a. \]", True),
     "a sum on both sides": (r"\[ (s - m) x = (s - m) y \] Hence \[ x = y. \]", True),
-    "a sum on both sides, expanded": (r"\[ s x - m x = s y - m y \] Hence \[ x = y. \]", True),
-    "a sum on both sides above a line": (
-        r"\[ \frac{(s - m) x}{k} = \frac{(s - m) y}{k} \] Hence \[ x = y. \]",
-        True,
-    ),
     "an eigenvector": (r"\[ (\mathbf A - l \mathbf I) \mathbf v = 0 \] Hence \[ \mathbf v = 0. \]", True),
     "a sum of matrices on both sides": (
         r"\[ (\mathbf A - \mathbf B) \mathbf X = (\mathbf A - \mathbf B) \mathbf Y \] So \[ \mathbf X = \mathbf Y \]",

@@ -21,7 +21,7 @@ from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, tex
 from algebroproj_sym.reading.defining.contexts import Context
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
-from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice, vanish_together
+from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -130,8 +130,6 @@ class Premise:
             linear = {each: slope for each, slope in slopes.items() if slope is not None}
             simple = lambda each: (len(free_symbols(linear[each])), each not in wanted, each)  # noqa: E731
             for symbol in sorted(linear, key=simple)[:1]:
-                if vanish_together(value, linear[symbol], vocabulary.plain(symbol)):
-                    return None
                 zero, one = (_with_number(difference, symbol, number) for number in "01")
                 below: Formula = Tree("sum", [one, Token("SIGN", "-"), zero])
                 return self._of(symbol, (), Tree("fraction", [Tree("sum", [Token("SIGN", "-"), zero]), below]))

@@ -2,12 +2,7 @@ r"""Products that are zero: which factor is zero, an equation such as ``x (x - a
 
 from __future__ import annotations
 
-from fractions import Fraction
-from typing import Any
-
-from algebroproj_sym.expressions import diff, evaluate, free_symbols, text
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
-from algebroproj_sym.replaying.reals.terms import has_functions
 
 
 def factors_of_zero(left: Formula, right: Formula) -> list[Formula]:
@@ -51,28 +46,3 @@ def leave_a_choice(factors: list[Formula], letter: str) -> bool:
     return len(inside) > 1 or (
         bool(inside) and any(each.data != "symbol" or within & {*symbols_in(each)} for each in others)
     )
-
-
-def vanish_together(value: Any, slope: Any, letter: Any) -> bool:
-    """Whether the terms without a letter are zero where those with it are, at a point with positive numbers.
-
-    Then an equation with that value zero says nothing of the letter there, as ``s x - m x = s y - m y`` where s is m.
-
-    Examples
-    --------
-    >>> import sympy
-    >>> s, m, x, y = sympy.symbols("s m x y")
-    >>> vanish_together(s * x - m * x - s * y + m * y, s - m, x), vanish_together(m * x - m * y, m, x)
-    (True, False)
-    """
-    if has_functions(text(value)):
-        return False
-    for other in sorted(free_symbols(slope), key=str):
-        rate = diff(slope, other)
-        known = sorted({*free_symbols(value)} - {other, letter}, key=str)
-        point = {each: Fraction(3**place + 1) for place, each in enumerate(known, 1)} | {other: Fraction(0)}
-        below = Fraction(0) if rate.has(other) else evaluate(rate, point)[0]
-        root = -evaluate(slope, point)[0] / below if below else Fraction(0)
-        if root > 0:
-            return not any(evaluate(value, {**point, letter: Fraction(0), other: root}))
-    return False

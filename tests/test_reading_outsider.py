@@ -141,6 +141,91 @@ MISLEADING = {
         r"The ratio is \[ r = a/b. \] With the roles of $a$ and $b$ exchanged, \[ r = a/b. \]",
         True,
     ),
+    "a numbered iterate": (
+        r"Let $x^k$ be the $k$-th iterate. \[ x^2 = a x^1 + b \] Hence \[ x^2 = a x + b. \]",
+        True,
+    ),
+    "a matrix exponential": (
+        r"Let $A(t)$ be a matrix. \[ \Phi = e^{A} \] Hence \[ \dot\Phi = \dot A e^{A}. \]",
+        True,
+    ),
+    "a square of a matrix of time": (
+        r"Let $A(t)$ be a matrix. \[ B = A^2 \] Hence \[ \dot B = 2 A \dot A. \]",
+        True,
+    ),
+    "no full rank": (
+        r"The matrix $\mathbf A$ does not have full rank. \[ \mathbf A \mathbf x = \mathbf b \] Hence "
+        r"\[ \mathbf x = \mathbf A^{-1} \mathbf b. \]",
+        True,
+    ),
+    "rank two": (
+        r"The matrix $\mathbf E$ has rank two. \[ \mathbf E \mathbf x = \mathbf l \] Hence "
+        r"\[ \mathbf x = \mathbf E^{-1} \mathbf l. \]",
+        True,
+    ),
+    "a projection": (
+        r"Let $\mathbf P$ be a projection matrix. \[ \mathbf P \mathbf x = \mathbf P \mathbf y \] Hence "
+        r"\[ \mathbf x = \mathbf y. \]",
+        True,
+    ),
+    "a left inverse": (
+        r"\[ \mathbf L \mathbf A = \mathbf I \] where $\mathbf A$ is tall. Hence \[ \mathbf A \mathbf L = \mathbf I \]",
+        True,
+    ),
+    "zero divisors": (
+        r"Let $A$ and $B$ be matrices with \[ A B = 0. \] If $A$ is not zero, then \[ B = 0. \]",
+        True,
+    ),
+    "a product with its own letter that is zero": (r"\[ x (x - a) = 0 \] Hence \[ x = a. \]", True),
+    "a sum on both sides": (r"\[ (s - m) x = (s - m) y \] Hence \[ x = y. \]", True),
+    "an eigenvector": (r"\[ (\mathbf A - l \mathbf I) \mathbf v = 0 \] Hence \[ \mathbf v = 0. \]", True),
+    "a sum of matrices on both sides": (
+        r"\[ (\mathbf A - \mathbf B) \mathbf X = (\mathbf A - \mathbf B) \mathbf Y \] So \[ \mathbf X = \mathbf Y \]",
+        True,
+    ),
+    "a sum of matrices behind both sides": (
+        r"\[ \mathbf S (\mathbf X - \mathbf Y) = \mathbf M (\mathbf X - \mathbf Y) \] So \[ \mathbf S = \mathbf M \]",
+        True,
+    ),
+    "a product of sums that is zero": (r"\[ (x - a)(y - b) = 0 \] Hence \[ x = a. \]", True),
+    "what is enough": (r"It is enough that \[ a = b. \] Hence \[ a - b = 0. \]", True),
+    "a letter defined again": (
+        r"\[ r = a + b \] In what follows we redefine $r$ as another radius. Hence \[ r - a = b. \]",
+        True,
+    ),
+    "now let": (r"\[ r = a + b \] Now let $r = a - b$. Hence \[ r - a = b. \]", True),
+    "let it be something else in the next section": (
+        r"\section{One} \[ c = a + b \] \section{Two} Let $c$ be the speed of light. Then \[ c - a = b. \]",
+        True,
+    ),
+    "the other branch of a switch": (
+        "\\iftrue\n\\[ g = a - b \\]\n\\else\n\\[ g = a + b \\]\n\\fi\nHence \\[ g - a = b. \\]",
+        True,
+    ),
+    "a macro in a group by words": (
+        r"\newcommand{\V}{a} \begingroup \renewcommand{\V}{b} \endgroup \[ y = \V \] Hence \[ y = b. \]",
+        True,
+    ),
+    "a macro in an environment": (
+        r"\newcommand{\V}{a} \begin{center} \def\V{b} \[ y = \V \] \end{center} Hence \[ y = \V. \]",
+        True,
+    ),
+    "a demand over the sign": (r"We want \[ y \overset{!}{=} a. \] It turns out that \[ y - a = 0. \]", True),
+    "a named point": (r"At the point $P$ we have \[ u = a. \] At the point $Q$ therefore \[ u - a = 0. \]", True),
+    "steady and transient": (
+        r"In the steady state \[ u = R c. \] During the transient it follows that \[ u - R c = 0. \]",
+        True,
+    ),
+    "at rest and in motion": (r"At rest \[ F = k x. \] In motion we have therefore \[ F - k x = 0. \]", True),
+    "compressible flow": (
+        r"For incompressible flow \[ p + q = c. \] For compressible flow it follows that \[ p = c - q. \]",
+        True,
+    ),
+    "front matter": ("---\ntitle: $y = a + b$\n---\n\nHence\n\n$$ y - a = b. $$", False),
+    "a moving support": (
+        r"\[ E = \frac12 k (x - s)^2 \] where the support $s$ moves. Hence \[ \dot E = k (x - s) \dot x. \]",
+        True,
+    ),
 }
 
 TRUE = {
@@ -186,6 +271,12 @@ def test_what_is_true_of_another_arithmetic_or_sign_is_no_contradiction(name: st
         r"\[ S = \sum_{j=1}^n a_j x_j \] Hence \[ 2S = 2 \sum_{j=1}^n a_j x_j. \]",
         r"The student's sum is \[ s = a + b. \] Hence \[ s - a = b. \]",
         r"\newcommand{\x}{a} {\renewcommand{\x}{b} \[ z = 2\x \]} \[ y = \x \] Hence \[ 2y = 2a. \]",
+        r"\newcommand{\x}{a} \begin{it} \renewcommand{\x}{b} \[ z = \x \] \end{it} \[ y = \x \] Hence \[ 2y = 2a. \]",
+        r"\[ k (x - a) = 0 \] Hence \[ x = a. \]",
+        r"\iftrue \[ g = a - b \] \else \[ g = a + b \] \fi Hence \[ g - a = -b. \]",
+        r"For ideal gases \[ p + q = c. \] Hence \[ p = c - q. \]",
+        r"\section{One} Let $c$ be a speed, \[ c = a + b. \] Hence \[ c - a = b. \]",
+        r"$\mathbf F$ has full rank. \[ \mathbf F \mathbf x = \mathbf l \] \[ \mathbf x = \mathbf F^{-1} \mathbf l \]",
     ],
 )
 def test_such_words_hide_no_consequence_that_they_do_not_concern(latex: str) -> None:

@@ -23,7 +23,11 @@ _KINDS = {
     "range": r"for\s+(?:very\s+|all\s+|sufficiently\s+)?"
     r"(?:small|large|low|high|weak|strong|even|odd|positive|negative)\s+[a-z]+|"
     r"(?:for|at)\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
+    "state": r"(?:in|at|out of|away from|far from)\s+(?:thermal\s+)?equilibrium|in\s+(?:winter|summer|spring|autumn)"
+    r"|in\s+(?:(?:the|an?)\s+)?(?:steady|stationary|transient|static|dynamic)\s+(?:state|case|regime)|during\s+the\s+transient"
+    r"|at\s+rest|in\s+motion",
     "place": (
+        r"at\s+(?:the\s+)?points?\s+\$[^$=]*\$|"
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
         r"|(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+(?:boundary|end|wall|edge|half|side(?! of))"
         r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
@@ -34,8 +38,8 @@ _KINDS = {
         rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
     ),
     "sort": r"for\s+(?:an?|the\s+(?:left|right|first|second|upper|lower|inner|outer|other))\s+"
-    r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+",
-    "state": r"(?:in|at|out of|away from|far from)\s+(?:thermal\s+)?equilibrium|in\s+(?:winter|summer|spring|autumn)",
+    r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+"
+    r"|for\s+[a-z-]+\s+(?:flows?|fluids?|gas(?:es)?|media|materials?|particles?|bodies|motions?|light)\b",
     "presence": r"with(?:out)?\s+(?:the\s+|any\s+|an?\s+)?[a-z]+",
 }
 _BEGINS = re.compile(

@@ -151,6 +151,11 @@ _DEPENDS = re.compile(
 )
 
 
+_MOVES = re.compile(
+    r"\$([^$=]+)\$ (?:also |itself )?(?:moves|changes|varies|rotates|grows|shrinks|drifts)\b(?! with\b)"
+)
+
+
 def functions_called(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the letters that words call functions: a bracket behind one is its argument."""
     every = tuple(statements)
@@ -167,7 +172,8 @@ def has_superscripts(words: str) -> bool:
 
 
 def dependences(words: str) -> Iterator[tuple[str, str]]:
-    """Yield the pairs of letters of which the first is said to be a function of the second."""
+    """Yield the pairs of letters of which the first is said to be a function of the second; what moves is one of t."""
+    yield from ((symbol, "t") for each in _MOVES.findall(words) for symbol in symbols_in_list(each))
     for match in _DEPENDS.finditer(words):
         yield from ((one, other) for one in symbols_in_list(match[1]) for other in symbols_in_list(match[2]))
 
@@ -260,7 +266,8 @@ class Meanings:
             match = _NAMED.fullmatch(each.latex.strip())
             power = re.search(r"\b(?:powers?|exponential|monomials?|square\w*|varianc\w+)\b", each.display.after[:60])
             if match and each.display.environment == "inline" and _CALLED.match(each.display.after) and not power:
-                found |= {(symbol, not match[1]) for symbol in symbols_in_list(match[1] or match[2])}
+                numbers = (not match[1], _IN_ORDER.search(each.display.after[:30]) is not None)
+                found |= {(symbol, flag) for symbol in symbols_in_list(match[1] or match[2]) for flag in numbers}
         return frozenset(found)
 
     def reason(self, statement: Statement, formula: Parsed) -> str:
@@ -386,6 +393,10 @@ _NAMED = re.compile(
     r"((?:[a-zA-Z]|\\[a-z]+)(?:_\{?\w+\}?)?)\s*\^\s*\{?\s*[a-zA-Z]\s*\}?"
     r"|((?:[a-zA-Z]|\\[a-z]+)_\{?\w+\}?)\s*\^\s*\{?\s*\d\s*\}?"
 )
+
+
+_IN_ORDER = re.compile(r"^\s*(?:is|be|denotes?) (?:the|an?) \$\w+\$ ?-?th\b")
+"""How words number what has an index: "$x^k$ is the $k$-th iterate"."""
 
 
 def _text(tree: object) -> str:

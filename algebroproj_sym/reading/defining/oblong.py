@@ -3,7 +3,7 @@ r"""Matrices that may have no inverse: by words, by their sizes, or by the norma
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Any
 
 from lark import Tree
@@ -14,11 +14,12 @@ from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
 _SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
 _HAS_NO_INVERSE = (
     r"(?:(?<!non)(?<!non-)singular(?! values?| vectors?)|not (?:be )?(?:square|invertible)|non-?(?:square|invertible)"
-    r"|rank[- ]deficient|rectangular|wide|tall|fat|skinny)"
+    r"|rank[- ]deficient|rectangular|wide|tall|fat|skinny|project(?:ion|or)|idempotent|nilpotent)"
 )
 _SINGULAR = re.compile(
     rf"\$([^$]+)\$ (?:(?:is|be|may be|are) (?:\w+ ){{0,2}}?{_HAS_NO_INVERSE}"
-    r"|has an? (?:\w+ )?(?:null[- ]?space|kernel))"
+    r"|has an? (?:\w+ )?(?:null[- ]?space|kernel)|(?:has not|does not have|lacks) full rank"
+    r"|has (?:only )?rank (?:one|two|\$?[12]\b))"
     rf"|\b{_HAS_NO_INVERSE} matri(?:x|ces) \$?([^$\s.,]+)",
     re.IGNORECASE,
 )
@@ -47,6 +48,7 @@ def oblong_in(equations: Sequence[Sides], occurring: Iterable[str], words: str) 
     declared |= {letter or other for letter, other in _SINGULAR.findall(words)}
     declared |= {letter for rows, width, letter in _OF_SIZE.findall(words) if rows != width}
     declared |= {letter for letter, rows, width in _ARE_OF_SIZE.findall(words) if rows != width}
+    declared |= {*_one_sided_in(equations, {*map(_bare, declared)})}
     bare = {*map(_bare, declared)}
     return frozenset(found | {each for each in occurring if _bare(each) in bare})
 
@@ -79,6 +81,15 @@ def _normal_in(equations: Sequence[Sides]) -> Iterator[str]:
         squares = {letter for letter, rest in turned if letter and letter in rest[:-1]}
         squares = squares.union(*(named.get(lone(first), ()) for first, *_ in terms))
         yield from squares & {letter for letter, rest in turned if letter not in rest}
+
+
+def _one_sided_in(equations: Iterable[Sides], oblong: Collection[str]) -> Iterator[str]:
+    """Yield the letters whose product with an oblong one is the identity: they have no inverse either."""
+    for both in equations:
+        for one, other in ((one, other) for one in both for other in both if other.data == "run"):
+            factors = [*map(lone, trees_in(other))]
+            if lone(one)[-2:].strip("}") == "I" and all(factors) and not {*map(_bare, factors)}.isdisjoint(oblong):
+                yield from factors
 
 
 def _mapping_in(equations: Iterable[Sides]) -> Iterator[str]:

@@ -103,6 +103,7 @@ def matrices_in(statements: Iterable[Statement], angles: frozenset[str]) -> froz
             every,
             rf"(?:{_VECTORS}|quaternions?|operators?|(?<=the )set|(?<=a )set|sets|events?|groups?|maps?|"
             r"homograph(?:y|ies))",
+            of_time=True,
         ),
         called(every, r"(?:rotations?|permutations?|strings?|reflections?|transformations?)") - angles,
         (symbol for each in every if (match := _OF_MATRICES.match(each.latex)) for symbol in symbols_in_list(match[1])),
@@ -113,7 +114,9 @@ def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors or matrices, or of a space: what is added to them is one, too."""
     every = tuple(statements)
     members = (side for each in every if (match := _VECTOR_SPACE.match(each.latex)) for side in match[1].split("="))
-    return called(every, rf"(?:{_VECTORS})") | {symbol for each in members for symbol in symbols_in_list(each)}
+    return called(every, rf"(?:{_VECTORS})", of_time=True) | {
+        symbol for each in members for symbol in symbols_in_list(each)
+    }
 
 
 def columns_in(statements: Iterable[Statement]) -> frozenset[str]:
@@ -139,8 +142,8 @@ def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
     return called(every, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | {*members}
 
 
-def called(statements: Iterable[Statement], things: str) -> frozenset[str]:
-    """Return the symbols that words before or behind them call by a name."""
+def called(statements: Iterable[Statement], things: str, *, of_time: bool = False) -> frozenset[str]:
+    """Return the symbols that words before or behind them call by a name, perhaps A where they speak of ``A(t)``."""
     is_before = re.compile(
         rf"(?:\b{things}|{_THE}{things} (?:is|are|be))\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE
     )
@@ -156,7 +159,8 @@ def called(statements: Iterable[Statement], things: str) -> frozenset[str]:
             if "=" in each.latex and _SET.search(before):
                 continue
             if is_before.search(before[-200:]) or is_behind.match(after):
-                found |= {*symbols_in_list(each.latex.partition("=")[0])}
+                named = each.latex.partition("=")[0]
+                found |= {*symbols_in_list(re.sub(r"\(\s*t\s*\)", "", named) if of_time else named)}
     return frozenset(found)
 
 

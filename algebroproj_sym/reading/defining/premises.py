@@ -19,6 +19,7 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
 from algebroproj_sym.reading.defining.contexts import Context
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
+from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
@@ -111,6 +112,8 @@ class Premise:
         difference: Formula = Tree("sum", [self.left, Token("SIGN", "-"), self.right])
         hidden = frozenset().union(*(vocabulary.letters_of(each.tree) for each in vocabulary.used_in(difference)))
         letters = {*symbols_in(difference)} & vocabulary.letters_of(difference) - hidden
+        factors = factors_of_zero(self.left, self.right)
+        letters = {each for each in letters if not leave_a_choice(factors, each)}
         try:
             value = vocabulary.value(difference)
             slopes = {each: _slope_of(value, vocabulary.plain(each)) for each in sorted(letters)}

@@ -47,7 +47,7 @@ def solution_of(left: Formula, right: Formula, letter: str) -> Formula | None:
         found, other = _linear(left, letter, minus=False), _linear(right, letter, minus=True)
         terms = [*found.with_letter, *other.with_letter]
         rest = [(not minus, each) for minus, each in [*found.others, *other.others]]
-        if not terms or not rest:
+        if not terms or all(each.data == "number" and each.children[0] == "0" for _, each in rest):
             return None
         value: Formula = Tree("group", [_sum(rest)])
         if all(not behind for _, _, behind in terms):

@@ -38,6 +38,9 @@ _CODE = re.compile(
 _BEHIND = re.compile(r"\\end\{document\}(?!.*\\end\{document\}).*", re.DOTALL)
 """What stands behind the end of a document."""
 _SWITCH = re.compile(r"\\newif\s*\\if([a-zA-Z]+)")
+_UNREACHED = re.compile(
+    r"(\\iftrue(?![a-zA-Z])(?:(?!\\if|\\fi|\\else).)*\\else(?![a-zA-Z]))((?:(?!\\if|\\fi).)*)", re.DOTALL
+)
 _INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
 _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 """Code within a line; what a role of MyST cites is none."""
@@ -48,6 +51,7 @@ _STRUCK_IN_MARKDOWN = re.compile(
     re.DOTALL,
 )
 """What an author takes back."""
+_FRONT_MATTER = re.compile(r"\A---[ \t]*\n.*?\n---[ \t]*\n", re.DOTALL)
 _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
@@ -242,7 +246,9 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
         plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(_without_comments(text))))
         plain = _without_versions(plain)
     else:
-        plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, text))))
+        plain = _STRUCK_IN_MARKDOWN.sub(
+            _blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, _FRONT_MATTER.sub(_blank, text))))
+        )
         plain = _INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain)
     written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain))
     macros, spans = macros_in(plain)
@@ -273,7 +279,8 @@ def _without_code(text: str) -> str:
 
 
 def _without_versions(text: str) -> str:
-    r"""Return LaTeX without what stands behind ``\ifname`` where nothing says ``\nametrue``."""
+    r"""Return LaTeX without what stands behind ``\ifname`` where nothing says ``\nametrue``, and without ``\else``."""
+    text = _UNREACHED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), text)
     for name in {*_SWITCH.findall(text)}:
         if rf"\{name}true" not in text:
             switch = rf"(?<!\\newif)(?<!\\newif )\\if{name}(?![a-zA-Z])(?:(?!\\if|\\fi|\\else).)*"

@@ -37,6 +37,9 @@ _OF_PACKAGES = {
 }
 """Commands of packages that documents load, with how many arguments they take."""
 _BOLD_BOX = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")
+_GROUPS = re.compile(
+    r"(?P<opens>\\begin\s*\{[^{}]*\}|\\begingroup\b|\\bgroup\b|(?<!\\)\{)|\\end\s*\{[^{}]*\}|\\endgroup\b|\\egroup\b|(?<!\\)\}"
+)
 _PARAMETER = re.compile(r"#([1-9])")
 
 
@@ -82,7 +85,7 @@ def redefinitions(text: str) -> list[tuple[int, str, Macro]]:
             continue
         body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
         made.append((abs(begin), name, Macro(count, default, body)))
-        if name in before and (group := _closing(text, end + 1)) is not None:
+        if name in before and (group := _end_of_group(text, end + 1)) is not None:
             made.append((group, name, before[name]))
         else:
             before[name] = made[-1][2]
@@ -115,6 +118,16 @@ def _closing(text: str, start: int) -> int | None:
             depth += (text[place] == "{") - (text[place] == "}")
         if depth == 0:
             return place
+    return None
+
+
+def _end_of_group(text: str, start: int) -> int | None:
+    r"""Return where the group ends in which a place stands: by a brace, ``\\endgroup`` or the end of an environment."""
+    depth = 1
+    for mark in _GROUPS.finditer(text, start, start + MAX_PIECES):
+        depth += 1 if mark["opens"] else -1
+        if depth == 0:
+            return mark.start()
     return None
 
 

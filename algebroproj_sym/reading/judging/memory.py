@@ -95,6 +95,8 @@ class Memory:
         marked = {each for each in self.survey.occurring for mark in self.beside.dropped if mark in each}
         for symbol in self.beside.changed | marked:
             self.forget(symbol)
+        for symbol in self.beside.introduced:
+            self._forget_from_elsewhere(symbol, display.part)
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
@@ -110,6 +112,12 @@ class Memory:
         self._drop(
             each.symbol for each in self.vocabulary.definitions.values() if symbol in (each.symbol, *each.symbols)
         )
+
+    def _forget_from_elsewhere(self, symbol: str, part: int) -> None:
+        """Forget what other sections said of a letter, and with it."""
+        self.premises = [each for each in self.premises if each.part == part or symbol not in each.symbols]
+        known = [each for each in self.vocabulary.definitions.values() if each.part != part]
+        self._drop(each.symbol for each in known if symbol in (each.symbol, *each.symbols))
 
     def _drop(self, symbols: Iterable[str]) -> None:
         for symbol in [*symbols]:

@@ -29,6 +29,7 @@ from algebroproj_sym.reading.defining.rates import UNCHANGED
 from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
+from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
@@ -393,8 +394,12 @@ def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
 
 def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:
     """Yield what an equation says of a number in which it is linear, or else of vectors and matrices."""
+    if share_a_sum(premise.left, premise.right):
+        return
     if (solution := premise.solved(vocabulary, wanted)) is not None:
         yield solution
+        return
+    if are_lone(factors_of_zero(premise.left, premise.right)):
         return
     letters = sorted(each for each in premise.symbols.intersection(wanted) if vocabulary.is_matrix(each))
     values = {each: solution_of(premise.left, premise.right, each) for each in letters}

@@ -46,6 +46,7 @@ _DENIED = re.compile(
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
     r"on average|in the mean|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
     r"(?:plus|and|with) some noise|"
+    r"(?:is|be) (?:enough|sufficient) (?:that|if)|suffices (?:that|if)|we (?:want|wish|demand)(?: that)?(?=\W*$)|"
     r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
     r"apparently|seemingly|at first (?:sight|glance)|rule of thumb|rumou?r\w*|hearsay|myth|counter-?example|bug|"
     r"(?<!as )(?:one|you|we) (?:might|may|could) (?:guess|think|expect|suspect|believe)|"
@@ -269,6 +270,11 @@ class Beside:
         return frozenset(symbol for each in found for symbol in symbols_in_list(each))
 
     @property
+    def introduced(self) -> frozenset[str]:
+        """The letters of which the words before say what they are to be: "Let $c$ be the speed"."""
+        return frozenset(symbol for each in _INTRODUCES.findall(self.before) for symbol in symbols_in_list(each))
+
+    @property
     def dropped(self) -> frozenset[str]:
         """The marks that letters lose from there on, as in "we drop the tilde": what had none was another letter."""
         found = frozenset(each.lower() for each in _DROPS.findall(self.before))
@@ -447,6 +453,7 @@ FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
+_INTRODUCES = re.compile(r"\b[Ll]et \$([^$=(]*)\$ (?:now )?(?:be|denote|stand for|represent)\b")
 _CHANGED = re.compile(
     r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
     r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
@@ -454,6 +461,7 @@ _CHANGED = re.compile(
     r"|\bin this (?:section|chapter|appendix)\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:denotes?|stands? for|is the)\b"
     r"|\$([^$=]*)\$ (?:now )?has (?:an?other|a new|a different|its own) meaning"
     r"|\b[Ww]rite \$([^$=]*)\$ for \$[^$]*\$"
+    r"|\b(?:re-?defin\w+|re-?us(?:e|ing)) (?:the (?:letter|symbol) )?\$([^$=]*)\$|\bnow let \$([^$=]*)=[^$]*\$"
     r"|\b(?:measur|count|express|scal)\w* \$([^$=]*)\$ (?:in|by)\b[^.$]*\b(?:from (?:here|now)|henceforth|hereafter)",
     re.IGNORECASE,
 )

@@ -48,9 +48,18 @@ class Tie:
 
 @dataclass(frozen=True)
 class Dependence:
-    """What the equations of a document say of the letters that may depend on each other."""
+    """What a document says of the letters that may depend on each other.
+
+    Attributes
+    ----------
+    ties : tuple of Tie
+        What its equations say.
+    by_time : bool
+        Whether t is the time: a dot above a letter is the derivative by t.
+    """
 
     ties: tuple[Tie, ...] = ()
+    by_time: bool = False
     _related: dict[str, frozenset[str]] = field(default_factory=dict, compare=False)
 
     @cached_property

@@ -263,10 +263,12 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
         rate = rates.get(_with_dot(letter))
         if rate == symbol:
             return None
-        if rate is None:
-            constant.append(letter)
-        else:
+        if rate is not None:
             terms.append(Tree("run", [_slope(letter_of(function), letter), letter_of(rate)]))
+        elif letter == "t" and vocabulary.dependence.by_time:
+            terms.append(_slope(letter_of(function), letter))
+        else:
+            constant.append(letter)
     if not terms or vocabulary.depends(constant, "t"):
         return None
     signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]

@@ -23,6 +23,7 @@ from algebroproj_sym.reading.defining.meanings import (
     prose_of,
 )
 from algebroproj_sym.reading.defining.phrases import (
+    called,
     columns_in,
     complexes_in,
     matrices_in,
@@ -180,7 +181,7 @@ class Survey:
 
     @cached_property
     def dependence(self) -> Dependence:
-        """What the equations say of the letters that may depend on each other."""
+        """What the document says of the letters that may depend on each other."""
         ties: list[Tie] = []
         before = set[str]()
         for formula in self.formulas.values():
@@ -195,7 +196,8 @@ class Survey:
             for letter, of in (defined_by(each.sides[0]),)
             if of
         )
-        return Dependence(tuple(ties))
+        by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
+        return Dependence(tuple(ties), by_time)
 
     @cached_property
     def indices(self) -> Indices:

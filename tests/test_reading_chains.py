@@ -9,6 +9,9 @@ pytestmark = pytest.mark.usefixtures("decided_here")
 CYCLOID = r"\[ \frac{dx}{dt} = r (1 - \cos t) \] \[ \frac{dy}{dt} = r \sin t \] "
 LOSS = r"The loss is \[ L = \frac12 (y - t)^2 \] where \[ y = w h. \] "
 FOLLOWS = {
+    "a rate of what the time gives": r"Here $t$ is the time. \[ x = a t^2 + b \] Hence \[ \dot{x} = 2 a t. \]",
+    "a rate through an angle": r"At time $t$ the angle is \[ \theta = \omega t \] and \[ x = r \cos\theta. \] "
+    r"So \[ \dot{x} = -r \omega \sin(\omega t). \]",
     "partial derivatives": LOSS + r"Then \[ \frac{\partial L}{\partial w} = \frac{\partial L}{\partial y} "
     r"\frac{\partial y}{\partial w} = (y - t) h. \]",
     "by a letter with a value": LOSS + r"Then \[ \frac{\partial L}{\partial y} = y - t. \]",
@@ -23,6 +26,10 @@ FOLLOWS = {
     + r"Dividing these gives \[ \frac{dy}{dx} = \frac{\sin t}{1 - \cos t}. \]",
 }
 STAYS_OPEN = {
+    "a drive that turns faster": r"At time $t$ the angle is \[ \theta = \omega t. \] The drive turns faster. "
+    r"So \[ \dot{\theta} = \omega. \]",
+    "a letter with a rate": r"At time $t$ the angle is \[ \theta = \omega t. \] \[ \dot\omega = \alpha \] "
+    r"So \[ \dot{\theta} = \omega. \]",
     "a letter that stands there twice": r"\[ L = y^2 + k w^2 \] where \[ y = w h. \] "
     r"Hence \[ \frac{\partial L}{\partial w} = 2 k w. \]",
     "likewise, through the other one": r"\[ L = y^2 + k w^2 \] where \[ y = w h. \] "

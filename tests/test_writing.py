@@ -4,7 +4,7 @@ import operator
 
 import pytest
 import sympy
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from algebroproj_sym.expressions import divided, evaluate, over, parse, text, values_of, written
@@ -15,7 +15,7 @@ numbers = st.fractions(-4, 4, max_denominator=3).map(lambda q: sympy.Rational(q.
 
 def compound(parts: st.SearchStrategy) -> st.SearchStrategy:
     several = st.lists(parts, min_size=2, max_size=4)
-    divisors = parts.filter(lambda part: part != 0)
+    divisors = parts.filter(lambda part: part.doit() not in (0, sympy.zoo, sympy.nan))
     return st.one_of(
         several.map(lambda terms: sympy.Add(*terms)),
         several.map(lambda factors: sympy.Mul(*factors)),
@@ -68,6 +68,7 @@ def value(expression, point):
         return None
 
 
+@settings(max_examples=500)
 @given(expressions, st.data())
 def test_every_division_can_be_read_from_the_text(expression, data):
     point = {symbol: data.draw(st.sampled_from(values_of(symbol)[:6])) for symbol in expression.free_symbols}
@@ -81,3 +82,15 @@ def test_what_divides_keeps_its_parentheses_below_a_negative_product(above):
     point = {each: sympy.Integer(place) for place, each in enumerate(sorted(quotient.free_symbols, key=str), 3)}
     assert evaluate(parse(text(quotient)), point) == evaluate(quotient, point)
     assert text(-x / below) == "-x/(1/z)"
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        (over(sympy.Symbol("z"), 1 / sympy.Symbol("y")), "z/(1/y)"),
+        (over(1, 1 / sympy.sqrt(sympy.Symbol("y"))), "1/(1/sqrt(y))"),
+        (2 * over(sympy.Symbol("z"), 1 / (sympy.Symbol("x") + sympy.Symbol("y"))), "2*(z/(1/(x + y)))"),
+    ],
+)
+def test_what_divides_by_a_reciprocal_keeps_its_parentheses(expression, expected):
+    assert text(expression) == expected

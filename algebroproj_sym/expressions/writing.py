@@ -28,8 +28,10 @@ class _WithFractions(StrPrinter):  # type: ignore[misc]
             self._divisors = outer
 
     def _print_over(self, node: Any) -> str:
-        above, below = node.args
-        return f"{self.parenthesize(above, PRECEDENCE['Add'])}/{self.parenthesize(below, PRECEDENCE['Mul'])}"
+        above, below = (
+            self.parenthesize(each, PRECEDENCE[of]) for each, of in zip(node.args, ("Add", "Mul"), strict=True)
+        )
+        return f"{above}/({below})" if below.startswith("1/") else f"{above}/{below}"
 
     def parenthesize(self, item: Any, level: int, strict: bool = False) -> str:
         """Return the text of a part, in parentheses if it does not bind tightly enough."""

@@ -43,6 +43,7 @@ from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
 from algebroproj_sym.reading.lexing.tokens import tokens_of
+from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
 
 
@@ -163,7 +164,8 @@ class Survey:
         known = self.given.whole.symbols
         named = self._has_superscripts
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
-        return parsed(statement.pieces, is_name, self.functions, wide)
+        found = parsed(statement.pieces, is_name, self.functions, wide)
+        return found if _HALVES.search(self._prose) else with_zeros(found)
 
     @cached_property
     def has_programs(self) -> bool:
@@ -289,6 +291,8 @@ class Survey:
 
 
 _PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)
+_HALVES = re.compile(r"symmetr|covarian|correlat|inertia|missing|unknown entr", re.IGNORECASE)
+"""Words of matrices of which one half may be printed, or of which not all is known."""
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 

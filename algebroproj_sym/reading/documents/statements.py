@@ -28,6 +28,10 @@ _BEGINS = re.compile(
 )
 """Words before an equation that are a condition of it."""
 _IF = re.compile(r"\b(?:if|when|for|unless)\s*$", re.IGNORECASE)
+_LEADS_ON = re.compile(
+    r"\s*and|\W*(?:and )?(?:so that|so|hence|thus|therefore|which gives|giving|yielding)\W*", re.IGNORECASE
+)
+"""Words between two equations that lead from one to the next, and are no condition of the first."""
 _ELLIPSES = (r"\ldots", r"\dots", r"\cdots", "…")
 _ARROWS = (
     r"\Rightarrow",
@@ -256,7 +260,7 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
             if part and begun and not statements and _IF.search(begun[-1]):
                 begun.append(_text_of(part))
                 part = []
-            if part and has_relation(part) and statements and statements[-1][1] == ["and"]:
+            if part and has_relation(part) and statements and _LEADS_ON.fullmatch(" ".join(statements[-1][1])):
                 statements[-1][1].clear()
             bracketed = part and part[0].text == "(" and part[-1].text == ")" and has_relation(part)
             if part and statements and (bracketed or _OPENS.search(statements[-1][1][-1] if statements[-1][1] else "")):

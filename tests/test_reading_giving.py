@@ -170,3 +170,16 @@ def test_an_inline_formula_that_is_an_item_of_a_list_gives_its_letter(tmp_path, 
     (tmp_path / "lengths.md").write_text(text, encoding="utf-8")
     readings = read_document(document_at(tmp_path / "lengths.md"))
     assert (readings[-1].verdict == "follows") == follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\[ k = p x \] and \[ k = a z \] Hence \[ x = \frac{a z}{p}. \]", "follows"),
+        (r"\[ k = p x \] and \[ k = a z \] Hence \[ x = \frac{a z}{2 p}. \]", "contradicts"),
+        (r"\[ k = p x \] and \[ k = a z \] Here \[ x = \frac{a z}{p}. \]", "definition"),
+        (r"The mass is \[ m = a t \] with the thickness $t$. Hence \[ \dot{m} = a. \]", "definition"),
+    ],
+)
+def test_what_is_said_to_follow_is_derived_before_it_gives_its_letter(latex, verdict):
+    assert verdicts(latex)[-1] == verdict

@@ -31,7 +31,7 @@ TRUE = [
     for item in items(name)
     if item["expected"] == "proved" and "found" not in item
 ]
-PAIRED = items("coq")
+PAIRED = items("chosen/coq")
 # What catches seeded errors that no proof of a pair shows: of brackets, negative powers and divided factors.
 ALONE = [
     "angles: tan(x) + tan(y) = sin(x + y)/(cos(x)*cos(y))",

@@ -18,27 +18,34 @@ class _WithFractions(StrPrinter):  # type: ignore[misc]
     """SymPy's printer, except that a remembered quotient is written as a fraction."""
 
     _divisors: frozenset[Any] = frozenset()
+    _in_product = False
 
     def _print_Mul(self, node: Any) -> str:  # noqa: N802 - SymPy calls it so
-        outer = self._divisors
-        self._divisors = frozenset(each.base for each in node.args if each.is_Pow)
+        outer = self._divisors, self._in_product
+        self._divisors, self._in_product = frozenset(each.base for each in node.args if each.is_Pow), True
         try:
             return str(super()._print_Mul(node))
         finally:
-            self._divisors = outer
+            self._divisors, self._in_product = outer
 
     def _print_over(self, node: Any) -> str:
-        above, below = (
-            self.parenthesize(each, PRECEDENCE[of]) for each, of in zip(node.args, ("Add", "Mul"), strict=True)
-        )
+        outer, self._in_product = self._in_product, False
+        try:
+            parts = zip(node.args, ("Add", "Mul"), strict=True)
+            above, below = (self.parenthesize(each, PRECEDENCE[of]) for each, of in parts)
+        finally:
+            self._in_product = outer
         return f"{above}/({below})" if below.startswith("1/") else f"{above}/{below}"
 
     def parenthesize(self, item: Any, level: int, strict: bool = False) -> str:
-        """Return the text of a part, in parentheses if it does not bind tightly enough."""
+        """Return the text of a part, in parentheses if it does not bind tightly enough; SymPy forgets some divisors."""
         if isinstance(item, over):
             binds = level < PRECEDENCE["Mul"] and item not in self._divisors
             return str(self._print(item)) if binds else f"({self._print(item)})"
-        return str(super().parenthesize(item, level, strict))
+        found = str(super().parenthesize(item, level, strict))
+        factor = self._in_product and PRECEDENCE["Add"] <= level <= PRECEDENCE["Mul"]
+        divides = factor and (item.is_Rational or found.startswith("1/"))
+        return f"({found})" if divides and "/" in found and not found.startswith("(") else found
 
 
 def written(expression: Any, *, ordered: bool = True, fractions: bool = False) -> str:

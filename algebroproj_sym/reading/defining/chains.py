@@ -67,11 +67,11 @@ def chained(
         return None
     kept = tuple(sorted(vocabulary.letters_of(tree) - {variable})) if sign == "d" else ()
     if variable not in used:
-        return (_slope(letter_of(function), variable), kept, definition, None) if via else None
+        return (slope_of(letter_of(function), variable), kept, definition, None) if via else None
     own = {variable}.union(vocabulary.behind(variable))
     if closed or (sign == "d" and own & others):
         return None
-    free = Definition(f"{function} by {variable} ", (variable,), _slope(tree, variable), definition.where, -1, True)
+    free = Definition(f"{function} by {variable} ", (variable,), slope_of(tree, variable), definition.where, -1, True)
     value: Formula = Tree("call", [Token("CALLEE", free.symbol), Tree("items", [letter_of(variable)])])
     return value, kept, definition, free
 
@@ -95,8 +95,11 @@ def _put_in(tree: Formula, values: Mapping[str, Formula]) -> Formula:
     return Tree(tree.data, [_put_in(each, values) if isinstance(each, Tree) else each for each in tree.children])
 
 
-def _slope(value: Formula, variable: str) -> Formula:
-    return Tree("slope", [value, letter_of(variable)])
+def slope_of(value: Formula, variable: str, order: str | None = None) -> Formula:
+    """Return the derivative of a value by a letter; ``^2`` is the order of a second one."""
+    for _ in range(int((order or "^1")[1:])):
+        value = Tree("slope", [value, letter_of(variable)])
+    return value
 
 
 def divided(above: str, below: str, names: Mapping[str, str], variables: Iterable[str]) -> Formula | None:

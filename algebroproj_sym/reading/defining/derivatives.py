@@ -10,7 +10,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.chains import DIVIDED, chained, divided
+from algebroproj_sym.reading.defining.chains import DIVIDED, chained, divided, slope_of
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
@@ -82,7 +82,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
         return found, made
     where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
-    made.append(Definition(symbol, (), _slope(body, variable, order), where, -1, True))
+    made.append(Definition(symbol, (), slope_of(body, variable, order), where, -1, True))
     return letter_of(symbol), made
 
 
@@ -219,7 +219,7 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     others = sorted(letters - {variable}) if sign == "d" else []
     if vocabulary.moves_with(others, variable):
         return None
-    return _made(symbol, _slope(value, variable, order), definition, others, vocabulary)
+    return _made(symbol, slope_of(value, variable, order), definition, others, vocabulary)
 
 
 def _as_dots(symbol: str, match: re.Match[str], occurring: frozenset[str]) -> Definition | None:
@@ -241,7 +241,7 @@ def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
         return None
     value: Formula = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", [letter_of(variable)])])
     for _ in range(primes):
-        value = _slope(value, variable)
+        value = slope_of(value, variable)
     try:
         vocabulary.value(value)
     except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
@@ -264,9 +264,9 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
         if rate == symbol:
             return None
         if rate is not None:
-            terms.append(Tree("run", [_slope(letter_of(function), letter), letter_of(rate)]))
+            terms.append(Tree("run", [slope_of(letter_of(function), letter), letter_of(rate)]))
         elif letter == "t" and vocabulary.dependence.by_time:
-            terms.append(_slope(letter_of(function), letter))
+            terms.append(slope_of(letter_of(function), letter))
         else:
             constant.append(letter)
     if not terms or vocabulary.depends(constant, "t"):
@@ -285,12 +285,6 @@ def _made(
 def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
     verb = "does" if len(letters) == 1 else "do"
     return f", where {', '.join(map(vocabulary.name, letters))} {verb}{UNCHANGED}" if letters else ""
-
-
-def _slope(value: Formula, variable: str, order: str | None = None) -> Formula:
-    for _ in range(int((order or "^1")[1:])):
-        value = Tree("slope", [value, letter_of(variable)])
-    return value
 
 
 def _by_bare(symbols: Iterable[str]) -> dict[str, str]:

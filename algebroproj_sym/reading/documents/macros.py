@@ -122,7 +122,7 @@ def _closing(text: str, start: int) -> int | None:
 
 
 def _end_of_group(text: str, start: int) -> int | None:
-    r"""Return where the group ends in which a place stands: by a brace, ``\\endgroup`` or the end of an environment."""
+    r"""Return where the group ends in which a place stands: by a brace, ``\endgroup`` or the end of an environment."""
     depth = 1
     for mark in _GROUPS.finditer(text, start, start + MAX_PIECES):
         depth += 1 if mark["opens"] else -1

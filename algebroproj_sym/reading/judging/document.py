@@ -190,7 +190,8 @@ class _Pass:
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])
         definition = definition_in(self.memory, statement, found, explicit=False)
-        if definition is not None and not (definition.explicit or definition.parameters):
+        plain = definition is not None and not (definition.explicit or definition.parameters)
+        if plain and self.survey.indices.counted:
             repeats = gives_at_other_index(self._standing(statement), found.sides[0], found.sides[1])
             definition = None if repeats else definition
         for index, relation in enumerate(found.relations):

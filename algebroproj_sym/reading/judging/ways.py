@@ -339,7 +339,7 @@ def _without_arguments(standing: Standing, formula: Parsed, index: int) -> Itera
 
 def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> bool:
     """Whether an equation above says what a letter is at another index, by letters that the right side has."""
-    if not standing.survey.indices.counted or excludes(standing.beside.words):
+    if excludes(standing.beside.words):
         return False
     given, _ = sources_of(
         standing.premises, standing.vocabulary, standing.survey.indices, standing.part, standing.cited

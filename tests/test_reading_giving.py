@@ -179,6 +179,7 @@ def test_an_inline_formula_that_is_an_item_of_a_list_gives_its_letter(tmp_path, 
         (r"\[ k = p x \] and \[ k = a z \] Hence \[ x = \frac{a z}{2 p}. \]", "contradicts"),
         (r"\[ k = p x \] and \[ k = a z \] Here \[ x = \frac{a z}{p}. \]", "definition"),
         (r"The mass is \[ m = a t \] with the thickness $t$. Hence \[ \dot{m} = a. \]", "definition"),
+        (r"At time $t$ the mass is \[ m = r t. \] The rate $r$ decreases. Hence \[ \dot{m} = r. \]", "definition"),
     ],
 )
 def test_what_is_said_to_follow_is_derived_before_it_gives_its_letter(latex, verdict):

@@ -152,7 +152,8 @@ _DEPENDS = re.compile(
 
 
 _MOVES = re.compile(
-    r"\$([^$=]+)\$ (?:also |itself )?(?:moves|changes|varies|rotates|grows|shrinks|drifts)\b(?! with\b)"
+    r"\$([^$=]+)\$ (?:also |itself )?(?:moves|changes|varies|rotates|grows|shrinks|drifts|decreases|increases|rises|"
+    r"falls|decays)\b(?! with\b)"
 )
 
 

@@ -34,6 +34,7 @@ from algebroproj_sym.reading.judging.questions import (
     used_by,
 )
 from algebroproj_sym.reading.judging.signs import may_be_negative, without_signs
+from algebroproj_sym.reading.judging.stationary import set_to_zero
 from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
@@ -255,9 +256,23 @@ class _Pass:
                 vocabulary.drop(symbol)
         place = statement.display.part, self.memory.serving, self.memory.cited
         own = [each for words, each in self.within if supposes(self.memory.beside, words)]
-        return Standing(
-            self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, (*own, *self._explained_behind())
-        )
+        own += self._explained_behind()
+        own += set_to_zero(self.memory.beside, self.memory.serving, self._free(statement), self._place_above)
+        return Standing(self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, own)
+
+    @property
+    def _place_above(self) -> int:
+        """Where the display above the one that is read begins."""
+        displays = (each.display for each in self.survey.statements[: self.order][::-1])
+        above = (each for each in displays if each.environment != "inline" and each is not self.memory.display)
+        return next((each.place for each in above), -1)
+
+    def _free(self, statement: Statement) -> list[str]:
+        """Return the letters of a statement that nothing gives."""
+        formula = self.survey.formulas[id(statement)]
+        sides = formula.sides if isinstance(formula, Parsed) else ()
+        letters = {symbol for side in sides for symbol in symbols_in(side)}
+        return sorted(letters - {*self.memory.vocabulary.definitions})
 
     def _explained_behind(self) -> Iterator[Premise]:
         """Yield the equations within the text with which the sentence of a display goes on: "where $w^2 = k/m$"."""

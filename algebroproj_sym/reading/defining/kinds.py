@@ -17,7 +17,6 @@ from typing import Any
 
 from lark import Token
 
-from algebroproj_sym.reading.defining.axes import Axes, axes_in
 from algebroproj_sym.reading.defining.composing import composed_in
 from algebroproj_sym.reading.defining.factors import (
     CAPITAL,
@@ -63,15 +62,12 @@ class Kinds:
         The symbols that may be matrices, or numbers.
     oblong : frozenset of str
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
-    axes : tuple of mapping
-        The unit vectors of each basis, with their places.
     """
 
     no_numbers: frozenset[str] = frozenset()
     columns: frozenset[str] = frozenset()
     open: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
-    axes: tuple[Axes, ...] = ()
 
 
 def kinds_of(
@@ -101,7 +97,7 @@ def kinds_of(
     while closure.grows():
         pass
     oblong = oblong_in(equations, occurring, words)
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong, axes_in(occurring, words))
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong)
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:

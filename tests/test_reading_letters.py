@@ -234,3 +234,24 @@ def test_what_has_no_end_is_not_decided_within_bounds(latex):
 def test_one_beside_a_square_matrix_is_the_identity(latex, verdict):
     given = r"\[ \mathbf{x} = \mathbf{z} + K (\mathbf{y} - H \mathbf{z}) \] "
     assert read_document(document_of(given + latex))[-1].verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"It has the phase function $g$. \[ a = b (1 - g). \] Hence \[ b = \frac{a}{1 - g}. \]", "follows"),
+        (
+            r"It has the phase function $g$. \[ a = b (1 - g). \] \[ w = g(\mu). \] Hence \[ b = \frac{a}{1 - g}. \]",
+            None,
+        ),
+        (
+            r"The kernel matrices are $K$ and $L$. \[ Q = K L^{-1} K^T \] Hence \[ Q + K = K (L^{-1} K^T + I) \]",
+            "follows",
+        ),
+        (r"The map $T$ is not linear. \[ y = T x. \] \[ z = T u. \] Hence \[ y + z = T x + T u. \]", None),
+        (r"Let $f$ and $g$ be functions. \[ h = f g. \] Hence \[ h = g f. \]", None),
+    ],
+)
+def test_what_is_called_a_function_is_a_factor_if_it_has_no_argument_anywhere(latex, verdict):
+    found = read_document(document_of(latex), seconds=5)[-1].verdict
+    assert found == verdict if verdict else found != "follows"

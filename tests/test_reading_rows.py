@@ -111,3 +111,16 @@ def test_an_empty_entry_of_a_matrix_of_numbers_is_zero(latex: str, verdict: str)
 def test_words_that_lead_from_one_equation_to_the_next_are_no_condition(words: str, follows: bool) -> None:
     found = last_verdict(rf"\[ s = a + b \text{{ {words} }} s^2 = (a + b)^2 \]")
     assert (found == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\begin{align} 0 &= v - a s \\ s &= v/a \end{align}", "follows"),
+        (r"The robot has $v > 0$. \[ v = a s, \quad s = v/a \]", "follows"),
+        (r"\begin{align} 0 &= v - a s \\ s &= a/v \end{align}", "definition"),
+        (r"\begin{align} 0 &= v - a s \\ s &:= 2 a \end{align}", "definition"),
+    ],
+)
+def test_a_row_that_gives_a_letter_of_the_row_above_may_follow_from_it(latex: str, verdict: str) -> None:
+    assert last_verdict(latex) == verdict

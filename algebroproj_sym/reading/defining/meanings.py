@@ -104,7 +104,7 @@ _ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order-?(?:terms)?|noise|etc\.?")
 """Names that stand for another thing each time."""
 _ORDER = re.compile(
-    r"(?<![a-zA-Z\\_])(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\("
+    r"(?<![a-zA-Z\\_])(?<!_\{)(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\("
     r"|\\(?:Theta|Omega)\s*(?:\\left\s*)?\((?=\s*(?:[nN]\b|\\log))"
 )
 _DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
@@ -120,7 +120,8 @@ _OPERATORS = (
     r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
     r"(?<=the )set|(?<=a )set|(?<!data )sets|events?)"
 )
-_FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?)"
+_MAPS = r"(?:(?:maps?|mappings?)(?! of\b)|activations?|kernels?(?! matri))"
+_FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?(?! matri))"
 _SIGNALS = (
     r"(?:signals?|potentials?|distributions?|densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index|windows?|"
     r"(?:frequency|impulse|step) responses?|shapes?|wave ?forms?|profiles?)"
@@ -252,9 +253,11 @@ class Meanings:
 
     @cached_property
     def _functions(self) -> frozenset[str]:
+        """The letters that are functions: a factor is none that is called a function, and has no argument anywhere."""
         inverse = (symbol for each in _INVERSE.findall(self.words) for symbol in symbols_in_list(each))
-        called_so = (each for each in called(self.statements, _FUNCTIONS) if not _CHANGES.search(each))
-        return frozenset((*inverse, *called_so))
+        applied = {str(call.children[0]) for side in self.sides for call in side.find_data("call")}
+        named = called(self.statements, _MAPS) | (called(self.statements, _FUNCTIONS) & applied)
+        return frozenset((*inverse, *(each for each in named if not _CHANGES.search(each))))
 
     @cached_property
     def _labelled(self) -> frozenset[tuple[str, bool]]:

@@ -40,7 +40,7 @@ from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.lexing.commands import MARKS
-from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.names import OFTEN_FUNCTION, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.blanks import with_zeros
@@ -75,21 +75,28 @@ class Survey:
 
     @cached_property
     def functions(self) -> frozenset[str]:
-        """The letters that stand before a bracket with one letter, a zero, or several values.
+        r"""The letters that stand before a bracket with one letter, a zero, or several values.
+
+        ``\delta`` before any bracket is among them if it stands nowhere alone.
 
         Where ``x[n]`` or ``x[0]`` has an index in square brackets, all letters before these brackets are among them.
         """
-        found, before, indexed = set[str](), set[str](), False
+        found, before, alone, indexed = set[str](), set[str](), set[str](), False
         for each in self.statements:
             try:
                 tokens, _ = tokens_of(each.pieces, lambda name: False, frozenset()) if each.pieces else ([], False)
             except UnreadableError:
                 continue
             found |= {str(token) for token in tokens if token.type == "CALLEE"}
+            often = [
+                (str(one), other) for one, other in pairwise([*tokens, None]) if one and OFTEN_FUNCTION.fullmatch(one)
+            ]
+            found |= {letter for letter, other in often if other and other.type == "LP"}
+            alone |= {letter for letter, other in often if not (other and other.type == "LP")}
             squared = [(one.type, str(one)) for one, other in pairwise(tokens) if other.type == "LS"]
             before |= {letter for kind, letter in squared if kind in ("SYMBOL", "CALLEE")}
             indexed = indexed or any(kind == "CALLEE" and letter not in "EPV" for kind, letter in squared)
-        return functions_called(self.statements).union(found, before if indexed else ())
+        return functions_called(self.statements).union(found - alone, before if indexed else ())
 
     def is_parameter(self, statement: Statement) -> bool:
         """Whether a statement gives a letter a number, as others of its display do: a list of parameters."""

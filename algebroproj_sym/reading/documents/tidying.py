@@ -7,6 +7,7 @@ and ``\right.`` is a distinction of cases, and ``α`` is ``\alpha``.
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterable, Sequence
 
 from algebroproj_sym.reading.lexing.commands import CLOSING, FUNCTIONS, MAX_PIECES, OPENING, RELATIONS, SIGNS
@@ -46,6 +47,7 @@ _SKIP = re.compile(r"\*?\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
 _CONNECTIVES = re.compile(r"(?:if|for|and|or|where|when|with|otherwise|else|on|at|as|then|subject to|s\.t\.)\W*")
 _NAME = re.compile(r"[A-Z][a-zA-Z]{0,9}")
 """Words that name a function, as in ``\\text{Pr}(A)``."""
+_WORD = re.compile(r"[A-Za-z]+")
 _LETTERS = (
     "α#alpha β#beta γ#gamma δ#delta ε#varepsilon ζ#zeta η#eta θ#theta ι#iota κ#kappa λ#lambda μ#mu ν#nu ξ#xi π#pi "
     "ρ#rho σ#sigma τ#tau υ#upsilon φ#varphi ϕ#phi χ#chi ψ#psi ω#omega Γ#Gamma Δ#Delta Θ#Theta Λ#Lambda Ξ#Xi Π#Pi "
@@ -53,7 +55,37 @@ _LETTERS = (
     "≈#approx ≡#equiv ∈#in →#to ⇒#Rightarrow ⇔#Leftrightarrow ∥#| ∑#sum ∫#int ∏#prod ℓ#ell ∝#propto"
 )
 _SIGNS = {sign: rf"\{name}" for sign, _, name in (pair.partition("#") for pair in _LETTERS.split())}
+_ACCENTS = {
+    "\u0302": r"\hat",
+    "\u0303": r"\tilde",
+    "\u0304": r"\bar",
+    "\u0305": r"\bar",
+    "\u0307": r"\dot",
+    "\u0308": r"\ddot",
+    "\u030c": r"\check",
+    "\u20d7": r"\vec",
+}
+"""The marks that Unicode writes above the letter before them."""
 _SIGNS |= {"°": r"^\circ", "²": "^2", "³": "^3", "′": "'", "″": "''"}
+
+
+def _accented(pieces: Iterable[Piece]) -> list[Piece]:
+    """Return pieces in which a letter with a mark of Unicode above it is one with an accent."""
+    found: list[Piece] = []
+    for piece in pieces:
+        letter, mark = piece.text[:-1], piece.text[-1]
+        if (
+            len(piece.text) == 1
+            and len(parts := unicodedata.normalize("NFD", piece.text)) == 2
+            and parts[1] in _ACCENTS
+        ):
+            letter, mark = parts[0], parts[1]
+        if mark in _ACCENTS and (letter or found):
+            base = [_as(piece, letter)] if letter else [found.pop()]
+            found += [_as(piece, _ACCENTS[mark]), *_braced(piece, base)]
+        else:
+            found.append(piece)
+    return found
 
 
 def tidied(pieces: Sequence[Piece]) -> list[Piece]:
@@ -73,7 +105,9 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     out: list[Piece] = []
     pairs = _Pairs()
     waiting = _Waiting(
-        each for piece in pieces for each in (_at(piece, _SIGNS[piece.text]) if piece.text in _SIGNS else (piece,))
+        each
+        for piece in _accented(pieces)
+        for each in (_at(piece, _SIGNS[piece.text]) if piece.text in _SIGNS else (piece,))
     )
     while waiting:
         piece = waiting.pop()
@@ -96,7 +130,8 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             inside = waiting.group()
             name = "".join(each.text for each in inside)
             called = _NAME.fullmatch(name) and waiting.next in ("(", "[")
-            if called or (name in FUNCTIONS and waiting.next in ("(", "[", r"\{", r"\left")):
+            named = (name in FUNCTIONS and waiting.next in ("(", "[", r"\{", r"\left", "^")) or name == "d"
+            if called or named or (_WORD.fullmatch(name) and waiting.next == "_"):
                 waiting.put([_as(piece, r"\mathrm"), *_braced(piece, inside)])
                 continue
             formulas = _formulas_in(inside)

@@ -198,7 +198,7 @@ class _Pass:
             repeats = gives_at_other_index(self._standing(statement), found.sides[0], found.sides[1])
             definition = None if repeats else definition
         for index, relation in enumerate(found.relations):
-            if index == 0 and definition is not None and not self.memory.beside.follows:
+            if index == 0 and definition is not None and not self.memory.ties(definition):
                 questions = asked_of(self.memory.vocabulary, definition.tree, definition.tree)
                 both = both_sides(questions) if isinstance(questions, list) else None
                 links.append(Link("definition", rests_on=rests_of(self.memory.vocabulary, definition.tree), sides=both))

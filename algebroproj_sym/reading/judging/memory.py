@@ -193,6 +193,11 @@ class Memory:
         """Take notice of the letters of sides that are said to be equal, or in some relation."""
         self.tied.update(symbol for side in sides for symbol in symbols_in(side))
 
+    def ties(self, definition: Definition) -> bool:
+        """Whether a definition may follow from what is above it: words say so, or an equation has its letter."""
+        has = any(definition.symbol in each.symbols for each in self.premises)
+        return self.beside.follows or (has and not definition.explicit)
+
     def leave_open(self, formula: Parsed, part: int) -> None:
         """Take notice of the letters of an equation of which nothing is decided, in a part of the document."""
         self.open |= {symbol: part for side in formula.sides for symbol in symbols_in(side)}

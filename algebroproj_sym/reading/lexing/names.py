@@ -278,8 +278,10 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
 
 
-_FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|delta|Delta|Pr)|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
+_FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|Delta|Pr)|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 """What is a function before a bracket, whatever stands in it."""
+OFTEN_FUNCTION = re.compile(r"\\delta(?:_.*)?")
+"""What is one as well, if it never stands alone."""
 _EXPECTATION = re.compile(r"[EPV](?:_.*)?")
 """What is a function before a square bracket."""
 

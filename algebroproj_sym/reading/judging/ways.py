@@ -32,7 +32,7 @@ from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
@@ -112,7 +112,6 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_said_before(standing, left, right),
         *_at_other_indices(standing, left, right),
         *_without_arguments(standing, formula, index),
-        *_without_definitions(standing, left, right),
     ]
     ways += [
         replace(way, vocabulary=other, reads=f"{' = '.join(map(other.text, way.sides))}, where I is the identity")
@@ -335,21 +334,6 @@ def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> b
     )
     found = instances(given, standing.vocabulary, standing.survey.indices, (left,))
     return any({*each.symbols} & {*symbols_in(right)} for each, _ in found)
-
-
-def _without_definitions(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
-    """Yield a relation as it stands, of letters of which nothing is known but their sizes.
-
-    Beside a sum it matters what is known: whether they depend on its index.
-    """
-    used = used_by(standing.vocabulary, left, right)
-    summed = any(part.data == "big" for side in (left, right) for part in side.iter_subtrees())
-    if used and not summed and r"\pi" not in {each.symbol for each in used}:
-        bare = standing.vocabulary.copied()
-        for each in used:
-            bare.definitions.pop(each.symbol, None)
-        bare.forget()
-        yield Way(left, right, bare, NOT_GIVEN)
 
 
 def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator[Vocabulary]:

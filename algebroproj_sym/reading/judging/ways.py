@@ -9,7 +9,6 @@ from itertools import combinations
 from lark import Tree
 
 from algebroproj_sym.reading.defining.arguments import alike, known_without, premise_without, without_arguments
-from algebroproj_sym.reading.defining.chains import DIVIDED
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
 from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.indices import excludes
@@ -49,11 +48,6 @@ _CHANGES = frozenset(
     }
 )
 """Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""
-
-_DIVIDES = frozenset(
-    {"divide", "divided", "dividing", "division", "quotient", "ratio", "chain", "eliminating", "parametric"}
-)
-"""Words of an equation in which one rate is divided by another one."""
 
 
 @dataclass(frozen=True)
@@ -356,12 +350,7 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
 
 
 def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
-    """Whether a derivative takes letters to be fixed though words say that something changes.
-
-    Likewise whether rates are divided, and no words say so.
-    """
-    if rate.where == DIVIDED:
-        return _DIVIDES.isdisjoint(beside.words)
+    """Whether a derivative takes letters to be fixed though words say that something changes."""
     return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})
 
 

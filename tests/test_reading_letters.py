@@ -52,6 +52,22 @@ def test_what_holds_for_letters_follows(latex):
     assert last(latex).verdict == "follows"
 
 
+@pytest.mark.parametrize(
+    ("before", "claim", "verdict"),
+    [
+        ("", r"\det(A - \lambda I) = \lambda^2 - 4 \lambda + 3", "follows"),
+        ("", r"\det(\lambda I - A) = (\lambda - 1) (\lambda - 3)", "follows"),
+        ("", r"\det(s I - A) = s^2 - 4 s + 5", "independent"),
+        ("Let $I$ be the identity matrix. ", r"\det(A - \lambda I) = \lambda^2 - 4 \lambda + 3", "follows"),
+        ("Let $I$ be the inertia matrix. ", r"\det(A - \lambda I) = \lambda^2 - 4 \lambda + 3", "independent"),
+        ("All entries of the matrix $I$ are one. ", r"\det(A - s I) = s^2 - 4 s + 3", "independent"),
+    ],
+)
+def test_a_letter_like_the_identity_has_the_size_of_what_it_is_added_to(before, claim, verdict):
+    found = last(before + r"\[ A = \begin{bmatrix} 2 & 1 \\ 1 & 2 \end{bmatrix} \] Hence \[ " + claim + r" \]")
+    assert found.verdict == verdict
+
+
 def test_a_letter_like_the_identity_is_read_as_it_where_that_follows():
     latex = r"the unit vector $\mathbf{n}$ \[ P = %s - \mathbf{n}\mathbf{n}^T \] \[ P^2 %s= P \] \end{document}"
     proved = last(latex % ("I", ""))

@@ -7,7 +7,7 @@ each letter of the equation may depend on each other one: ``c - k = 1`` gives c 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -15,6 +15,7 @@ from itertools import pairwise
 from lark import Tree
 
 from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 ANY = "any"
@@ -179,3 +180,11 @@ def letters_of_symbol(symbol: str) -> frozenset[str]:
         return frozenset((ANY,))
     letter, _, below, above = split_symbol(symbol)
     return frozenset((letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")))
+
+
+def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[str]) -> None:
+    """Refuse a sum, an integral or a limit whose index or variable is a letter with a value."""
+    bound = re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", re.sub(r"^\\[a-z]+|\^.*$|\\(?:in|to)(?![a-z])", "", name))
+    bound += [each[2:] for each in symbols if each.startswith("d ")]
+    if defined := [each for each in bound if each in definitions]:
+        raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")

@@ -14,6 +14,7 @@ CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
     r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
 )
+LIKE_IDENTITY = re.compile(r"I|\\math(?:bf|bb|rm)\{I\}")
 MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
 
 

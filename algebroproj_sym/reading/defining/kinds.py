@@ -60,6 +60,8 @@ class Kinds:
         Those of them that have the accent of vectors, or that words call vectors.
     open : frozenset of str
         The symbols that may be matrices, or numbers.
+    named : frozenset of str
+        The letters I that words may call another thing than the identity.
     oblong : frozenset of str
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
     """
@@ -67,6 +69,7 @@ class Kinds:
     no_numbers: frozenset[str] = frozenset()
     columns: frozenset[str] = frozenset()
     open: frozenset[str] = frozenset()
+    named: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
 
 
@@ -97,7 +100,7 @@ def kinds_of(
     while closure.grows():
         pass
     oblong = oblong_in(equations, occurring, words)
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong)
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong=oblong)
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:
@@ -282,12 +285,20 @@ def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
                 marked = tree.children[0]
-                (found if lone(marked) and head == "T" else unless).update(factors_of(marked, deep=False))
+                (found if lone(marked) and head == "T" else unless).update(_without_scales(marked))
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
-                found |= {*factors_of(tree.children[1], deep=False)}
+                found |= {*_without_scales(trees_in(tree)[0])}
     found |= unless - angles
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
+
+
+def _without_scales(tree: Any) -> Iterator[str]:
+    r"""Yield the letters of a matrix: in `A - \lambda I`, and in `k A B`, no small letter before a capital."""
+    for term in terms_of(tree):
+        letters = [*factors_of(term, deep=False)]
+        capitals = [place for place, each in enumerate(letters) if CAPITAL.match(each)]
+        yield from letters[capitals[0] if capitals and term.data == "run" else 0 :]
 
 
 def _tables_in(equations: Iterable[Sides]) -> Iterator[str]:

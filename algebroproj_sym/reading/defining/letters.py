@@ -7,8 +7,9 @@ The value of a function, a sum or an integral is a letter of its own, the same f
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from functools import reduce
 from itertools import cycle
 from typing import Any, TypeVar
@@ -17,7 +18,13 @@ from lark import Token, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
-from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
+from algebroproj_sym.reading.defining.dependence import (
+    ANY,
+    index_of,
+    letters_in,
+    letters_of_symbol,
+    require_no_value,
+)
 from algebroproj_sym.reading.defining.factors import MEAN
 from algebroproj_sym.reading.defining.parts import (
     MOST_TERMS,
@@ -62,17 +69,20 @@ WHOLE = "whole"
 """How the name of any other value begins."""
 
 
-def lettered(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:
+def lettered(
+    vocabulary: Vocabulary, left: Formula, right: Formula, given: Sequence[tuple[Formula, Formula]] = ()
+) -> list[Question]:
     """Return the question whether two sides are equal, with vectors and matrices as letters; of blocks, one for each.
 
-    Bold Greek letters are tensors if they cannot be columns.  A rotation has three dimensions if blocks need a size.
+    What is given are the sides of equations that hold, and that have no blocks.  Bold Greek letters are tensors if they
+    cannot be columns.  A rotation has three dimensions if blocks need a size.
 
     Raises
     ------
     UnreadableError
         If shapes do not fit, or something is read and not computed.
     """
-    return _first_read(vocabulary, lambda reader: _asked(reader, left, right))
+    return _first_read(vocabulary, lambda reader: _asked(reader, left, right, given))
 
 
 def has_shape(vocabulary: Vocabulary, tree: Formula) -> bool:
@@ -95,10 +105,24 @@ def _first_read(vocabulary: Vocabulary, read: Callable[[_Reader], Read]) -> Read
         raise error
 
 
-def _asked(reader: _Reader, left: Formula, right: Formula) -> list[Question]:
+def _asked(reader: _Reader, left: Formula, right: Formula, given: Sequence[tuple[Formula, Formula]]) -> list[Question]:
+    sides = _of_one_shape(reader, left, right)
+    constraints = [_of_one_shape(reader, *each) for each in given]
+    if any(side.blocks for pair in constraints for side in pair):
+        raise refused("an equation of blocks")
+    questions = _of_sides(reader, sides)
+    laws = tuple(f"{one.text()} = {other.text()}" for one, other in constraints)
+    return [replace(each, constraints=(*each.constraints, *laws)) for each in questions]
+
+
+def _of_one_shape(reader: _Reader, left: Formula, right: Formula) -> list[Part]:
     sides = [reader.part(tree) for tree in (left, right)]
     if not any(side.is_zero for side in sides):
         same_shape(*sides)
+    return sides
+
+
+def _of_sides(reader: _Reader, sides: list[Part]) -> list[Question]:
     if not have_same_blocks(*sides) and not any(side.is_zero for side in sides):
         return [reader.question(sides)]
     blocks = [[cell for row in side.blocks for cell in row] for side in sides]
@@ -290,14 +314,6 @@ class _Reader:
             if kind == "sqrt":
                 found.append(f"{name}^2 = {argument[:-1]}")
         return found
-
-
-def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[str]) -> None:
-    """Refuse a sum, an integral or a limit whose index or variable is a letter with a value."""
-    bound = re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", re.sub(r"^\\[a-z]+|\^.*$|\\(?:in|to)(?![a-z])", "", name))
-    bound += [each[2:] for each in symbols if each.startswith("d ")]
-    if defined := [each for each in bound if each in definitions]:
-        raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")
 
 
 def base_of(function: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import dropwhile
 from typing import Any
 
 from lark import Tree
@@ -71,16 +72,28 @@ def _inverted_squares_in(equations: Sequence[Sides]) -> Iterator[str]:
 
 
 def _normal_in(equations: Sequence[Sides]) -> Iterator[str]:
-    """Yield the letters of normal equations: A in ``A^T A x = A^T b``, which is not invertible as a rule."""
+    """Yield the letters of normal equations: A in ``A^T A x = A^T b``, or ``A^T (A x - b) = 0``.
+
+    They are not invertible as a rule.
+    """
     named = {
         head_of(one): {*_squared_in(other)} for both in equations for one in both for other in both if head_of(one)
     }
     for both in equations:
-        terms = [[*trees_in(term)] for side in both for term in terms_of(side) if term.data == "run"]
+        terms = [factors for side in both for term in terms_of(side) for factors in _products_in(term)]
         turned = [(base_of(first), [lone(each) for each in rest]) for first, *rest in terms if first.data == "marked"]
         squares = {letter for letter, rest in turned if letter and letter in rest[:-1]}
         squares = squares.union(*(named.get(lone(first), ()) for first, *_ in terms))
         yield from squares & {letter for letter, rest in turned if letter not in rest}
+
+
+def _products_in(term: Any) -> Iterator[list[Any]]:
+    """Yield the factors of a product behind the numbers in it; of one with a sum at its end, for each of its terms."""
+    if term.data == "run":
+        *first, last = trees_in(term)
+        for each in terms_of(last):
+            factors = [*first, *(trees_in(each) if each.data == "run" else [each])]
+            yield [*dropwhile(lambda factor: factor.data in ("number", "fraction"), factors)] or [last]
 
 
 def _one_sided_in(equations: Iterable[Sides], oblong: Collection[str]) -> Iterator[str]:

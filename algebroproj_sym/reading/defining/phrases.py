@@ -19,6 +19,7 @@ from typing import TypeVar
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of, split_pieces
 from algebroproj_sym.reading.parsing.grammar import parsed, symbols_in
@@ -162,6 +163,20 @@ def called(statements: Iterable[Statement], things: str, *, of_time: bool = Fals
                 named = each.latex.partition("=")[0]
                 found |= {*symbols_in_list(re.sub(r"\(\s*t\s*\)", "", named) if of_time else named)}
     return frozenset(found)
+
+
+_IDENTITY = re.compile(r"identity|unit(?:y)? matri|unity", re.IGNORECASE)
+
+
+def named_otherwise(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the letters I that stand alone within the text, where no word says that they are the identity."""
+    found, identities = set[str](), set[str]()
+    for each in statements:
+        if each.display.environment == "inline":
+            letters = {*filter(LIKE_IDENTITY.fullmatch, symbols_in_list(each.latex))}
+            words = f"{each.display.before[-80:]} {each.display.after[:80]}"
+            (identities if _IDENTITY.search(words) else found).update(letters)
+    return frozenset(found - identities)
 
 
 def _agreed(found: Iterable[tuple[str, Value]]) -> dict[str, Value]:

@@ -27,6 +27,7 @@ from algebroproj_sym.reading.defining.phrases import (
     columns_in,
     complexes_in,
     matrices_in,
+    named_otherwise,
     properties_in,
     sizes_in,
     vectors_in,
@@ -275,7 +276,8 @@ class Survey:
         words = " ".join(f"{each.before} {each.after}" for each in self.document.formulas)
         said = vectors_in(self.statements) | {*properties_in(self.statements)}
         found = kinds_of(formulas, said, words, columns_in(self.statements))
-        return replace(found, no_numbers=found.no_numbers | matrices_in(self.statements, angles_in(formulas)))
+        matrices = matrices_in(self.statements, angles_in(formulas))
+        return replace(found, no_numbers=found.no_numbers | matrices, named=named_otherwise(self.statements))
 
     def _has_euler(self) -> bool:
         """Whether e is Euler's number: the base of powers with letters, and nothing else."""

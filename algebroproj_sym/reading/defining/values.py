@@ -13,8 +13,8 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import entries, over, shape, text
-from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol
-from algebroproj_sym.reading.defining.letters import FREE, WHOLE, base_of, require_no_value
+from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol, require_no_value
+from algebroproj_sym.reading.defining.letters import FREE, WHOLE, base_of
 from algebroproj_sym.reading.defining.parts import MOST_TERMS
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol

@@ -14,13 +14,14 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
 from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free_symbols, is_among
+from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 from algebroproj_sym.reading.parsing.writing import text_of
 
 MOST_DEFINITIONS = 20_000
@@ -30,7 +31,6 @@ Role = Literal["definition", "premise", "case"]
 Numbers = Literal["real", "complex", "some complex"]
 """Whether letters stand for real numbers, or all for complex ones, or those that complex ones give."""
 
-_LIKE_IDENTITY = re.compile(r"I|\\math(?:bf|bb|rm)\{I\}")
 _CAPITAL = re.compile(r"[A-Z](?:_|\^|$)")
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
@@ -142,13 +142,14 @@ class Vocabulary:
 
     def with_identity(self, *trees: Formula) -> Vocabulary | None:
         """Return the vocabulary in which a lone I is the identity matrix; None if there is none, or if it is given."""
-        letters = {symbol for tree in trees for symbol in self.letters_of(tree) if _LIKE_IDENTITY.fullmatch(symbol)}
-        given = {*self.definitions, *self._properties, *self._sizes}
+        letters = {symbol for tree in trees for symbol in self.letters_of(tree) if LIKE_IDENTITY.fullmatch(symbol)}
+        given = {*self.definitions, *self._properties, *self._sizes, *self.kinds.named}
         if not letters or letters & given or any(map(self._multiplies_identity, trees)):
             return None
         found = self.copied()
         found.forget()
-        shapes = {each for each in map(self._shape_of, trees) if each and len(each) == 2 and each[0] == each[1]}
+        sums = [each for tree in trees for part in tree.find_data("sum") for each in trees_in(part)]
+        shapes = {each for each in map(self._shape_of, (*trees, *sums)) if each and each[0] == each[-1]}
         if len(shapes) == 1:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         found._properties = found._properties | dict.fromkeys(letters, ("identity",))
@@ -160,7 +161,7 @@ class Vocabulary:
         for run in (run for each in trees for run in each.find_data("run")):
             factors = [each for each in run.children if isinstance(each, Tree)]
             lone = [
-                each for each in factors if each.data == "symbol" and _LIKE_IDENTITY.fullmatch(str(each.children[0]))
+                each for each in factors if each.data == "symbol" and LIKE_IDENTITY.fullmatch(str(each.children[0]))
             ]
             others = [symbol for each in factors if each not in lone for symbol in symbols_in(each)]
             if lone and any(self.is_no_number(each) or _CAPITAL.match(each) for each in others):

@@ -34,6 +34,7 @@ from algebroproj_sym.reading.judging.questions import (
     used_by,
 )
 from algebroproj_sym.reading.judging.signs import may_be_negative, without_signs
+from algebroproj_sym.reading.judging.stationary import set_to_zero
 from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
@@ -157,6 +158,7 @@ class _Pass:
                 self.memory.vocabulary.define(definition)
         if len(formula.sides) > 1:
             self.memory.note(statement, formula)
+            self.memory.tie(formula.sides)
             self.memory.restate(formula)
             if {*formula.relations} == {"="}:
                 words = f"${statement.display.latex}$"
@@ -182,6 +184,7 @@ class _Pass:
         if reason := self.survey.meanings.reason(statement, found):
             self.memory.note(statement, found)
             self.memory.leave_open(found, display.part)
+            self.memory.tie(found.sides)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
             equal = bool(found.relations) and found.relations[0] in EQUALITIES
             if equal and not reason.endswith(VARIES) and introduces(self.memory, statement, found):
@@ -199,6 +202,7 @@ class _Pass:
                 questions = asked_of(self.memory.vocabulary, definition.tree, definition.tree)
                 both = both_sides(questions) if isinstance(questions, list) else None
                 links.append(Link("definition", rests_on=rests_of(self.memory.vocabulary, definition.tree), sides=both))
+                self.memory.tie(found.sides[:1])
                 continue
             if relation == "∈" and index and (definition is not None or tells(self.memory, statement, found, 0)):
                 links.append(Link("definition"))
@@ -225,6 +229,8 @@ class _Pass:
     ) -> tuple[Link, Asked | None]:
         left, right, relation = formula.sides[index], formula.sides[index + 1], formula.relations[index]
         rests = rests_of(self.memory.vocabulary, left, right)
+        gives = relation in EQUALITIES and (gives or tells(self.memory, statement, formula, index))
+        self.memory.tie([left] if gives else [left, right])
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
@@ -237,9 +243,8 @@ class _Pass:
         certain = not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right))
         ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
-        gives, claimed = gives or tells(self.memory, statement, formula, index), self.memory.beside.follows
         link = Link("not decided", rests_on=rests)
-        asked = Asked(place, index, ways, link, identity, certain, chained, gives, claimed)
+        asked = Asked(place, index, ways, link, identity, certain, chained, gives, self.memory.beside.follows)
         return asked.link, asked
 
     def _standing(self, statement: Statement) -> Standing:
@@ -251,9 +256,23 @@ class _Pass:
                 vocabulary.drop(symbol)
         place = statement.display.part, self.memory.serving, self.memory.cited
         own = [each for words, each in self.within if supposes(self.memory.beside, words)]
-        return Standing(
-            self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, (*own, *self._explained_behind())
-        )
+        own += self._explained_behind()
+        own += set_to_zero(self.memory.beside, self.memory.serving, self._free(statement), self._place_above)
+        return Standing(self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, own)
+
+    @property
+    def _place_above(self) -> int:
+        """Where the display above the one that is read begins."""
+        displays = (each.display for each in self.survey.statements[: self.order][::-1])
+        above = (each for each in displays if each.environment != "inline" and each is not self.memory.display)
+        return next((each.place for each in above), -1)
+
+    def _free(self, statement: Statement) -> list[str]:
+        """Return the letters of a statement that nothing gives."""
+        formula = self.survey.formulas[id(statement)]
+        sides = formula.sides if isinstance(formula, Parsed) else ()
+        letters = {symbol for side in sides for symbol in symbols_in(side)}
+        return sorted(letters - {*self.memory.vocabulary.definitions})
 
     def _explained_behind(self) -> Iterator[Premise]:
         """Yield the equations within the text with which the sentence of a display goes on: "where $w^2 = k/m$"."""

@@ -15,7 +15,8 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
-from algebroproj_sym.reading.defining.letters import lettered, require_no_value
+from algebroproj_sym.reading.defining.dependence import require_no_value
+from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise
 from algebroproj_sym.reading.defining.values import values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
@@ -65,7 +66,10 @@ class Way:
     @property
     def rests_on(self) -> tuple[str, ...]:
         """The places and words on which it rests."""
-        return tuple(dict.fromkeys((*rests_of(self.vocabulary, *self.sides), *(each.where for each in self.under))))
+        given = [side for each in self.under for side in (each.left, each.right)]
+        return tuple(
+            dict.fromkeys((*rests_of(self.vocabulary, *self.sides, *given), *(each.where for each in self.under)))
+        )
 
 
 def used_by(vocabulary: Vocabulary, *trees: Formula) -> list[Definition]:
@@ -181,9 +185,16 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
         try:
             return _with_values(vocabulary, left, right) or lettered(vocabulary, left, right)
         except (UnreadableError, RecursionError) as error:
-            return str(error if isinstance(unread, UnsizedError) else unread).partition("\n")[0][:200]
+            return _reason_of(error if isinstance(unread, UnsizedError) else unread)
     except (TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
-        return str(error).partition("\n")[0][:200] or type(error).__name__
+        return _reason_of(error)
+
+
+def _reason_of(error: Exception) -> str:
+    """Return the first line of a message."""
+    if isinstance(error, RecursionError):
+        return "a letter in it is given by itself, or it is nested too deeply"
+    return str(error).partition("\n")[0][:200] or type(error).__name__
 
 
 _SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")
@@ -229,7 +240,10 @@ def _asked_under(way: Way) -> list[Question] | str:
             if all(map(_is_rational, [*questions, *given])):
                 constraints = tuple(f"{one.lhs} = {one.rhs}" for one in given)
                 return [replace(question, constraints=constraints) for question in questions]
-    return "what it may rest on is not rational"
+    with suppress(*_UNASKED):
+        if any(map(way.vocabulary.is_matrix, way.vocabulary.letters_of(way.left))):
+            return lettered(way.vocabulary, *way.sides, [(each.left, each.right) for each in way.under])
+    return "what it may rest on is not rational, and has no vectors"
 
 
 def _is_rational(question: Question) -> bool:

@@ -234,12 +234,13 @@ def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula)
             yield Way(ours, theirs, extended(known, values.values()), A_VALUE)
     last = neighbours(standing.premises, standing.part, standing.cited, 1)
     wanted = {*symbols_in(left), *symbols_in(right)}
-    for each in neighbours(standing.premises, standing.part, standing.cited):
+    for each in (*neighbours(standing.premises, standing.part, standing.cited), *own):
         for solution in _solutions(each, standing.vocabulary, wanted):
             yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
     letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
     tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
-    yield Way(left, right, standing.vocabulary, A_VALUE, under=(*tied, *last))
+    for under in dict.fromkeys(((*tied, *last), tied)):
+        yield Way(left, right, standing.vocabulary, A_VALUE, under=under)
 
 
 def _supposed(standing: Standing, left: Formula, right: Formula) -> list[Premise]:

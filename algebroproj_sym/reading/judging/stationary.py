@@ -1,0 +1,104 @@
+r"""What a sentence says of derivatives: "Setting the gradient to zero gives" supposes that it is zero.
+
+The derivative is the one that is given last above it.  Where it is zero, the letter by which it is taken may get an
+accent or a star, as in ``\hat\mu``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
+from algebroproj_sym.reading.judging.words import Beside
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+
+_FORMULA = r"\$[^$]*\$"
+_NAMED = rf"(?:the [a-z]+(?: [a-z]+)?|{_FORMULA})"
+_TO_ZERO = re.compile(
+    r"\b(?:set(?:ting)?|equat(?:e|ing)|put(?:ting)?)\s+"
+    r"(?P<what>this|it|them|both|these|(?:the|its|this|these|both) (?:(?:partial|first|resulting) )?"
+    r"(?:derivatives?|gradients?|expressions?))"
+    rf"(?P<of>\s+of\s+{_NAMED})?(?P<by>\s+with\s+respect\s+to\s+{_NAMED}(?:(?:,|\s+and)\s+{_NAMED})*)?"
+    r"\s+(?:equal\s+)?to\s+(?:zero|\$(?:0|\\mathbf\{0\})\$)",
+    re.IGNORECASE,
+)
+_OTHERWISE = re.compile(
+    r"\b(?:not|without|instead|rather|before|than|if|unless|cannot|never|avoid\w*|second|wrong\w*|but|though|except|"
+    r"generally|in general|always)\b",
+    re.IGNORECASE,
+)
+_SEVERAL = re.compile(r"them|both|these|\w+s$", re.IGNORECASE)
+_PRONOUN = re.compile(r"this$|it$|them$|both$|these$|.*expressions?$", re.IGNORECASE)
+_LEADS = re.compile(r"\W*(?:(?:and|by|now|then|we|can|thus|hence|therefore|so|finally|next)\b\W*)*", re.IGNORECASE)
+"""The words before "setting it to zero" that name nothing else that may be zero."""
+_SLOPE = re.compile(r"(d|\\partial)(?!\^)([^/()]+)(?:\([^/]*\))?/\1([^/^]+)")
+_NABLA = re.compile(r"\\nabla(?:_(.*))?")
+_AT_BEST = re.compile(r"\\(?:wide)?hat|\^(?:\*|\\star|\\ast)$|_(?:MLE?|LS|OLS|opt)$")
+_ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
+
+
+def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection[str], above: int) -> list[Premise]:
+    """Return that the derivatives above an equation are zero, if its sentence says so.
+
+    Parameters
+    ----------
+    beside : Beside
+        The words beside the equation.
+    premises : sequence of Premise
+        The equations above it.
+    letters : collection of str
+        The letters of the equation that nothing gives.
+    above : int
+        Where the display just above it begins, in characters.
+    """
+    match = _TO_ZERO.search(beside.sentence)
+    if match is None or _OTHERWISE.search(beside.sentence):
+        return []
+    near = [each for each in premises[-MOST_TOGETHER:] if each.part == beside.part and each.place < beside.place]
+    slopes = {(*of, each.place): each for each in near if (of := _slope_of(each.left)) is not None}
+    functions = _named(match["of"] or "", {function for function, *_ in slopes})
+    variables = _named(match["by"] or "", {variable for _, variable, _ in slopes})
+    slopes = {key: each for key, each in slopes.items() if key[0] in functions and key[1] in variables}
+    last = max((place for *_, place in slopes), default=0)
+    lead = beside.before.partition(match[0])[0]
+    if _PRONOUN.match(match["what"]) and not (_LEADS.fullmatch(lead) and above == last):
+        return []
+    before = {symbol for each in near for symbol in each.symbols}
+    best = {_AT_BEST.sub("", _bare(each)): each for each in letters if each not in before}
+    best = {bare: each for bare, each in best.items() if variables & {bare, ""}}
+    several = _SEVERAL.fullmatch(match["what"].rpartition(" ")[2]) is not None
+    kept = [each for each in slopes.values() if several or each.place == last]
+    return [replace(each, left=_at_best(each.right, best), right=_ZERO) for each in kept]
+
+
+def _named(said: str, known: set[str]) -> set[str]:
+    """Return those of some letters that words may name: of several, only what stands there as a formula."""
+    formulas = {*map(_bare, re.findall(_FORMULA, said))}
+    return known & formulas if formulas else known if not said or len(known) == 1 else set()
+
+
+def _slope_of(tree: Formula) -> tuple[str, str] | None:
+    """Return the bare function and letter of a first derivative, empty if not said; None for no derivative."""
+    if match := _SLOPE.fullmatch(str(tree.children[0]) if tree.data == "opaque" else ""):
+        return _bare(match[2]), _bare(match[3])
+    operator, function = tree.children if tree.data == "run" and len(tree.children) == 2 else (None, None)
+    if isinstance(operator, Tree) and operator.data == "symbol" and isinstance(function, Tree):
+        match = _NABLA.fullmatch(str(operator.children[0]))
+        return (_bare(symbols_in(function)[0]), _bare(match[1] or "")) if match and symbols_in(function) else None
+    return None
+
+
+def _at_best(tree: Formula, best: Mapping[str, str]) -> Formula:
+    """Return a formula in which letters have the accents of an equation."""
+    if tree.data == "symbol":
+        bare = _bare(str(tree.children[0]))
+        return letter_of(best[bare]) if bare in best else tree
+    return Tree(tree.data, [_at_best(each, best) if isinstance(each, Tree) else each for each in tree.children])
+
+
+def _bare(symbol: str) -> str:
+    return re.sub(r"[${}\s]", "", symbol)

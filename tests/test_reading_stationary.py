@@ -1,0 +1,101 @@
+"""What follows where derivatives are set to zero, and from equations of vectors that give no letter."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+PARABOLA = r"The derivative is \[ \frac{dE}{dx} = k x - m g. \] "
+GRADIENT = r"The gradient is \[ \nabla f(\mathbf{x}) = 2 \mathbf{A}^T (\mathbf{A} \mathbf{x} - \mathbf{b}). \] "
+LINE = (
+    r"We minimize \[ S(a, b) = \sum_{i=1}^n (y_i - a - b x_i)^2. \] The derivatives are "
+    r"\[ \frac{\partial S}{\partial a} = -2 \sum_{i=1}^n (y_i - a - b x_i) \] and "
+    r"\[ \frac{\partial S}{\partial b} = -2 \sum_{i=1}^n x_i (y_i - a - b x_i). \] "
+)
+NORMAL = r"\mathbf{A}^T \mathbf{A} \mathbf{x} = \mathbf{A}^T \mathbf{b}"
+FIRST = r"n a + b \sum_{i=1}^n x_i = \sum_{i=1}^n y_i"
+SECOND = r"a \sum_{i=1}^n x_i + b \sum_{i=1}^n x_i^2 = \sum_{i=1}^n x_i y_i"
+
+
+def last(latex):
+    return read_document(document_of(latex))[-1]
+
+
+@pytest.mark.parametrize(
+    ("above", "words", "claim"),
+    [
+        (PARABOLA, "Setting it to zero gives", r"x = \frac{m g}{k}"),
+        (PARABOLA, "Equating the derivative to $0$ gives the equilibrium", r"k x = m g"),
+        (PARABOLA, "Setting this derivative equal to zero, we find", r"\hat x = \frac{m g}{k}"),
+        (PARABOLA, "Setting the derivative of $E$ with respect to $x$ to zero gives", r"x^* = \frac{m g}{k}"),
+        (
+            GRADIENT,
+            "Setting the gradient to zero gives",
+            r"\mathbf{A}^T \mathbf{A} \mathbf{x} = \mathbf{A}^T \mathbf{b}",
+        ),
+        (
+            GRADIENT,
+            "Setting this to zero gives",
+            r"\hat{\mathbf{x}} = (\mathbf{A}^T \mathbf{A})^{-1} \mathbf{A}^T \mathbf{b}",
+        ),
+        (LINE, "Setting the derivative with respect to $a$ to zero gives", FIRST),
+        (LINE, "Setting the derivatives to zero gives", SECOND),
+    ],
+)
+def test_what_a_derivative_that_is_set_to_zero_gives_follows(above, words, claim):
+    assert last(rf"{above}{words} \[ {claim}. \]").verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    ("above", "words", "claim"),
+    [
+        (PARABOLA, "Setting it to zero gives", r"x = \frac{k}{m g}"),
+        (PARABOLA, "The temperature $T$ is free. Setting it to zero gives", r"x = \frac{m g}{k}"),
+        (PARABOLA + r"Then \[ y = k x. \] ", "Setting it to zero gives", r"x = \frac{m g}{k}"),
+        (
+            PARABOLA + r"The start is \[ \hat x = h. \] ",
+            "Setting the derivative to zero gives",
+            r"\hat x = \frac{m g}{k}",
+        ),
+        (PARABOLA, "Setting the second derivative to zero gives", r"x = \frac{m g}{k}"),
+        (PARABOLA, "Without setting the derivative to zero we have", r"x = \frac{m g}{k}"),
+        (PARABOLA, "Setting the derivative to zero gives a minimum, and in general", r"x = \frac{m g}{k}"),
+        (PARABOLA, "Setting the derivative of $T$ to zero gives", r"x = \frac{m g}{k}"),
+        (PARABOLA, "Setting the derivative with respect to $z$ to zero gives", r"x = \frac{m g}{k}"),
+        (GRADIENT, "Setting the gradient to zero gives", r"\mathbf{A} \mathbf{x} = \mathbf{b}"),
+        (LINE, "Setting the derivative with respect to $b$ to zero gives", FIRST),
+        (LINE, "Setting the derivative with respect to the first parameter to zero gives", SECOND),
+    ],
+)
+def test_nothing_follows_where_words_set_another_thing_to_zero(above, words, claim):
+    assert last(rf"{above}{words} \[ {claim}. \]").verdict != "follows"
+
+
+BOLD = {letter: rf"\mathbf{{{letter}}}" for letter in "AFKxyuvbRPQ"}
+
+
+@pytest.mark.parametrize(
+    ("above", "claim", "follows"),
+    [
+        (r"%(x)s'^T %(F)s %(x)s = 0", r"%(x)s^T %(F)s^T %(x)s' = 0", True),
+        (r"%(x)s'^T %(F)s %(x)s = 0", r"%(x)s^T %(F)s %(x)s' = 0", False),
+        (r"%(A)s %(x)s = %(b)s - %(u)s", r"%(A)s^T %(A)s %(x)s = %(A)s^T (%(b)s - %(u)s)", True),
+        (r"%(A)s^T %(A)s %(x)s = %(A)s^T (%(b)s - %(u)s)", r"%(A)s %(x)s = %(b)s - %(u)s", False),
+        (
+            r"%(A)s^T %(P)s + %(P)s %(A)s = -%(Q)s",
+            r"%(x)s^T (%(A)s^T %(P)s + %(P)s %(A)s) %(x)s = -%(x)s^T %(Q)s %(x)s",
+            True,
+        ),
+        (r"%(A)s^T %(P)s + %(P)s %(A)s = -%(Q)s", r"2 %(x)s^T %(P)s %(A)s %(x)s = -%(x)s^T %(Q)s %(x)s", False),
+        (r"%(A)s %(P)s - %(P)s %(A)s = %(Q)s", r"%(A)s^2 %(P)s - %(P)s %(A)s^2 = %(A)s %(Q)s + %(Q)s %(A)s", True),
+        (r"%(A)s %(P)s - %(P)s %(A)s = %(Q)s", r"%(A)s^2 %(P)s - %(P)s %(A)s^2 = 2 %(A)s %(Q)s", False),
+        (r"%(A)s^T (%(A)s %(x)s - %(b)s) = 0", r"%(A)s^T %(A)s %(x)s = %(A)s^T %(b)s", True),
+        (r"%(A)s^T (%(A)s %(x)s - %(b)s) = 0", r"%(A)s %(x)s = %(b)s", False),
+        (r"m %(u)s + q %(v)s = m %(x)s + q %(y)s", r"m (%(u)s - %(x)s) = q (%(y)s - %(v)s)", True),
+        (r"m %(u)s + q %(v)s = m %(x)s + q %(y)s", r"m (%(u)s - %(x)s) = q (%(v)s - %(y)s)", False),
+    ],
+)
+def test_an_equation_of_vectors_that_gives_no_letter_serves_as_a_whole(above, claim, follows):
+    found = last(rf"We have \[ {above % BOLD}. \] Hence \[ {claim % BOLD}. \]")
+    assert (found.verdict == "follows") == follows

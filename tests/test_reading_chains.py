@@ -6,7 +6,6 @@ from algebroproj_sym.reading import document_of, read_document
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
-CYCLOID = r"\[ \frac{dx}{dt} = r (1 - \cos t) \] \[ \frac{dy}{dt} = r \sin t \] "
 LOSS = r"The loss is \[ L = \frac12 (y - t)^2 \] where \[ y = w h. \] "
 FOLLOWS = {
     "a rate of what the time gives": r"Here $t$ is the time. \[ x = a t^2 + b \] Hence \[ \dot{x} = 2 a t. \]",
@@ -22,8 +21,6 @@ FOLLOWS = {
     "a total derivative": r"\[ V = \frac43 \pi r^3 \] and \[ r = c T \] so "
     r"\[ \frac{dV}{dT} = \frac{dV}{dr} \frac{dr}{dT} = 4 \pi r^2 c. \]",
     "a prime as a command": r"\[ b = r^2 b^\prime \] Hence \[ \frac{db}{db^\prime} = r^2. \]",
-    "one rate divided by another one": CYCLOID
-    + r"Dividing these gives \[ \frac{dy}{dx} = \frac{\sin t}{1 - \cos t}. \]",
 }
 STAYS_OPEN = {
     "a drive that turns faster": r"At time $t$ the angle is \[ \theta = \omega t. \] The drive turns faster. "
@@ -42,10 +39,6 @@ STAYS_OPEN = {
     "what does not stay when y changes": r"\[ U = x y \] with \[ y = x^2. \] Hence \[ \frac{dU}{dy} = x. \]",
     "a mass that changes": r"\[ p = m v \] with \[ v = g t \] and \[ \frac{dm}{dt} = -k. \] "
     r"Hence \[ \frac{dp}{dt} = m g. \]",
-    "two cars and a road": r"The first car has \[ \frac{dx}{dt} = u. \] The second car has \[ \frac{dy}{dt} = w. \] "
-    r"The road has the slope \[ \frac{dy}{dx} = \frac{w}{u}. \]",
-    "a field": r"\[ \frac{\partial T}{\partial t} = q \] \[ \frac{dT}{dt} = a \] \[ \frac{dx}{dt} = u \] "
-    r"Dividing gives \[ \frac{dT}{dx} = \frac{a}{u}. \]",
     "the energy of a gas": r"\[ p = R T / V \] \[ U = p V \] Hence \[ \frac{\partial U}{\partial V} = p. \]",
     "a gate that is a function": r"\[ L = y^2 \] where \[ y = w h(w). \] "
     r"Hence \[ \frac{\partial L}{\partial w} = 2 y h(w). \]",
@@ -53,11 +46,6 @@ STAYS_OPEN = {
     r"Hence \[ \frac{\partial L}{\partial w} = \sum_{i=1}^n x_i. \]",
     "in one case": r"If $w > 0$, the output is \[ y = w h. \] Otherwise \[ y = 0. \] The loss is \[ L = y^2. \] "
     r"Hence \[ \frac{\partial L}{\partial w} = 2 y h. \]",
-    "by other letters": r"\[ \frac{dx}{dt} = u \] \[ \frac{dy}{ds} = w \] "
-    r"Dividing gives \[ \frac{dy}{dx} = \frac{w}{u}. \]",
-    "upside down": CYCLOID + r"Dividing these gives \[ \frac{dx}{dy} = \frac{\sin t}{1 - \cos t}. \]",
-    "the second derivative": CYCLOID
-    + r"Dividing these gives \[ \frac{d^2y}{dx^2} = \frac{\sin^2 t}{(1 - \cos t)^2}. \]",
 }
 
 

@@ -285,15 +285,6 @@ def test_a_derivative_is_taken_before_its_place_is_put_in():
     assert found[3].verdict != "follows"
 
 
-def test_what_holds_of_the_values_of_functions_needs_none_of_their_definitions():
-    text = (
-        r"\[ f(x) := \sum_k a_k n_k(x). \] \[ \frac{f(x + h) - f(x) + f(x) - f(u)}{2h} = \frac{f(x + "
-        r"h) - f(u)}{2h}. \]"
-    )
-    (found,) = read_document(document_of(text), seconds=5)[1:]
-    assert (found.verdict, found.links[0].rests_on) == ("follows", ())
-
-
 def test_one_value_of_a_function_says_nothing_of_another_one():
     found = read_document(
         document_of(r"\[ y(a) = b \] \[ y(c) = b \] \[ y(a) - y(d) = 0 \] \[ y(a) - y(c) = 0 \]"), seconds=5

@@ -1,12 +1,8 @@
-r"""Derivatives by the chain rule, as ``\frac{\partial L}{\partial w}`` where y gives L, and w gives y.
-
-``\frac{dy}{dx}`` is a rate divided by another one, if y and x have rates by the same letter.
-"""
+r"""Derivatives by the chain rule, as ``\frac{\partial L}{\partial w}`` where y gives L, and w gives y."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from lark import Token, Tree
 
@@ -14,8 +10,6 @@ from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
-DIVIDED = "one rate divided by another one"
-"""What a derivative rests on that is a quotient of rates."""
 _CLOSED = ("big", "call", "slope", "inner", "matrix")
 """What letters are not put into."""
 
@@ -100,31 +94,3 @@ def slope_of(value: Formula, variable: str, order: str | None = None) -> Formula
     for _ in range(int((order or "^1")[1:])):
         value = Tree("slope", [value, letter_of(variable)])
     return value
-
-
-def divided(above: str, below: str, names: Mapping[str, str], variables: Iterable[str]) -> Formula | None:
-    r"""Return ``\frac{dy}{dx}`` as the rate of y divided by that of x; None if there are none, or several such pairs.
-
-    Neither may be a field, of which the document has a partial derivative.
-
-    Parameters
-    ----------
-    above, below : str
-        The bare names of y and x.
-    names : mapping of str to str
-        The symbols of the document by their bare names.
-    variables : iterable of str
-        The bare names of the letters by which rates are taken.
-    """
-    if any(
-        re.match(rf"\\partial(?:\^\d)?(?:{re.escape(above)}|{re.escape(below)})(?![a-zA-Z_'^])", each) for each in names
-    ):
-        return None
-    pairs = [
-        (names[one], names[other])
-        for each in variables
-        if each not in (above, below)
-        for one, other in [(f"d{above}/d{each}", f"d{below}/d{each}")]
-        if one in names and other in names
-    ]
-    return Tree("fraction", [*map(letter_of, pairs[0])]) if len(pairs) == 1 else None

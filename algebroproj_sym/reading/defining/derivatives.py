@@ -10,7 +10,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.chains import DIVIDED, chained, divided, slope_of
+from algebroproj_sym.reading.defining.chains import chained, slope_of
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
@@ -136,11 +136,6 @@ def _by_chains(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -
         if not _change(others - {names[_bare(below)]}, names[_bare(below)], occurring):
             yield replace(_made(symbol, tree, definition, [*kept], vocabulary), role="case")
             yield from [] if free is None else [free]
-        return
-    rates = {match[4] for each in names if (match := _DERIVATIVE.fullmatch(each)) and match[1] == "d"}
-    quotient = divided(above, below, names, sorted(rates)) if sign == "d" else None
-    if quotient is not None:
-        yield Definition(symbol, (), quotient, DIVIDED, -1, True, role="case")
 
 
 def _function_of(match: re.Match[str]) -> str:

@@ -9,7 +9,6 @@ from itertools import combinations
 from lark import Tree
 
 from algebroproj_sym.reading.defining.arguments import alike, known_without, premise_without, without_arguments
-from algebroproj_sym.reading.defining.chains import DIVIDED
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
 from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.indices import excludes
@@ -32,7 +31,7 @@ from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.doubts import A_VALUE, NOT_GIVEN, doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
@@ -49,11 +48,6 @@ _CHANGES = frozenset(
     }
 )
 """Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""
-
-_DIVIDES = frozenset(
-    {"divide", "divided", "dividing", "division", "quotient", "ratio", "chain", "eliminating", "parametric"}
-)
-"""Words of an equation in which one rate is divided by another one."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +106,6 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_said_before(standing, left, right),
         *_at_other_indices(standing, left, right),
         *_without_arguments(standing, formula, index),
-        *_without_definitions(standing, left, right),
     ]
     ways += [
         replace(way, vocabulary=other, reads=f"{' = '.join(map(other.text, way.sides))}, where I is the identity")
@@ -338,21 +331,6 @@ def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> b
     return any({*each.symbols} & {*symbols_in(right)} for each, _ in found)
 
 
-def _without_definitions(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
-    """Yield a relation as it stands, of letters of which nothing is known but their sizes.
-
-    Beside a sum it matters what is known: whether they depend on its index.
-    """
-    used = used_by(standing.vocabulary, left, right)
-    summed = any(part.data == "big" for side in (left, right) for part in side.iter_subtrees())
-    if used and not summed and r"\pi" not in {each.symbol for each in used}:
-        bare = standing.vocabulary.copied()
-        for each in used:
-            bare.definitions.pop(each.symbol, None)
-        bare.forget()
-        yield Way(left, right, bare, NOT_GIVEN)
-
-
 def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator[Vocabulary]:
     """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others."""
     cited, part, serving = standing.cited, standing.part, standing.premises
@@ -373,12 +351,7 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
 
 
 def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
-    """Whether a derivative takes letters to be fixed though words say that something changes.
-
-    Likewise whether rates are divided, and no words say so.
-    """
-    if rate.where == DIVIDED:
-        return _DIVIDES.isdisjoint(beside.words)
+    """Whether a derivative takes letters to be fixed though words say that something changes."""
     return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})
 
 

@@ -31,22 +31,19 @@ class _OtherwiseError(Exception):
     """A side is no sum of derivatives by one vector and of what they are equal to."""
 
 
-def along_directions(
-    vocabulary: Vocabulary, left: Formula, right: Formula
-) -> tuple[Formula, Formula, Vocabulary] | None:
-    """Return the sides along a direction in which a vector changes, and what letters stand for in them.
+def along_directions(vocabulary: Vocabulary, *sides: Formula) -> tuple[list[Formula], Vocabulary] | None:
+    """Return the sides of equations along a direction in which a vector changes, and what letters stand for in them.
 
     There are none if no side is a derivative by a vector.
     """
     reader = _Gradients(vocabulary)
-    left, right = _with_nabla(left), _with_nabla(right)
+    sides = tuple(map(_with_nabla, sides))
     try:
-        for side in (left, right):
-            for part in side.iter_subtrees():
-                reader.find(part)
+        for part in (part for side in sides for part in side.iter_subtrees()):
+            reader.find(part)
         if reader.variable is None:
             return None
-        return reader.along(left), reader.along(right), extended(vocabulary, reader.made)
+        return [*map(reader.along, sides)], extended(vocabulary, reader.made)
     except _OtherwiseError:
         return None
 

@@ -173,4 +173,4 @@ def values_in(written: str) -> set[str]:
     >>> sorted(values_in("free_f_x + 2*whole_sum_i_x_i"))
     ['free', 'whole']
     """
-    return {*re.findall(rf"\b({FREE}|{WHOLE})_", written), *re.findall(r"([a-z]+)\d+'", written)}
+    return {*re.findall(rf"\b({FREE}|{WHOLE})_", written), *re.findall(r"\b([a-z]+)\d+_(?!\w)", written)}

@@ -9,9 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.contexts import ANYWHERE
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
@@ -72,7 +74,19 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     best = {bare: each for bare, each in best.items() if variables & {bare, ""}}
     several = _SEVERAL.fullmatch(match["what"].rpartition(" ")[2]) is not None
     kept = [each for each in slopes.values() if several or each.place == last]
+    if not kept and match["of"] and match["by"]:
+        return _of_words(beside, match["of"], match["by"], match[0])
     return [replace(each, left=_at_best(each.right, best), right=_ZERO) for each in kept]
+
+
+def _of_words(beside: Beside, of: str, by: str, words: str) -> list[Premise]:
+    """Return that the derivatives of a function by some letters are zero, where words name all of them."""
+    functions, variables = (map(_bare, re.findall(_FORMULA, said)) for said in (of, by))
+    given = f'the words "{words}"', beside.part, beside.place, frozenset[str](), False, beside.words
+    return [
+        Premise(Tree("opaque", [Token("OPAQUE", rf"\partial{one}/\partial{other}")]), _ZERO, *given, False, ANYWHERE)
+        for one, other in product(functions, variables)
+    ]
 
 
 def _named(said: str, known: set[str]) -> set[str]:

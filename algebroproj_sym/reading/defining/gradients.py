@@ -60,32 +60,36 @@ class _Gradients:
         """Return a derivative by the vector along a direction; None if a formula is none."""
         head = str(tree.children[0]) if tree.children else ""
         if tree.data in ("symbol", "opaque") and (match := _QUOTIENT.fullmatch(head)):
-            if match[3] not in (None, match[4]):
-                return None
-            return self._of(letter_of(match[2]), match[4], partial=match[1] != "d")
+            return self._of(letter_of(match[2]), match[4], match[3] or match[4], partial=match[1] != "d")
         if tree.data == "big" and (match := _OPERATOR.fullmatch(head)):
-            return self._of(tree.children[1], match[2], partial=match[1] != "d")
+            return self._of(tree.children[1], match[2], match[2], partial=match[1] != "d")
         if tree.data == "run" and len(tree.children) == 2 and _NABLA.fullmatch(letter := _lone(tree.children[0])):
-            return self._of(tree.children[1], split_symbol(letter)[2], partial=False)
+            below = split_symbol(letter)[2]
+            return self._of(tree.children[1], below, below, partial=False)
         return None
 
     def _has(self, tree: Formula) -> bool:
         return any(self.find(part) is not None for part in tree.iter_subtrees())
 
-    def _of(self, value: Any, below: str, *, partial: bool) -> Formula | None:
-        """Return a function with its definition put in, if it is one of a vector, and its derivative is computed."""
+    def _of(self, value: Any, below: str, within: str, *, partial: bool) -> Formula | None:
+        """Return a function with its definition put in, if it is one of a vector, and its derivative is computed.
+
+        Within its brackets stands the letter by which the derivative is taken, or all letters of which it is one.
+        """
         known = {_bare(each): each for each in self._vocabulary.definitions}
         name, arguments = (str(value.children[0]), _arguments(value)) if value.data == "call" else (_lone(value), ())
         definition = self._vocabulary.definitions.get(known.get(_bare(name), ""))
         if definition is not None and definition.usable:
             if arguments and arguments != definition.parameters:
                 return None
+            if within not in (below, ",".join(map(_bare, definition.parameters))):
+                return None
             below = below or (definition.parameters[0] if len(definition.parameters) == 1 else "")
             value = letter_of(definition.symbol)
             if definition.parameters:
                 self.made.append(replace(definition, symbol=f"{definition.symbol} ", parameters=()))
                 value = letter_of(self.made[-1].symbol)
-        elif name:
+        elif name or within != below:
             return None
         direct = value if definition is None or not definition.usable else definition.tree
         used = self._vocabulary.used_in(direct)

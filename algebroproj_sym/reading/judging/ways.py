@@ -168,12 +168,13 @@ def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[
             seen.append(ids)
             yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
     yield from _with_given_values(standing, left, right)
-    (ours, made), (theirs, more) = (
-        computed(side, standing.vocabulary, standing.survey.occurring) for side in (left, right)
-    )
-    if made or more:
+    above = [each.gives for each in applicable(standing.premises, standing.part, standing.cited) if each.gives]
+    told = extended(standing.vocabulary, above)
+    (ours, made), (theirs, more) = (computed(side, told, standing.survey.occurring) for side in (left, right))
+    if (made or more) and not any(_rests_on_what_changes(each, standing.beside) for each in (*made, *more)):
         known = extended(standing.vocabulary, [*made, *more])
         yield Way(ours, theirs, known, doubt_of(standing.beside, formula, index, standing.vocabulary))
+        yield Way(ours, theirs, extended(_with_rates(standing, (ours, theirs), told), [*made, *more]), A_VALUE)
 
 
 def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

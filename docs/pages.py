@@ -11,17 +11,20 @@ names the file, and ``json`` or ``latex`` with a title is a file.
 import doctest
 import os
 import re
+import runpy
 import shlex
-import subprocess
 import sys
 import tempfile
 import tomllib
+from multiprocessing import get_context
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parent
 README = DOCS.parent / "README.md"
 PAGES = sorted(DOCS.rglob("*.md"))
 PROGRAMS = {"algebroproj": "algebroproj_sym", "pytest": "pytest"}
+FORKS = get_context("forkserver")
+FORKS.set_forkserver_preload(["algebroproj_sym.cli.report"])  # most of what a command imports
 BLOCK = re.compile(r'^```(\w+)(?: title="([^"]*)")?\n(.*?)^```$', re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^\$ (.*)\n?((?:(?!\$ ).*\n?)*)", re.MULTILINE)
 
@@ -46,12 +49,26 @@ def run(command, folder):
     arguments = [argument for argument in arguments if argument != ">"]
     if program == "pytest":
         arguments += ["-p", "no:cacheprovider"]
-    command = [sys.executable, "-m", PROGRAMS[program], *arguments]
-    result = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    with tempfile.TemporaryDirectory() as name:
+        printed = [Path(name) / "stdout", Path(name) / "stderr"]
+        process = FORKS.Process(target=perform_command, args=(PROGRAMS[program], arguments, folder, printed))
+        process.start()
+        process.join()
+        out, error = (path.read_text(encoding="utf-8") for path in printed)
     if target:
-        target.write_text(result.stdout, encoding="utf-8")
-    status = f"[exit status {result.returncode}]\n" if result.returncode else ""
-    return ("" if target else result.stdout) + result.stderr + status
+        target.write_text(out, encoding="utf-8")
+    status = f"[exit status {process.exitcode}]\n" if process.exitcode else ""
+    return ("" if target else out) + error + status
+
+
+def perform_command(program, arguments, folder, printed):
+    """Do what `python -m` does, in a process that has imported most of the program."""
+    for stream, path in zip((1, 2), printed, strict=True):
+        os.dup2(os.open(path, os.O_WRONLY | os.O_CREAT), stream)
+    os.chdir(folder)
+    sys.path.insert(0, str(folder))
+    sys.argv[1:] = arguments
+    runpy.run_module(program, run_name="__main__", alter_sys=True)
 
 
 def write(block, folder):

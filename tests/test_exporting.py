@@ -245,6 +245,14 @@ def test_a_count_speaks_of_derivatives(records):
     assert "regular_matrix" in independent.statement
 
 
+def test_a_point_of_roots_has_no_theorem_and_keeps_none_from_the_statement():
+    """There is no rational point on x**2 + y**2 = 3."""
+    record = declared(printed=(x**2 + y**2) * z, derived=3 * z, constraints=[x**2 + y**2 - 3])
+    assert "extension" in record["certificate"]
+    (theorem,) = exported(record).theorems
+    assert theorem.statement == "forall x y z : R,\nx ^ 2 + y ^ 2 - 3 = 0 ->\nz * (x ^ 2 + y ^ 2) = 3 * z"
+
+
 def test_an_open_claim_is_no_theorem(records):
     opened = {**record_of(records, "1.1"), "verdict": "open", "certificate": None}
     assert translated(opened).reason == "an open claim shows nothing"

@@ -38,6 +38,9 @@ def verdicts(latex):
         USED + r"The log-likelihood is \[ \ln p(y|m) = - \frac{n}{2} s. \]",
         USED + r"The velocity is \[ v(x) = \frac{\partial}{\partial x} \left\lbrace \phi(x, y) \right\rbrace. \]",
         SUM + NEXT + r"Here it is \[ s = 5 c \]",
+        r"The activation is \[ h = \mathrm{RBF}(x w) = e^{-(x w)^2}. \]",
+        r"\[ p = k T. \] If $q$ is small, the gain is \[ k(q) = a (1 - q_1) + b q_2. \]",
+        r"\[ L(X) = A X. \] Let $A$ be \[ A = \left[\begin{array}{rr} 1 & 0 \\ 0 & 2 \end{array}\right]. \]",
         r"In equilibrium, when both are known, the fraction is \[ q = \frac{a}{a + b}. \]",
         r"The total cost is \[ J(\mathbf{x}) := \sum_i J_i(\mathbf{x}), \]",
         BEFORE + r"\[ b := f + A. \]",
@@ -94,6 +97,10 @@ def test_an_equation_that_gives_its_letter_is_a_definition(latex):
         r"The sum is of numbers modulo 4. \[ 2 x = 2 y. \] Hence \[ x = y. \]",
         r"\[ a = b. \] \[ \mathbf{x} + \mathbf{y} = \begin{bmatrix} a \\ b \end{bmatrix}. \]",
         r"\[ a = 2 b. \] Then \[ a \in \mathbb{R}. \]",
+        r"The value is known. \[ x(n - k) = b. \]",
+        r"\[ a b = 1. \] If it is large, \[ b = 2 c. \]",
+        r"\[ c < b. \] If it is large, \[ b = 2 c. \]",
+        r"\[ h = \sigma(b) = 2 b. \] \[ h = \sigma(b) = 3 b. \]",
         r"\[ x'' = -x. \] \[ \begin{pmatrix} x \\ t \end{pmatrix} = \begin{pmatrix} x \\ a \end{pmatrix}. \]",
     ],
 )
@@ -184,3 +191,8 @@ def test_an_inline_formula_that_is_an_item_of_a_list_gives_its_letter(tmp_path, 
 )
 def test_what_is_said_to_follow_is_derived_before_it_gives_its_letter(latex, verdict):
     assert verdicts(latex)[-1] == verdict
+
+
+def test_a_letter_that_is_given_by_itself_is_named_as_the_reason():
+    (found,) = read_document(document_of(r"\[ g = \begin{bmatrix} 0 \\ -g \\ 0 \end{bmatrix} \]"), seconds=5)
+    assert found.links[0].reason == "a letter in it is given by itself, or it is nested too deeply"

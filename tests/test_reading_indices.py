@@ -112,39 +112,3 @@ def test_an_equation_does_not_hold_at_every_index(name):
     last = read_document(document_of(MISLEADING[name]))[-1]
     assert last.read is not None
     assert last.verdict in ("independent", "not decided", "definition")
-
-
-DEFINED = r"\[ y_i = a x_i, \quad i = 1, \dots, n \] "
-WHOLE_RANGES = {
-    "a range behind it": DEFINED + r"Then \[ y_i + x_i = (a + 1) x_i \]",
-    "a range in words": r"\[ p_t = d_t + c p_{t+1} \quad \text{for } t = 0, 1, 2, \ldots \] "
-    r"Then \[ p_t = d_t + c d_{t+1} + c^2 p_{t+2} \]",
-    "all of them": r"\[ y_i = a x_i, \quad \forall i \] Then \[ y_i + x_i = (a + 1) x_i \]",
-    "a sum over it": DEFINED + r"Then \[ \sum_{i=1}^n y_i = a \sum_{i=1}^n x_i \]",
-}
-PARTS_OF_RANGES = {
-    "two ranges": r"\[ y_i = a x_i, \quad i = 1, \dots, m \] \[ y_i = b x_i, \quad i = m + 1, \dots, n \] "
-    r"Then \[ y_i - a x_i = 0 \]",
-    "a sum from zero": DEFINED + r"Then \[ \sum_{i=0}^n y_i = a \sum_{i=0}^n x_i \]",
-    "a sum that ends later": r"\[ y_i = a x_i, \quad i = 1, \dots, n - 1 \] "
-    r"Then \[ \sum_{i=1}^n y_i = a \sum_{i=1}^n x_i \]",
-    "odd numbers": r"\[ y_i = a x_i, \quad i = 1, 3, 5, \dots \] Then \[ y_i + x_i = (a + 1) x_i \]",
-    "a later beginning": r"\[ y_i = a x_i, \quad i = 2, \dots, n \] "
-    r"Then \[ \sum_{i=1}^n y_i = a \sum_{i=1}^n x_i \]",
-    "a number behind the range": DEFINED + r"For $i = n + 1$ we have \[ y_i + x_i = (a + 1) x_i \]",
-    "another letter": r"\[ y_n = a x_n, \quad i = 1, \dots, n \] \[ z = y_n + 1 \] Then \[ z = a x_n + 1 \]",
-    "a condition": r"\[ y_i = a x_i, \quad i = 1, \dots, n, \; x_i > 0 \] Then \[ y_i + x_i = (a + 1) x_i \]",
-}
-
-
-@pytest.mark.parametrize("name", WHOLE_RANGES)
-def test_a_whole_range_is_no_condition(name):
-    last = read_document(document_of(WHOLE_RANGES[name]))[-1]
-    assert (last.read is not None, last.verdict) == (True, "follows")
-
-
-@pytest.mark.parametrize("name", PARTS_OF_RANGES)
-def test_a_part_of_a_range_is_a_condition(name):
-    last = read_document(document_of(PARTS_OF_RANGES[name]))[-1]
-    assert last.read is not None
-    assert last.verdict in ("independent", "not decided", "definition")

@@ -1,4 +1,4 @@
-r"""Products over an index, logarithms of them, and values with a condition such as p(y|x)."""
+r"""Products over an index, and values with a condition such as p(y|x)."""
 
 import pytest
 
@@ -6,44 +6,9 @@ from algebroproj_sym.reading import document_of, read_document
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
-GAUSS = r"\frac{1}{\sqrt{2\pi} s} \exp\left[ - \frac{(y_i - \mu)^2}{2 s^2} \right]"
-
 
 def read(latex):
     return read_document(document_of(latex), seconds=5)
-
-
-@pytest.mark.parametrize(
-    "latex",
-    [
-        r"\[ \prod_{i=1}^n c x_i = c^n \prod_{i=1}^n x_i \]",
-        r"\[ \prod_{i=1}^n e^{x_i} = e^{\sum_{i=1}^n x_i} \]",
-        r"\[ \prod_{i=1}^n \frac{b^{y_i} e^{-b}}{y_i!} = b^{\sum_{i=1}^n y_i} e^{-n b} \prod_{i=1}^n \frac{1}{y_i!} \]",
-        rf"\[ \prod_{{i=1}}^n {GAUSS} = \left( \frac{{1}}{{\sqrt{{2\pi}} s}} \right)^n "
-        r"\exp\left[ - \frac{1}{2 s^2} \sum_{i=1}^n (y_i - \mu)^2 \right] \]",
-        rf"\[ p = \prod_{{i=1}}^n {GAUSS} \] \[ \ln p = - n \ln(s) - \frac{{n}}{{2}} \ln(2\pi) - "
-        r"\frac{1}{2 s^2} \sum_{i=1}^n (y_i - \mu)^2 \]",
-        r"\[ \sum_{i=1}^n \frac{a x_i + b}{2 s} = \frac{a}{2 s} \sum_{i=1}^n x_i + \frac{n b}{2 s} \]",
-    ],
-)
-def test_a_product_of_exponentials_and_of_constants_is_computed(latex):
-    assert read(latex)[-1].verdict == "follows"
-
-
-@pytest.mark.parametrize(
-    "latex",
-    [
-        r"\[ \ln \prod_{i=1}^n x_i = \sum_{i=1}^n \ln x_i \]",
-        r"\[ \ln \left( \sqrt[n]{\prod_{i=1}^n x_i} \right) = \frac1n \sum_{i=1}^n \ln x_i \]",
-        r"\[ \ln \left( a \prod_{i=1}^n x_i^2 \right) = \ln a + 2 \sum_{i=1}^n \ln x_i \]",
-        r"\[ \log \frac{\prod_j a_j}{\prod_j b_j} = \sum_j \log a_j - \sum_j \log b_j \]",
-        r"\[ \ln \prod_{i=1}^n p(y_i|m) = \sum_{i=1}^n \ln p(y_i|m) \]",
-    ],
-)
-def test_the_logarithm_of_a_product_is_a_sum_where_its_factors_are_positive(latex):
-    (link,) = read(latex)[-1].links
-    assert link.verdict == "follows"
-    assert link.reason.endswith("where the factors of products are positive")
 
 
 @pytest.mark.parametrize(

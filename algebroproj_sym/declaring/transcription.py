@@ -16,7 +16,7 @@ from algebroproj_sym.declaring.claim import DeclarationError
 from algebroproj_sym.declaring.quotes import FILE, UNPARSED, Quote, quotations
 from algebroproj_sym.expressions import Matrix, entries, remembered, shape, vector
 from algebroproj_sym.expressions.arranging import negated, sum_of
-from algebroproj_sym.proving import prove
+from algebroproj_sym.proving.prove import prove
 from algebroproj_sym.proving.statements import speaks_of_letters
 from algebroproj_sym.reading import (
     Builder,

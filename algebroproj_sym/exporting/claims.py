@@ -96,9 +96,11 @@ def about(statement: Statement, form: str, certificate: Certificate, made: Objec
     holds = universal_of_matrix(
         given, rows, piece.text, scalar=piece.scalar, first=made.rewriting, required=piece.needs
     )
-    if "constraints" in statement.setting:
-        return {"holds": holds, "witness": _witness(given, statement.point(certificate["witness"]))}
-    return {"holds": holds}
+    return (
+        {"holds": holds, **_witness_of(statement, given, certificate)}
+        if "constraints" in statement.setting
+        else {"holds": holds}
+    )
 
 
 def _same(given: Hypotheses, left: Sequence[Term], right: Sequence[Term]) -> bool:
@@ -115,7 +117,14 @@ def constrained(statement: Statement, form: str, certificate: Certificate) -> Pr
     left, right = statement.written(form), statement.written("derived")
     given = _constrained(statement, _hypotheses(statement, left, right))
     goals = _members(given, [*zip(left.entries, right.entries, strict=True)], certificate)
-    return {"holds": universal(given, goals), "witness": _witness(given, statement.point(certificate["witness"]))}
+    return {"holds": universal(given, goals), **_witness_of(statement, given, certificate)}
+
+
+def _witness_of(statement: Statement, given: Hypotheses, certificate: Certificate) -> Proved:
+    """Show that the point of a certificate satisfies all hypotheses; nothing if its numbers are roots."""
+    if "extension" in certificate:
+        return {}
+    return {"witness": _witness(given, statement.point(certificate["witness"]))}
 
 
 def _members(given: Hypotheses, pairs: Sequence[tuple[Term, Term]], certificate: Certificate) -> list[Goal]:

@@ -6,16 +6,23 @@ by phrases, and by equations above.  `judging` gives each relation a verdict, an
 one that fails would hold.  `reporting` writes a document as a derivation folder.
 """
 
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
 from algebroproj_sym.reading.defining.symbols import Symbols, SymbolsFile, Table, symbols_file, symbols_for, tables_in
 from algebroproj_sym.reading.documents.displays import Document, UnreadableDocumentError, document_at, document_of
-from algebroproj_sym.reading.judging.document import read_document
-from algebroproj_sym.reading.judging.verdicts import VERDICTS, Link, Reading, Verdict
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Builder, Side, formula_of, read_formula
 from algebroproj_sym.reading.parsing.grammar import symbols_in
 from algebroproj_sym.reading.parsing.matrices import in_letters
 from algebroproj_sym.reading.parsing.ordering import in_order
-from algebroproj_sym.reading.reporting.folder import write_folder
+
+if TYPE_CHECKING:
+    from algebroproj_sym.reading.judging.document import read_document
+    from algebroproj_sym.reading.judging.verdicts import VERDICTS, Link, Reading, Verdict
+    from algebroproj_sym.reading.reporting.folder import write_folder
 
 __all__ = [
     "VERDICTS",
@@ -43,3 +50,16 @@ __all__ = [
     "tables_in",
     "write_folder",
 ]
+
+_HOMES = {
+    "read_document": "judging.document",
+    **dict.fromkeys(("VERDICTS", "Link", "Reading", "Verdict"), "judging.verdicts"),
+    "write_folder": "reporting.folder",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import what judges documents when it is asked for: those who read quotes alone do without it."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)

@@ -9,7 +9,7 @@ from dataclasses import replace
 from lark import Tree
 
 from algebroproj_sym.reading.defining.derivatives import has_rate
-from algebroproj_sym.reading.defining.premises import Premise
+from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
@@ -80,7 +80,7 @@ def without_arguments(tree: Formula, functions: Mapping[str, str]) -> Formula:
     """Return a formula in which letters stand for the values of functions at their argument."""
     symbol, parameters = defined_by(tree) if tree.data == "call" else ("", ())
     if parameters and (functions.get(symbol),) == parameters:
-        return Tree("symbol", [tree.children[0].update(type="SYMBOL")])  # type: ignore[union-attr]  # the name of a call
+        return letter_of(symbol)
     return Tree(
         tree.data, [without_arguments(each, functions) if isinstance(each, Tree) else each for each in tree.children]
     )

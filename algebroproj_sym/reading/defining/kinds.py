@@ -17,7 +17,6 @@ from typing import Any
 
 from lark import Token
 
-from algebroproj_sym.reading.defining.axes import Axes, axes_in
 from algebroproj_sym.reading.defining.composing import composed_in
 from algebroproj_sym.reading.defining.factors import (
     CAPITAL,
@@ -65,8 +64,6 @@ class Kinds:
         The letters I that words may call another thing than the identity.
     oblong : frozenset of str
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
-    axes : tuple of mapping
-        The unit vectors of each basis, with their places.
     """
 
     no_numbers: frozenset[str] = frozenset()
@@ -74,7 +71,6 @@ class Kinds:
     open: frozenset[str] = frozenset()
     named: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
-    axes: tuple[Axes, ...] = ()
 
 
 def kinds_of(
@@ -103,8 +99,8 @@ def kinds_of(
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
-    oblong, axes = oblong_in(equations, occurring, words), axes_in(occurring, words)
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong=oblong, axes=axes)
+    oblong = oblong_in(equations, occurring, words)
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong=oblong)
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:

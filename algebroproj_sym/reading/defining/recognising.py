@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import require_bounded
-from algebroproj_sym.reading.defining.dependence import letters_in
+from algebroproj_sym.reading.defining.dependence import letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -23,11 +23,7 @@ EQUALITIES = ("=", ":=", "=:", "≡")
 
 def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
     """Return the letter that is a side of its own, and its parameters if it is a function of letters."""
-    while tree.data in ("bracket", "items", "group") and len(tree.children) == 1:
-        (lone,) = tree.children
-        if not isinstance(lone, Tree):
-            break
-        tree = lone
+    tree = without_brackets(tree)
     if tree.data == "symbol":
         return str(tree.children[0]), ()
     if tree.data == "call":
@@ -37,6 +33,19 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
         if all(parameters) and len({*parameters}) == len(parameters):
             return str(name), tuple(parameters)
     return "", ()
+
+
+def without_brackets(tree: Formula) -> Formula:
+    """Return what stands in the brackets round a whole side."""
+    while tree.data in ("bracket", "items", "group") and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
+        tree = tree.children[0]
+    return tree
+
+
+def is_matrix(tree: Formula) -> bool:
+    """Whether a side is a printed matrix, perhaps transposed."""
+    tree = without_brackets(tree)
+    return tree.data == "matrix" or (tree.data == "marked" and is_matrix(tree.children[0]))  # type: ignore[arg-type]
 
 
 def introduced_by(tree: Formula) -> frozenset[str]:
@@ -103,11 +112,22 @@ def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:
     return bool(parameters) and not {*parameters} & symbols and not any("/" in each for each in symbols)
 
 
+def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:
+    """Whether an equation says one value of a function, and its value names the argument nowhere.
+
+    It does so in the indices of ``R(q) = a q_1 + b q_2``, and in the conditions of a distinction of cases.
+    """
+    scripts = frozenset[str]().union(*map(letters_of_symbol, symbols_in(value)))
+    conditions = " ".join(
+        str(each) for each in value.scan_values(lambda each: isinstance(each, Token) and each.type == "CONDITION")
+    )
+    named = any(each in scripts or each in conditions for each in parameters)
+    return is_one_value(parameters, value) and not named
+
+
 def is_table(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:
     """Whether a value is a printed matrix, and the letter for it has no size yet: it cannot have been a condition."""
-    while value.data in ("marked", "group"):
-        value = value.children[0]  # type: ignore[assignment]  # a tree has a tree below such a node
-    return value.data == "matrix" and vocabulary.size_of(symbol) is None
+    return is_matrix(value) and vocabulary.size_of(symbol) is None
 
 
 def is_circular(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:

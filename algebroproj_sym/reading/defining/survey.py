@@ -38,7 +38,6 @@ from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
-from algebroproj_sym.reading.documents.ranges import without_ranges
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -68,7 +67,7 @@ class Survey:
         """All statements in the order of the document, also those within the text."""
         order = {id(each): place for place, each in enumerate(self.document.formulas)}
         every = named([*statements(self.document), *inline_statements(self.document)])
-        return tuple(without_ranges(sorted(every, key=lambda each: order[id(each.display)])))
+        return tuple(sorted(every, key=lambda each: order[id(each.display)]))
 
     @cached_property
     def _prose(self) -> str:

@@ -89,8 +89,6 @@ class Uncomputed:
             raise UnreadableError(f"{name} is read, and not computed")
         body = body.replace(over, lambda above, below: above * over(1, below))
         require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
-        if name.startswith(r"\prod"):
-            return self._multiplied(name, body)
         index = index_of(name)
         if not index:
             return self._whole(name, body)
@@ -112,22 +110,6 @@ class Uncomputed:
 
     def _dependent(self, value: Any, varying: frozenset[str]) -> list[Any]:
         return [symbol for symbol in value.free_symbols if not varying.isdisjoint(self._on(symbol))]
-
-    def _multiplied(self, name: str, body: Any) -> Any:
-        """Return a product over an index: of exponentials that of a sum, and of what does not change a power."""
-        as_sum = name.replace(r"\prod", r"\sum", 1)
-        index, counted = index_of(as_sum), _COUNTED.fullmatch(as_sum)
-        if not index or counted is None or len(factors := sympy.Mul.make_args(body)) > MOST_TERMS:
-            return self._whole(name, body)
-        varying = self._vocabulary.dependence.related(index) | {index, ANY}
-        found, rest = sympy.S.One, sympy.S.One
-        for factor in factors:
-            base, exponent = factor.as_base_exp()
-            if base == sympy.E or not self._dependent(base, varying):
-                found *= base ** self.big(as_sum, exponent)
-            else:
-                rest *= factor
-        return found if rest == 1 else found * self._whole(name, rest)
 
     def _is_number(self, limit: str, varying: frozenset[str]) -> bool:
         """Whether the upper limit of a sum is a letter that nothing gives, and that does not depend on the index."""

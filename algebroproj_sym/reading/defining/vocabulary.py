@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -154,17 +154,6 @@ class Vocabulary:
             found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         found._properties = found._properties | dict.fromkeys(letters, ("identity",))
         return found
-
-    def with_axes(self, *trees: Formula) -> Iterator[Vocabulary]:
-        """Yield the vocabulary in which the unit vectors of a basis are columns, for each basis in some formulas."""
-        letters = frozenset().union(*map(self.letters_of, trees))
-        for axes in self.kinds.axes:
-            if letters & {*axes} and not {*axes} & {*self.definitions, *self._sizes, *self._properties}:
-                found = self.copied()
-                found.forget()
-                found._values |= {symbol: sympy.eye(3)[:, place] for symbol, place in axes.items()}
-                if all(found._shape_of(each) is not None for each in trees):
-                    yield found
 
     def _multiplies_identity(self, tree: Formula) -> bool:
         """Whether a lone I stands beside a vector or a matrix in a product: nobody writes the identity there."""

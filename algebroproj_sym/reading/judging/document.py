@@ -158,6 +158,7 @@ class _Pass:
                 self.memory.vocabulary.define(definition)
         if len(formula.sides) > 1:
             self.memory.note(statement, formula)
+            self.memory.tie(formula.sides)
             self.memory.restate(formula)
             if {*formula.relations} == {"="}:
                 words = f"${statement.display.latex}$"
@@ -183,6 +184,7 @@ class _Pass:
         if reason := self.survey.meanings.reason(statement, found):
             self.memory.note(statement, found)
             self.memory.leave_open(found, display.part)
+            self.memory.tie(found.sides)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
             equal = bool(found.relations) and found.relations[0] in EQUALITIES
             if equal and not reason.endswith(VARIES) and introduces(self.memory, statement, found):
@@ -200,6 +202,7 @@ class _Pass:
                 questions = asked_of(self.memory.vocabulary, definition.tree, definition.tree)
                 both = both_sides(questions) if isinstance(questions, list) else None
                 links.append(Link("definition", rests_on=rests_of(self.memory.vocabulary, definition.tree), sides=both))
+                self.memory.tie(found.sides[:1])
                 continue
             if relation == "∈" and index and (definition is not None or tells(self.memory, statement, found, 0)):
                 links.append(Link("definition"))
@@ -226,6 +229,8 @@ class _Pass:
     ) -> tuple[Link, Asked | None]:
         left, right, relation = formula.sides[index], formula.sides[index + 1], formula.relations[index]
         rests = rests_of(self.memory.vocabulary, left, right)
+        gives = relation in EQUALITIES and (gives or tells(self.memory, statement, formula, index))
+        self.memory.tie([left] if gives else [left, right])
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
@@ -238,9 +243,8 @@ class _Pass:
         certain = not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right))
         ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
-        gives, claimed = gives or tells(self.memory, statement, formula, index), self.memory.beside.follows
         link = Link("not decided", rests_on=rests)
-        asked = Asked(place, index, ways, link, identity, certain, chained, gives, claimed)
+        asked = Asked(place, index, ways, link, identity, certain, chained, gives, self.memory.beside.follows)
         return asked.link, asked
 
     def _standing(self, statement: Statement) -> Standing:

@@ -14,8 +14,10 @@ from algebroproj_sym.reading.defining.recognising import (
     defined_by,
     given_by,
     introduced_by,
+    is_case_of,
     is_circular,
     is_indexed_above,
+    is_matrix,
     is_named,
     is_one_value,
     is_table,
@@ -71,8 +73,9 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
     first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *memory.asserted})
     return (
         (index == 0 and introduces(memory, statement, formula))
-        or (index > 0 and right.data == "matrix" and _are_new(memory, introduced_by(right), left, statement))
+        or (index > 0 and is_matrix(right) and _are_new(memory, introduced_by(right), left, statement))
         or (first and _gives(memory, statement, left, right))
+        or _is_free(memory, statement, left, right, value=index > 0)
         or any(_is_instance(memory, each, right) for each in others)
     )
 
@@ -118,9 +121,9 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
     symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
     part = statement.display.part
-    if not symbol or not (symbols_in(right) or right.data == "matrix" or memory.survey.is_parameter(statement)):
+    if not symbol or not (symbols_in(right) or is_matrix(right) or memory.survey.is_parameter(statement)):
         return False
-    if is_one_value(parameters, right) and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol)):
+    if is_case_of(parameters, right) and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol)):
         return False
     if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
         return False
@@ -137,6 +140,27 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     here = (known is not None and known.part == part) or memory.alone.get(given_by(base)) == part
     anew = not (memory.beside.follows or memory.cited) and (memory.beside.names or memory.beside.renews)
     return not ((tied and not told) or (here and not anew) or is_circular(symbol, right, memory.vocabulary))
+
+
+def _is_free(memory: Memory, statement: Statement, left: Formula, right: Formula, *, value: bool) -> bool:
+    """Whether nothing above an equation restricts what stands on its left, so that it can only say what it is.
+
+    A letter that other equations use to give theirs is not restricted by them.  The value of a function at one place
+    counts where wished for: in a chain, whose first side it gives.
+    """
+    symbols, calls = introduced_by(left), any(each.data == "call" for each in left.iter_subtrees())
+    everywhere = bool(defined_by(left)[1]) and not is_case_of(defined_by(left)[1], right)
+    restricted = memory.tied.union(memory.vocabulary.definitions, memory.given.whole.symbols)
+    return (
+        bool(symbols)
+        and (value or everywhere or not calls)
+        and not symbols & restricted.union(symbols_in(right))
+        and (bool(symbols_in(right)) or is_matrix(right))
+        and not any(is_circular(each, right, memory.vocabulary) for each in symbols)
+        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
+        and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)
+        and not memory.is_named(statement, memory.given.statements)
+    )
 
 
 def _said_of(memory: Memory, left: Formula) -> list[Formula]:

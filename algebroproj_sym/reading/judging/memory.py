@@ -54,6 +54,7 @@ class Memory:
         self.premises: list[Premise] = []
         self.alone: dict[str, int] = {}
         self.given_at: dict[str, int] = {}
+        self.tied = set[str]()
         self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
@@ -187,6 +188,10 @@ class Memory:
             given = symbol, parameters, value, where, part, False
             made = Definition(*given, place=self.beside.place, words=words, context=self.context)
             self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
+
+    def tie(self, sides: Collection[Formula]) -> None:
+        """Take notice of the letters of sides that are said to be equal, or in some relation."""
+        self.tied.update(symbol for side in sides for symbol in symbols_in(side))
 
     def leave_open(self, formula: Parsed, part: int) -> None:
         """Take notice of the letters of an equation of which nothing is decided, in a part of the document."""

@@ -185,9 +185,16 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
         try:
             return _with_values(vocabulary, left, right) or lettered(vocabulary, left, right)
         except (UnreadableError, RecursionError) as error:
-            return str(error if isinstance(unread, UnsizedError) else unread).partition("\n")[0][:200]
+            return _reason_of(error if isinstance(unread, UnsizedError) else unread)
     except (TooLargeError, ZeroDivisionError, TypeError, ValueError, RecursionError) as error:
-        return str(error).partition("\n")[0][:200] or type(error).__name__
+        return _reason_of(error)
+
+
+def _reason_of(error: Exception) -> str:
+    """Return the first line of a message."""
+    if isinstance(error, RecursionError):
+        return "a letter in it is given by itself, or it is nested too deeply"
+    return str(error).partition("\n")[0][:200] or type(error).__name__
 
 
 _SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")

@@ -37,7 +37,6 @@ from algebroproj_sym.reading.judging.indexed import instance_of, instances, sour
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
-from algebroproj_sym.reading.parsing.logarithms import POSITIVE, with_sums
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
@@ -106,7 +105,6 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
     ways = [
         Way(left, right, known, doubt),
         *(Way(*each, known, reads=" = ".join(map(known.text, each))) for each in others),
-        *_with_sums(left, right, known),
         *(replace(each, doubt=doubt) if ranged else each for each in _with_premises(standing, formula, index)),
         *_under_equations(standing, left, right),
         *_as_its_sentence_supposes(standing, left, right),
@@ -121,16 +119,8 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         for way in ways
         if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
-    ways += [each for way in ways if not way.reads for each in _by_components(way)]
     ways += [each for way in ways if not way.reads for each in _along_directions(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
-
-
-def _by_components(way: Way) -> Iterator[Way]:
-    """Yield a way in which vectors are taken by their components along the unit vectors of a basis."""
-    trees = [*way.sides, *(side for each in way.under for side in (each.left, each.right))]
-    for known in way.vocabulary.with_axes(*trees):
-        yield replace(way, vocabulary=known, reads=f"{' = '.join(map(known.text, way.sides))}, by components")
 
 
 def _along_directions(way: Way) -> Iterator[Way]:
@@ -208,7 +198,7 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     if alone:
         yield Way(left, right, standing.vocabulary, under=(*alone, *own))
     for each in asserted:
-        if (each,) != alone and _has_components(each, speaks[each] & letters, standing):
+        if (each,) != alone and _has_components(each, speaks[each] & letters):
             yield Way(left, right, standing.vocabulary, under=(each, *own))
     tied = set(letters)
     together: list[Premise] = []
@@ -224,11 +214,10 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
         yield Way(left, right, standing.vocabulary, under=(*together, *own))
 
 
-def _has_components(premise: Premise, letters: Collection[str], standing: Standing) -> bool:
-    """Whether an equation has a printed matrix or unit vectors, and some letters: it is one for each component."""
+def _has_components(premise: Premise, letters: Collection[str]) -> bool:
+    """Whether an equation has a printed matrix, and some letters: it is one for each component."""
     sides = premise.left, premise.right
-    printed = any(_is_printed(part) for side in sides for part in side.iter_subtrees())
-    return bool(letters) and (printed or any(True for _ in standing.vocabulary.with_axes(*sides)))
+    return bool(letters) and any(_is_printed(part) for side in sides for part in side.iter_subtrees())
 
 
 def _is_printed(tree: Formula) -> bool:
@@ -417,12 +406,6 @@ def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]
     letters = sorted(each for each in premise.symbols.intersection(wanted) if vocabulary.is_matrix(each))
     values = {each: solution_of(premise.left, premise.right, each) for each in letters}
     yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
-
-
-def _with_sums(left: Formula, right: Formula, vocabulary: Vocabulary) -> Iterator[Way]:
-    """Yield a relation with logarithms of products over an index as sums."""
-    if (sides := (with_sums(left), with_sums(right))) != (left, right):
-        yield Way(*sides, vocabulary, reads=f"{' = '.join(map(vocabulary.text, sides))}, {POSITIVE}")
 
 
 def _with_complex_numbers(way: Way) -> Iterator[Way]:

@@ -45,7 +45,7 @@ class Size:
         if two.value is not None or (one.value is None and two._blocks):
             one, two = two, one
         if one._is_within(two) or two._is_within(one):
-            raise UnreadableError("the shapes do not fit: a matrix would be as large as one of its blocks")
+            raise UnreadableError("a letter in it is given by itself, or it is nested too deeply")
         two._same = one
         _split(one, two._blocks)
 

@@ -37,6 +37,10 @@ _SEVERAL = re.compile(r"them|both|these|\w+s$", re.IGNORECASE)
 _PRONOUN = re.compile(r"this$|it$|them$|both$|these$|.*expressions?$", re.IGNORECASE)
 _LEADS = re.compile(r"\W*(?:(?:and|by|now|then|we|can|thus|hence|therefore|so|finally|next)\b\W*)*", re.IGNORECASE)
 """The words before "setting it to zero" that name nothing else that may be zero."""
+_ELSEWHERE = re.compile(r"\b(?:for|with(?! respect)|at|in|on|under|inside|outside|near)\b", re.IGNORECASE)
+"""Words before it by which the derivative may be that of another case."""
+_ITSELF = re.compile(r"\b(?:derivatives?|gradients?|slopes?)\b[^.]*[.]\s", re.IGNORECASE)
+"""A sentence that says more of a derivative."""
 _SLOPE = re.compile(r"(d|\\partial)(?!\^)([^/()]+)(?:\([^/]*\))?/\1([^/^]+)")
 _NABLA = re.compile(r"\\nabla(?:_(.*))?")
 _AT_BEST = re.compile(r"\\(?:wide)?hat|\^(?:\*|\\star|\\ast)$|_(?:MLE?|LS|OLS|opt)$")
@@ -61,12 +65,15 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     if match is None or _OTHERWISE.search(beside.sentence):
         return []
     near = [each for each in premises[-MOST_TOGETHER:] if each.part == beside.part and each.place < beside.place]
+    near = [each for each in near if each.place == above or not each.special]
     slopes = {(*of, each.place): each for each in near if (of := _slope_of(each.left)) is not None}
     functions = _named(match["of"] or "", {function for function, *_ in slopes})
     variables = _named(match["by"] or "", {variable for _, variable, _ in slopes})
     slopes = {key: each for key, each in slopes.items() if key[0] in functions and key[1] in variables}
     last = max((place for *_, place in slopes), default=0)
     lead = beside.before.partition(match[0])[0]
+    if _ELSEWHERE.search(beside.sentence.partition(match[0])[0]) or _ITSELF.search(lead):
+        return []
     if _PRONOUN.match(match["what"]) and not (_LEADS.fullmatch(lead) and above == last):
         return []
     before = {symbol for each in near for symbol in each.symbols}

@@ -115,3 +115,52 @@ def test_entries_beside_the_letter_of_a_function_are_no_blocks():
     latex = r"\[ \mathbf{w} = \begin{bmatrix} f & r \\ s & t \end{bmatrix} \mathbf{z} \]"
     kinds = Survey(document_of(given + latex), SymbolsFile()).kinds
     assert not kinds.open & {"r", "s", "t"}
+
+
+CAMERA = (
+    r"Let $R$ be a rotation matrix. The camera matrix is \[ P = K [R \mid t]. \] The centre is \[ C = -R^T t. \] "
+    r"The point is \[ \mathbf{p} = \begin{bmatrix} \mathbf{x} \\ 1 \end{bmatrix}. \] Hence "
+)
+
+
+@pytest.mark.parametrize(
+    ("claim", "follows"),
+    [
+        (r"P = K \left[ R | -R C \right]", True),
+        (r"P = K R [I | -C]", True),
+        (r"P \mathbf{p} = K (R \mathbf{x} + t)", True),
+        (r"P \mathbf{p} = K R (\mathbf{x} - C)", True),
+        (r"P = K [R | R C]", False),
+        (r"P = R K [I | -C]", False),
+        (r"P = K R [I | C]", False),
+        (r"P \mathbf{p} = (R \mathbf{x} + t) K", False),
+        (r"P \mathbf{p} = K (R^T \mathbf{x} + t)", False),
+    ],
+)
+def test_two_blocks_beside_a_bar_are_a_row(claim, follows):
+    found = read_document(document_of(rf"{CAMERA} \[ {claim}. \]"))[-1]
+    assert (found.verdict == "follows") == follows
+
+
+@pytest.mark.parametrize("letter", "EPHI")
+def test_a_bar_behind_the_letter_of_a_probability_is_a_condition(letter):
+    latex = (
+        rf"\[ {letter}[X | Y] = a + b \] \[ {letter}[X | Y]^2 = (a + b)^2 \] \[ {letter}[X | Y] = {letter} [X | Y] \]"
+    )
+    first, second, _ = read_document(document_of(latex))
+    assert (first.verdict, second.verdict) == ("definition", "follows")
+
+
+@pytest.mark.parametrize(
+    ("claim", "follows"),
+    [
+        (r"\begin{bmatrix} \mathbf{A} \\ \mathbf{B} \end{bmatrix} \mathbf{x} = \mathbf{u}", True),
+        (r"\mathbf{x}^T \begin{bmatrix} \mathbf{A}^T & \mathbf{B}^T \end{bmatrix} = \mathbf{u}^T", True),
+        (r"\begin{bmatrix} \mathbf{B} \\ \mathbf{A} \end{bmatrix} \mathbf{x} = \mathbf{u}", False),
+        (r"\mathbf{x}^T \begin{bmatrix} \mathbf{A} & \mathbf{B} \end{bmatrix} = \mathbf{u}^T", False),
+    ],
+)
+def test_a_column_of_blocks_times_a_vector_is_one(claim, follows):
+    given = r"\[ \mathbf{u} = \begin{bmatrix} \mathbf{A} \mathbf{x} \\ \mathbf{B} \mathbf{x} \end{bmatrix} \] "
+    found = read_document(document_of(rf"{given} Hence \[ {claim}. \]"))[-1]
+    assert (found.verdict == "follows") == follows

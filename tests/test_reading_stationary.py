@@ -14,6 +14,12 @@ LINE = (
     r"\[ \frac{\partial S}{\partial b} = -2 \sum_{i=1}^n x_i (y_i - a - b x_i). \] "
 )
 NORMAL = r"\mathbf{A}^T \mathbf{A} \mathbf{x} = \mathbf{A}^T \mathbf{b}"
+SQUARES = r"The cost is \[ J = \|\mathbf{A} \mathbf{x} - \mathbf{b}\|^2. \] "
+PROFIT = r"The profit is \[ P = p q - c q^2. \] "
+BOWL = (
+    r"The minimum is where \[ \frac{\partial}{\partial \mathbf{x}} "
+    r"(\mathbf{x}^T \mathbf{A}^T \mathbf{A} \mathbf{x} - 2 \mathbf{x}^T \mathbf{A}^T \mathbf{b}) = 0. \] "
+)
 FIRST = r"n a + b \sum_{i=1}^n x_i = \sum_{i=1}^n y_i"
 SECOND = r"a \sum_{i=1}^n x_i + b \sum_{i=1}^n x_i^2 = \sum_{i=1}^n x_i y_i"
 
@@ -40,6 +46,11 @@ def last(latex):
             r"\hat{\mathbf{x}} = (\mathbf{A}^T \mathbf{A})^{-1} \mathbf{A}^T \mathbf{b}",
         ),
         (LINE, "Setting the derivative with respect to $a$ to zero gives", FIRST),
+        (PROFIT, "Setting the derivative of $P$ with respect to $q$ to zero gives", r"q = \frac{p}{2 c}"),
+        (PROFIT, r"Setting $\frac{dP}{dq} = 0$ gives", r"q = \frac{p}{2 c}"),
+        (SQUARES, r"We set the derivative of $J$ with respect to $\mathbf{x}$ to zero and obtain", NORMAL),
+        (SQUARES, r"We set $\frac{\partial J}{\partial \mathbf{x}} = 0$ and obtain", NORMAL),
+        (BOWL, "Applying this derivative gives", NORMAL),
         (LINE, "Setting the derivatives to zero gives", SECOND),
     ],
 )
@@ -58,6 +69,9 @@ def test_what_a_derivative_that_is_set_to_zero_gives_follows(above, words, claim
             "Setting the derivative to zero gives",
             r"\hat x = \frac{m g}{k}",
         ),
+        (PARABOLA, "For the loaded spring, setting the derivative to zero gives", r"x = \frac{m g}{k}"),
+        (PARABOLA, "The friction adds $c$ to this derivative. Setting the derivative to zero gives", r"k x = m g"),
+        (PROFIT, "With a tax, setting the derivative of $P$ with respect to $q$ to zero gives", r"2 c q = p"),
         (PARABOLA, "Setting the second derivative to zero gives", r"x = \frac{m g}{k}"),
         (PARABOLA, "Without setting the derivative to zero we have", r"x = \frac{m g}{k}"),
         (PARABOLA, "Setting the derivative to zero gives a minimum, and in general", r"x = \frac{m g}{k}"),
@@ -65,6 +79,16 @@ def test_what_a_derivative_that_is_set_to_zero_gives_follows(above, words, claim
         (PARABOLA, "Setting the derivative with respect to $z$ to zero gives", r"x = \frac{m g}{k}"),
         (GRADIENT, "Setting the gradient to zero gives", r"\mathbf{A} \mathbf{x} = \mathbf{b}"),
         (LINE, "Setting the derivative with respect to $b$ to zero gives", FIRST),
+        (PROFIT, "Setting the derivative of $P$ with respect to $p$ to zero gives", r"q = \frac{p}{2 c}"),
+        (PROFIT, r"Setting $\frac{dP}{dq} = p$ gives", r"q = \frac{p}{2 c}"),
+        (SQUARES, r"We set the derivative of $J$ with respect to $\mathbf{b}$ to zero and obtain", NORMAL),
+        (
+            SQUARES,
+            r"We set $\frac{\partial J}{\partial \mathbf{x}} = 0$ and obtain",
+            r"\mathbf{A} \mathbf{x} = \mathbf{b}",
+        ),
+        (BOWL, "Applying this derivative gives", r"\mathbf{A} \mathbf{x} = \mathbf{b}"),
+        (BOWL, "Applying this derivative gives", r"\mathbf{A} \mathbf{A}^T \mathbf{x} = \mathbf{A} \mathbf{b}"),
         (LINE, "Setting the derivative with respect to the first parameter to zero gives", SECOND),
     ],
 )

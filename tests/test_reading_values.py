@@ -110,3 +110,31 @@ def test_a_letter_that_a_sum_gives_may_be_the_wrong_one() -> None:
         -1
     ]
     assert (found.verdict, found.links[-1].suggestion) == ("not decided", "m instead of w")
+
+
+WEIGHTS = r"\[ w_i = \frac{p_i}{\sum_{j=1}^n p_j} \] Hence "
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (WEIGHTS + r"\[ \sum_{i=1}^n w_i = 1. \]", True),
+        (WEIGHTS + r"\[ \sum_{i=1}^n w_i^2 = 1. \]", False),
+        (WEIGHTS + r"\[ \sum_{i=1}^n p_i w_i = \sum_{k=1}^n p_k. \]", False),
+        (WEIGHTS.replace("^n", "^m") + r"\[ \sum_{i=1}^n w_i = 1. \]", False),
+        (WEIGHTS.replace("_{j=1}^n", "_j") + r"\[ \sum_i w_i = 1. \]", False),
+        (r"\[ \bar x = \frac1n \sum_{j=1}^n x_j \] \[ \sum_{i=1}^n x_i \bar x = \frac1n (\sum_{k=1}^n x_k)^2 \]", True),
+        (r"\[ s_i = \frac{e^{z_i}}{\sum_{j=1}^n e^{z_j}} \] \[ \sum_{k=1}^n s_k z_k = \sum_{i=1}^n s_i z_i \]", True),
+        (r"\[ \sum_{i=1}^n a_{ij} x_i = \sum_{k=1}^n a_{kj} x_k \]", True),
+        (r"\[ \sum_{i=1}^n a_{ij} x_i = \sum_{k=1}^n a_{jk} x_k \]", False),
+        (r"\[ \sum_{i=1}^n a_{ij} x_i = \sum_{j=1}^n a_{ij} x_i \]", False),
+        (r"\[ \sum_{i=1}^n a_{ij} x_i = \sum_{j=1}^n a_{jj} x_j \]", False),
+        (r"\[ \sum_{i=1}^n x_i y_j = \sum_{j=1}^n x_j y_j \]", False),
+        (r"\[ c - k = 1 \] \[ \sum_{i=1}^n c x_i = \sum_{k=1}^n c x_k \]", False),
+        (r"\[ \sum_{i=1}^n x_i f(i) = \sum_{k=1}^n x_k f(i) \]", False),
+        (r"\[ \sum_{i=1}^n i x_i = \sum_{k=1}^n k x_k \]", True),
+        (r"\[ \sum_{i=1}^n i x_i = \sum_{k=1}^n i x_k \]", False),
+    ],
+)
+def test_a_sum_with_printed_limits_is_the_same_for_every_index(latex, follows):
+    assert (verdicts(latex)[-1] == "follows") == follows

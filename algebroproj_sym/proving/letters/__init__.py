@@ -16,6 +16,7 @@ from algebroproj_sym.expressions.letters import (
     Shape,
     Size,
     Term,
+    letters_text,
     made,
     minus,
     number,
@@ -23,6 +24,7 @@ from algebroproj_sym.expressions.letters import (
 )
 from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.letters.deciding import Found, Point, decide
+from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.properties import PROPERTIES, Letter, declared_letters
 from algebroproj_sym.proving.letters.statements import Statement
 from algebroproj_sym.proving.proof import Proof
@@ -36,6 +38,7 @@ __all__ = [
     "prove_texts",
     "require_statement",
     "shape_in_text",
+    "worked_out",
 ]
 
 _DECLARED = re.compile(r"([0-9]+|[a-wyz])x([0-9]+|[a-wyz])(?: (.+))?")
@@ -132,6 +135,18 @@ def prove_texts(
     found = decide(statement, engine)
     point = None if found.point is None else _by_symbol(found.point, {}, {})
     return Proof(found.verdict, found.conditions, found.certificate, point, engine, (), found.scope)
+
+
+def worked_out(lhs: str, rhs: str, letters: Mapping[str, str]) -> str:
+    """Return an equation as text in which derivatives are worked out, so that it may be a constraint.
+
+    Examples
+    --------
+    >>> worked_out("diff(dot(x, x), x, d)", "0", {"x": "nx1", "d": "nx1"})
+    'dot(d, x) + dot(x, d) = 0'
+    """
+    found = without_derivatives(_read(lhs, rhs, letters, (), ()))
+    return f"{letters_text(found.left)} = {letters_text(found.right)}"
 
 
 def _read(

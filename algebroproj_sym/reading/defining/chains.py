@@ -20,7 +20,7 @@ def chained(
     r"""Return a derivative of what a letter stands for, through the letters that give it.
 
     A partial derivative by a letter that stands in the formula itself, and in what another letter of it stands for, may
-    mean two things: there is none.
+    mean two things: there is none.  By x it leaves ``\dot x`` as it is, if the document has one by ``\dot x`` as well.
 
     Parameters
     ----------
@@ -57,6 +57,8 @@ def chained(
     closed = [part for part in tree.iter_subtrees() if part.data in _CLOSED]
     others = frozenset(symbols_in(tree)) - {variable}
     others |= frozenset().union(*(vocabulary.behind(each) for each in others if each in used))
+    if sign != "d" and any(each.endswith(rf"/\partial\dot{below}") for each in names):
+        others -= {names.get(rf"\dot{below}", ""), *used}
     if variable in others or vocabulary.moves_with(others, variable) or stands_within(variable, others):
         return None
     kept = tuple(sorted(vocabulary.letters_of(tree) - {variable})) if sign == "d" else ()

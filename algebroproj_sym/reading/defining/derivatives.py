@@ -19,6 +19,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 _DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
+_MIXED = re.compile(r"\\partial\^2(.+)/\\partial(.+?)\\partial(.+)")
 _OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
 _FIXED = re.compile(
     r"_\{?0|\\(?:mathbf|vec|hat|overrightarrow)\{?(?:\\mathbf\{?)?(?:[ijkxyz]\}*$|e\}*_\{?[xyz123]\}?$)"
@@ -39,7 +40,10 @@ def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: 
         The symbols of the document: a letter changes with time if its derivative by time is one of them.
     """
     found: dict[str, Definition] = {}
+    trees = [*trees]
     waiting = [symbol for tree in trees for symbol in symbols_in(tree)]
+    used = [each.tree for tree in trees for each in vocabulary.used_in(tree)]
+    called = {str(call.children[0]) for tree in (*trees, *used) for call in tree.find_data("call")}
     seen = set[str]()
     while waiting:
         symbol = waiting.pop()
@@ -50,6 +54,8 @@ def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: 
             waiting += vocabulary.definitions[symbol].symbols
         else:
             made = _derivative(symbol, vocabulary, occurring)
+            if made is not None and made.parameters and symbol not in called:
+                made = replace(made, parameters=())
             for each in [made] if made is not None else _by_chains(symbol, vocabulary, occurring):
                 found[each.symbol] = each
                 waiting += each.symbols
@@ -70,6 +76,9 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
         return found, made
     sign, order, variable = match.groups()
     body = found.children[1]
+    rate = _of_lone(body, variable, vocabulary, occurring) if (sign, order) == ("d", None) else None
+    if rate is not None:
+        return letter_of(rate.symbol), [*made, rate]
     letters = vocabulary.letters_of(body) - {each.symbol for each in made}
     others = sorted(letters - {variable})
     changing = _change(others, variable, occurring)
@@ -86,6 +95,16 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
     return letter_of(symbol), made
 
 
+def _of_lone(tree: Any, variable: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
+    """Return the derivative of a lone letter, or of a derivative that an equation above gives."""
+    while tree.data in ("group", "bracket", "items") and len(tree.children) == 1:
+        (tree,) = tree.children
+    if tree.data not in ("symbol", "opaque"):
+        return None
+    function = _bare(str(tree.children[0]))
+    return _of_factors(f"the rate of {function}", function, variable, vocabulary, occurring)
+
+
 def has_rate(letter: str, variable: str, occurring: frozenset[str]) -> bool:
     """Whether a document has the derivative of a letter by a variable, also as a dot where that is the time."""
     bare, below = frozenset(map(_bare, occurring)), _bare(variable)
@@ -93,17 +112,24 @@ def has_rate(letter: str, variable: str, occurring: frozenset[str]) -> bool:
     return not bare.isdisjoint(rates | ({_with_dot(letter)} if variable == "t" else set()))
 
 
-def _change(letters: Iterable[str], variable: str, occurring: frozenset[str]) -> bool:
-    """Whether the document has a derivative of some letter, by a variable, or by time."""
+def _change(letters: Iterable[str], variable: str, occurring: frozenset[str], sign: str = "d") -> bool:
+    """Whether the document has a derivative of some letter, by a variable, or by time.
+
+    The time does not matter to a partial derivative by another letter.
+    """
     bare, below = frozenset(map(_bare, occurring)), _bare(variable)
+    by_time = sign == "d" or variable == "t"
     return any(
-        {_with_dot(each), f"{_bare(each)}'", *(f"{d}{_bare(each)}/{d}{below}" for d in ("d", r"\partial"))} & bare
+        {*(f"{d}{_bare(each)}/{d}{below}" for d in ("d", r"\partial"))} & bare
+        or (by_time and {_with_dot(each), f"{_bare(each)}'"} & bare)
         for each in letters
     )
 
 
 def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
     if "/" in symbol:
+        if mixed := _MIXED.fullmatch(symbol):
+            return _of_two(symbol, mixed, vocabulary)
         match = _DERIVATIVE.fullmatch(symbol)
         if match is None:
             return None
@@ -115,7 +141,9 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
     bare = _without_dot(symbol)
     function = _by_bare(vocabulary.definitions).get(bare) if bare else None
     if function is None:
-        return None
+        return _of_time(symbol, vocabulary)
+    if vocabulary.definitions[function].parameters == ("t",):
+        return _of_time(symbol, vocabulary)
     is_computed = vocabulary.is_computed(vocabulary.definitions[function].tree)
     found = None if is_computed else _of_factors(symbol, bare, "t", vocabulary, occurring)
     return found or _rate(symbol, function, vocabulary, occurring)
@@ -133,7 +161,7 @@ def _by_chains(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -
     if found is not None:
         tree, kept, definition, free = found
         others = vocabulary.letters_of(definition.tree)
-        if not _change(others - {names[_bare(below)]}, names[_bare(below)], occurring):
+        if not _change(others - {names[_bare(below)]}, names[_bare(below)], occurring, sign):
             yield replace(_made(symbol, tree, definition, [*kept], vocabulary), role="case")
             yield from [] if free is None else [free]
 
@@ -217,6 +245,14 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     return _made(symbol, slope_of(value, variable, order), definition, others, vocabulary)
 
 
+def _of_two(symbol: str, mixed: re.Match[str], vocabulary: Vocabulary) -> Definition | None:
+    """Return a derivative by two letters, one after the other."""
+    above, first, second = mixed.groups()
+    matches = [_DERIVATIVE.fullmatch(rf"\partial{above}/\partial{below}") for below in (first, second)]
+    outer, inner = (match and _of_quotient(symbol, match, vocabulary) for match in matches)
+    return replace(inner, tree=Tree("slope", [inner.tree, outer.tree.children[1]])) if outer and inner else None
+
+
 def _as_dots(symbol: str, match: re.Match[str], occurring: frozenset[str]) -> Definition | None:
     r"""Return a derivative by t as the letter with dots, as in ``\frac{dx}{dt} = \dot x``; None if there is none."""
     sign, order, above, below = match.groups()
@@ -229,13 +265,20 @@ def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
     """Return the derivative of a function of one letter."""
     letter, primes, below, above = split_symbol(symbol)
     definition = vocabulary.definitions.get(written(letter, 0, below, above))
-    if definition is None or not definition.usable or len(definition.parameters) != 1:
+    if definition is None or len(definition.parameters) != 1:
         return None
+    return _of_function(symbol, definition, primes, vocabulary)
+
+
+def _of_function(symbol: str, definition: Definition, order: int, vocabulary: Vocabulary) -> Definition | None:
+    """Return the first or a higher derivative of a function of one letter."""
     (variable,) = definition.parameters
-    if any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(definition.tree)):
+    if not definition.usable or any(
+        variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(definition.tree)
+    ):
         return None
     value: Formula = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", [letter_of(variable)])])
-    for _ in range(primes):
+    for _ in range(order):
         value = slope_of(value, variable)
     try:
         vocabulary.value(value)
@@ -245,6 +288,17 @@ def _of_prime(symbol: str, vocabulary: Vocabulary) -> Definition | None:
     if vocabulary.depends(others, variable):
         return None
     return replace(_made(symbol, value, definition, others, vocabulary), parameters=(variable,))
+
+
+def _of_time(symbol: str, vocabulary: Vocabulary) -> Definition | None:
+    r"""Return the derivative of a function of t by its dots, as ``\ddot x(t)`` of ``x(t)``."""
+    known, bare, dots = _by_bare(vocabulary.definitions), _without_dot(symbol), 1
+    while bare and bare not in known:
+        bare, dots = _without_dot(bare), dots + 1
+    definition = vocabulary.definitions.get(known.get(bare, ""))
+    if definition is None or definition.parameters != ("t",):
+        return None
+    return _of_function(symbol, definition, dots, vocabulary)
 
 
 def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:

@@ -31,22 +31,19 @@ class _OtherwiseError(Exception):
     """A side is no sum of derivatives by one vector and of what they are equal to."""
 
 
-def along_directions(
-    vocabulary: Vocabulary, left: Formula, right: Formula
-) -> tuple[Formula, Formula, Vocabulary] | None:
-    """Return the sides along a direction in which a vector changes, and what letters stand for in them.
+def along_directions(vocabulary: Vocabulary, *sides: Formula) -> tuple[list[Formula], Vocabulary] | None:
+    """Return the sides of equations along a direction in which a vector changes, and what letters stand for in them.
 
     There are none if no side is a derivative by a vector.
     """
     reader = _Gradients(vocabulary)
-    left, right = _with_nabla(left), _with_nabla(right)
+    sides = tuple(map(_with_nabla, sides))
     try:
-        for side in (left, right):
-            for part in side.iter_subtrees():
-                reader.find(part)
+        for part in (part for side in sides for part in side.iter_subtrees()):
+            reader.find(part)
         if reader.variable is None:
             return None
-        return reader.along(left), reader.along(right), extended(vocabulary, reader.made)
+        return [*map(reader.along, sides)], extended(vocabulary, reader.made)
     except _OtherwiseError:
         return None
 
@@ -63,32 +60,36 @@ class _Gradients:
         """Return a derivative by the vector along a direction; None if a formula is none."""
         head = str(tree.children[0]) if tree.children else ""
         if tree.data in ("symbol", "opaque") and (match := _QUOTIENT.fullmatch(head)):
-            if match[3] not in (None, match[4]):
-                return None
-            return self._of(letter_of(match[2]), match[4], partial=match[1] != "d")
+            return self._of(letter_of(match[2]), match[4], match[3] or match[4], partial=match[1] != "d")
         if tree.data == "big" and (match := _OPERATOR.fullmatch(head)):
-            return self._of(tree.children[1], match[2], partial=match[1] != "d")
+            return self._of(tree.children[1], match[2], match[2], partial=match[1] != "d")
         if tree.data == "run" and len(tree.children) == 2 and _NABLA.fullmatch(letter := _lone(tree.children[0])):
-            return self._of(tree.children[1], split_symbol(letter)[2], partial=False)
+            below = split_symbol(letter)[2]
+            return self._of(tree.children[1], below, below, partial=False)
         return None
 
     def _has(self, tree: Formula) -> bool:
         return any(self.find(part) is not None for part in tree.iter_subtrees())
 
-    def _of(self, value: Any, below: str, *, partial: bool) -> Formula | None:
-        """Return a function with its definition put in, if it is one of a vector, and its derivative is computed."""
+    def _of(self, value: Any, below: str, within: str, *, partial: bool) -> Formula | None:
+        """Return a function with its definition put in, if it is one of a vector, and its derivative is computed.
+
+        Within its brackets stands the letter by which the derivative is taken, or all letters of which it is one.
+        """
         known = {_bare(each): each for each in self._vocabulary.definitions}
         name, arguments = (str(value.children[0]), _arguments(value)) if value.data == "call" else (_lone(value), ())
         definition = self._vocabulary.definitions.get(known.get(_bare(name), ""))
         if definition is not None and definition.usable:
             if arguments and arguments != definition.parameters:
                 return None
+            if within not in (below, ",".join(map(_bare, definition.parameters))):
+                return None
             below = below or (definition.parameters[0] if len(definition.parameters) == 1 else "")
             value = letter_of(definition.symbol)
             if definition.parameters:
                 self.made.append(replace(definition, symbol=f"{definition.symbol} ", parameters=()))
                 value = letter_of(self.made[-1].symbol)
-        elif name:
+        elif name or within != below:
             return None
         direct = value if definition is None or not definition.usable else definition.tree
         used = self._vocabulary.used_in(direct)

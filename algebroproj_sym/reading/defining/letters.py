@@ -18,6 +18,7 @@ from lark import Token, v_args
 from lark.exceptions import VisitError
 
 from algebroproj_sym.proving import Question
+from algebroproj_sym.proving.letters import worked_out
 from algebroproj_sym.reading.defining.dependence import (
     ANY,
     index_of,
@@ -111,8 +112,11 @@ def _asked(reader: _Reader, left: Formula, right: Formula, given: Sequence[tuple
     if any(side.blocks for pair in constraints for side in pair):
         raise refused("an equation of blocks")
     questions = _of_sides(reader, sides)
-    laws = tuple(f"{one.text()} = {other.text()}" for one, other in constraints)
-    return [replace(each, constraints=(*each.constraints, *laws)) for each in questions]
+    texts = [(one.text(), other.text()) for one, other in constraints]
+    return [
+        replace(each, constraints=(*each.constraints, *(worked_out(*pair, each.letters or {}) for pair in texts)))
+        for each in questions
+    ]
 
 
 def _of_one_shape(reader: _Reader, left: Formula, right: Formula) -> list[Part]:
@@ -213,7 +217,7 @@ class _Reader:
 
     def function(self, name: str, argument: str) -> str:
         """Return the name of the number that is the value of a function."""
-        return self._functions.setdefault(f"{name}({argument})", f"value{len(self._functions) + 1}'")
+        return self._functions.setdefault(f"{name}({argument})", f"value{len(self._functions) + 1}_")
 
     @property
     def definitions(self) -> Collection[str]:
@@ -274,7 +278,7 @@ class _Reader:
                 raise UnreadableError(f"the shapes fit only if {name} is a number")
             key = f"{name}({', '.join(each.text() for each in arguments)})"
             kind = FREE if is_call and self._called.setdefault(base_of(name), key) == key else WHOLE
-            own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}'", shape))
+            own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}_", shape))
             if [size.root for size in first] != [size.root for size in shape] and any(
                 one.value is None or one.value != other.value for one, other in zip(first, shape, strict=True)
             ):

@@ -44,8 +44,13 @@ class Size:
             raise UnreadableError(f"the shapes do not fit: {one.value} and {two.value} rows or columns")
         if two.value is not None or (one.value is None and two._blocks):
             one, two = two, one
+        if one._is_within(two) or two._is_within(one):
+            raise UnreadableError("a letter in it is given by itself, or it is nested too deeply")
         two._same = one
         _split(one, two._blocks)
+
+    def _is_within(self, other: Size) -> bool:
+        return any(each.root is self or self._is_within(each.root) for each in other._blocks)
 
 
 def _split(total: Size, blocks: Sequence[Size]) -> None:
@@ -178,7 +183,8 @@ def of_blocks(rows: Blocks) -> Part:
         lines = (", ".join(cell.text() for cell in row) for row in rows)
         return f"block({', '.join(f'[{line}]' for line in lines)})"
 
-    found = Part((Size(blocks=heights), Size(blocks=widths)), text, *(each for row in rows for each in row))
+    height, width = (each[0] if len(each) == 1 else Size(blocks=each) for each in (heights, widths))
+    found = Part((height, width), text, *(each for row in rows for each in row))
     found.blocks = rows if any(size.value is None for size in found.shape) else []
     return found
 
@@ -196,10 +202,11 @@ def _times_blocks(left: Part, right: Part) -> Part:
         return of_blocks(
             [[times(left, each) if left.is_number else times(each, right) for each in row] for row in rows]
         )
-    if not (left.blocks and right.blocks) or len(left.blocks[0]) != len(right.blocks):
+    ours, theirs = left.blocks or [[left]], right.blocks or [[right]]
+    if len(ours[0]) != len(theirs):
         return _product(left, right)
-    columns = [*zip(*right.blocks, strict=True)]
-    return of_blocks([[_row_times_column(row, each) for each in columns] for row in left.blocks])
+    columns = [*zip(*theirs, strict=True)]
+    return of_blocks([[_row_times_column(row, each) for each in columns] for row in ours])
 
 
 def _row_times_column(row: Sequence[Part], column: Sequence[Part]) -> Part:

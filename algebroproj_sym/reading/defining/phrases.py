@@ -7,6 +7,7 @@ r"""Phrases by which a document says what a letter is: its size, or a property s
     $n$ is a unit vector, the unit vector $n$                positive definite and diagonal matrices
     $I$ is the identity matrix, the identity matrix $I$
     $P$ and $Q$ are symmetric matrices                       likewise
+    the covariance matrix $P$                                a symmetric matrix
 
 Behind "if", "when", "unless", "not" or "whether" a phrase says nothing.
 """
@@ -34,6 +35,10 @@ _KINDS = (
     (rf"diagonal{_ALONE}", "diagonal"),
     (r"unit(?:[- ](?:length|norm))? vector", "unit"),
     (r"identity(?: matrix)?", "identity"),
+    (
+        r"(?:(?:error|noise|sample|state|process|measurement|prior|posterior) )*(?<!cross )covariance matrix",
+        "covariance",
+    ),
 )
 _ANY = "|".join(f"({kind})" for kind, _ in _KINDS)
 _AFTER = re.compile(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
@@ -45,6 +50,8 @@ _BE = re.compile(rf"^\$?\s*be\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
 _LET = re.compile(r"\blet(?: the \w+)?\s*\$?$", re.IGNORECASE)
 _BEFORE = re.compile(rf"(?<![\w-])(?:{_ANY})\s*$")
 _OF = re.compile(r"\bof (?:the |an? )?[\w -]*$")
+_OF_TWO = re.compile(r"[_^]\{?[^{}]*?(\w)\W*(?!\1)\w")
+"""What is below the covariance matrix of one thing with another one, which is not symmetric."""
 _ADJECTIVES = ("skew", "symmetric", "diagonal", "positive definite")
 """What may belong to another noun, unless "matrix" follows."""
 _DOUBTS = re.compile(
@@ -90,7 +97,9 @@ def sizes_in(statements: Iterable[Statement]) -> dict[str, tuple[int, int]]:
 
 def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]:
     """Return symbols with what they are; without those of which a document says two things."""
-    return _agreed(_properties(statements))
+    said = [*_properties(statements)]
+    strong = {symbol for symbol, (kind,) in said if kind in ("positive definite", "diagonal")}
+    return _agreed((symbol, kinds) for symbol, kinds in said if kinds != ("symmetric",) or symbol not in strong)
 
 
 def matrices_in(statements: Iterable[Statement], angles: frozenset[str]) -> frozenset[str]:
@@ -201,7 +210,11 @@ def _properties(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[st
         if match := _ROTATIONS.match(each.latex):
             yield from ((symbol, ("rotation",)) for symbol in symbols_in_list(match[1]) if not _is_denied(each))
         elif each.display.environment == "inline" and (kind := _kind_of(each)):
-            yield from ((symbol, (kind,)) for symbol in symbols_in_list(each.latex, 1) if "dot" not in symbol)
+            for symbol in symbols_in_list(each.latex, 1):
+                if kind == "covariance" and not _OF_TWO.search(symbol):
+                    yield symbol, ("symmetric",)
+                elif kind != "covariance" and "dot" not in symbol:
+                    yield symbol, (kind,)
 
 
 def _is_denied(statement: Statement) -> bool:

@@ -206,6 +206,7 @@ class Survey:
             if of
         )
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
+        by_time = by_time or "t" in {symbol for each in self.formulas.values() for symbol in _turning(each)}
         return Dependence(tuple(ties), by_time)
 
     @cached_property
@@ -310,6 +311,14 @@ def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula
         for side in formula.sides if isinstance(formula, Parsed) else ():
             if isinstance(side, Tree):
                 yield side
+
+
+def _turning(formula: Parsed | UnreadableError) -> Iterator[str]:
+    r"""Yield the letters in an angle, as t in ``\sin(\omega t)``."""
+    for side in formula.sides if isinstance(formula, Parsed) else ():
+        for tree in side.find_data("function"):
+            if tree.children[0] in ("sin", "cos"):
+                yield from symbols_in(tree)
 
 
 def _is_exponential(tree: Formula) -> bool:

@@ -1,7 +1,8 @@
 r"""Numbers that a document names and does not compute: sums, integrals, values of functions.
 
 Each is a letter of its own, the same for the same text.  A sum is taken term by term, and what does not depend on its
-index stands before it: ``\sum_{i=1}^{n} (a x_i + b)`` is a times a letter, plus n times b.
+index stands before it: ``\sum_{i=1}^{n} (a x_i + b)`` is a times a letter, plus n times b.  With printed limits it is
+the same for every index.
 """
 
 from __future__ import annotations
@@ -116,10 +117,27 @@ class Uncomputed:
 
     def _whole(self, name: str, body: Any) -> Any:
         letters = (self._on(body) | letters_in(name)) - {index_of(name)}
-        found = self._letter(f"{name} {text(body)}", WHOLE, letters)
+        found = self._letter(self._renamed(name, body) or f"{name} {text(body)}", WHOLE, letters)
         if index_of(name):
             self._sums[found.name] = name, body
         return found
+
+    def _renamed(self, name: str, body: Any) -> str:
+        """Return the text of a sum with printed limits, the same for every index; empty if all of it is not seen."""
+        index = index_of(name)
+        names: dict[Any, Any] = {}
+        limits = re.fullmatch(r"\\sum_\{[a-z]=(.*)\}\^(.*)", name)
+        if limits is None or index in letters_in(limits[1]) | letters_in(limits[2]):
+            return ""
+        for symbol in body.free_symbols:
+            written = self._vocabulary.symbol_of(symbol.name)
+            letter, primes, *scripts = split_symbol(written) if " " not in written else ("", 0)
+            bound = ["•" if letter == index else letter, *(_without(index, each) for each in scripts)]
+            if bound != [letter, *scripts] and symbol.name not in self._letters:
+                names[symbol] = sympy.Symbol("_".join(map(str, (*bound, primes))).encode("unicode_escape").hex())
+            elif {index, ANY, *self._vocabulary.dependence.related(index)} & self._on(symbol):
+                return ""
+        return f"\\sum_{{•={limits[1]}}}^{limits[2]} {text(body.xreplace(names))}"
 
     def _letter(self, key: str, kind: str, letters: frozenset[str]) -> Any:
         name = self._vocabulary.name(f"{kind} {key}")
@@ -133,6 +151,11 @@ class Uncomputed:
             symbols = self._vocabulary.behind(self._vocabulary.symbol_of(name))
             found |= self._letters.get(name) or symbols.union(*map(letters_of_symbol, symbols))
         return frozenset(found)
+
+
+def _without(index: str, script: str) -> str:
+    """Return a script with a mark for an index."""
+    return re.sub(rf"(?<![a-zA-Z\\]){index}(?![a-zA-Z])", "•", script) if "\\" in script else script.replace(index, "•")
 
 
 def _names(*values: Any) -> set[str]:
@@ -155,4 +178,4 @@ def values_in(written: str) -> set[str]:
     >>> sorted(values_in("free_f_x + 2*whole_sum_i_x_i"))
     ['free', 'whole']
     """
-    return {*re.findall(rf"\b({FREE}|{WHOLE})_", written), *re.findall(r"([a-z]+)\d+'", written)}
+    return {*re.findall(rf"\b({FREE}|{WHOLE})_", written), *re.findall(r"\b([a-z]+)\d+_(?!\w)", written)}

@@ -9,9 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.contexts import ANYWHERE
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
@@ -35,6 +37,10 @@ _SEVERAL = re.compile(r"them|both|these|\w+s$", re.IGNORECASE)
 _PRONOUN = re.compile(r"this$|it$|them$|both$|these$|.*expressions?$", re.IGNORECASE)
 _LEADS = re.compile(r"\W*(?:(?:and|by|now|then|we|can|thus|hence|therefore|so|finally|next)\b\W*)*", re.IGNORECASE)
 """The words before "setting it to zero" that name nothing else that may be zero."""
+_ELSEWHERE = re.compile(r"\b(?:for|with(?! respect)|at|in|on|under|inside|outside|near)\b", re.IGNORECASE)
+"""Words before it by which the derivative may be that of another case."""
+_ITSELF = re.compile(r"\b(?:derivatives?|gradients?|slopes?)\b[^.]*[.]\s", re.IGNORECASE)
+"""A sentence that says more of a derivative."""
 _SLOPE = re.compile(r"(d|\\partial)(?!\^)([^/()]+)(?:\([^/]*\))?/\1([^/^]+)")
 _NABLA = re.compile(r"\\nabla(?:_(.*))?")
 _AT_BEST = re.compile(r"\\(?:wide)?hat|\^(?:\*|\\star|\\ast)$|_(?:MLE?|LS|OLS|opt)$")
@@ -59,12 +65,15 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     if match is None or _OTHERWISE.search(beside.sentence):
         return []
     near = [each for each in premises[-MOST_TOGETHER:] if each.part == beside.part and each.place < beside.place]
+    near = [each for each in near if each.place == above or not each.special]
     slopes = {(*of, each.place): each for each in near if (of := _slope_of(each.left)) is not None}
     functions = _named(match["of"] or "", {function for function, *_ in slopes})
     variables = _named(match["by"] or "", {variable for _, variable, _ in slopes})
     slopes = {key: each for key, each in slopes.items() if key[0] in functions and key[1] in variables}
     last = max((place for *_, place in slopes), default=0)
     lead = beside.before.partition(match[0])[0]
+    if _ELSEWHERE.search(beside.sentence.partition(match[0])[0]) or _ITSELF.search(lead):
+        return []
     if _PRONOUN.match(match["what"]) and not (_LEADS.fullmatch(lead) and above == last):
         return []
     before = {symbol for each in near for symbol in each.symbols}
@@ -72,7 +81,19 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     best = {bare: each for bare, each in best.items() if variables & {bare, ""}}
     several = _SEVERAL.fullmatch(match["what"].rpartition(" ")[2]) is not None
     kept = [each for each in slopes.values() if several or each.place == last]
+    if not kept and match["of"] and match["by"]:
+        return _of_words(beside, match["of"], match["by"], match[0])
     return [replace(each, left=_at_best(each.right, best), right=_ZERO) for each in kept]
+
+
+def _of_words(beside: Beside, of: str, by: str, words: str) -> list[Premise]:
+    """Return that the derivatives of a function by some letters are zero, where words name all of them."""
+    functions, variables = (map(_bare, re.findall(_FORMULA, said)) for said in (of, by))
+    given = f'the words "{words}"', beside.part, beside.place, frozenset[str](), False, beside.words
+    return [
+        Premise(Tree("opaque", [Token("OPAQUE", rf"\partial{one}/\partial{other}")]), _ZERO, *given, False, ANYWHERE)
+        for one, other in product(functions, variables)
+    ]
 
 
 def _named(said: str, known: set[str]) -> set[str]:

@@ -112,18 +112,23 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         for way in ways
         if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
-    ways += [each for way in ways if way.is_as_it_stands for each in _along_directions(way)]
+    ways += [each for way in ways if not way.reads for each in _along_directions(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
 
 
 def _along_directions(way: Way) -> Iterator[Way]:
-    """Yield the ways in which a derivative by a vector is that along every direction."""
+    """Yield the ways in which a derivative by a vector, also of an equation above, is that along every direction."""
     shown = f"{' = '.join(map(way.vocabulary.text, way.sides))}, along every direction"
     with_identity = way.vocabulary.with_identity(*way.sides)
     readings = ((way.vocabulary, shown), (with_identity, f"{shown}, where I is the identity"))
+    given = [side for each in way.under for side in (each.left, each.right)]
     for known, reads in readings:
-        if known is not None and (found := along_directions(known, *way.sides)) is not None:
-            yield Way(*found, A_VALUE, reads)
+        if known is not None and (found := along_directions(known, *way.sides, *given)) is not None:
+            (left, right, *others), changed = found
+            under = [
+                replace(each, left=a, right=b) for each, a, b in zip(way.under, others[::2], others[1::2], strict=True)
+            ]
+            yield Way(left, right, changed, A_VALUE, reads, tuple(under))
 
 
 def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
@@ -146,12 +151,13 @@ def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[
             seen.append(ids)
             yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
     yield from _with_given_values(standing, left, right)
-    (ours, made), (theirs, more) = (
-        computed(side, standing.vocabulary, standing.survey.occurring) for side in (left, right)
-    )
-    if made or more:
+    above = [each.gives for each in applicable(standing.premises, standing.part, standing.cited) if each.gives]
+    told = extended(standing.vocabulary, above)
+    (ours, made), (theirs, more) = (computed(side, told, standing.survey.occurring) for side in (left, right))
+    if (made or more) and not any(_rests_on_what_changes(each, standing.beside) for each in (*made, *more)):
         known = extended(standing.vocabulary, [*made, *more])
         yield Way(ours, theirs, known, doubt_of(standing.beside, formula, index, standing.vocabulary))
+        yield Way(ours, theirs, extended(_with_rates(standing, (ours, theirs), told), [*made, *more]), A_VALUE)
 
 
 def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -234,13 +240,14 @@ def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula)
             yield Way(ours, theirs, extended(known, values.values()), A_VALUE)
     last = neighbours(standing.premises, standing.part, standing.cited, 1)
     wanted = {*symbols_in(left), *symbols_in(right)}
+    with_rates = _with_rates(standing, [side for each in own for side in (each.left, each.right)], standing.vocabulary)
     for each in (*neighbours(standing.premises, standing.part, standing.cited), *own):
-        for solution in _solutions(each, standing.vocabulary, wanted):
+        for solution in _solutions(each, with_rates, wanted):
             yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
     letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
     tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
     for under in dict.fromkeys(((*tied, *last), tied)):
-        yield Way(left, right, standing.vocabulary, A_VALUE, under=under)
+        yield Way(left, right, with_rates, A_VALUE, under=under)
 
 
 def _supposed(standing: Standing, left: Formula, right: Formula) -> list[Premise]:
@@ -339,8 +346,7 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
     for given in ([], [each for each in found if each.symbol not in lone], found):
         known = extended(standing.vocabulary, given)
         yield known
-        rates = derivatives_in((left, right), known, standing.survey.occurring)
-        yield extended(known, [each for each in rates if not _rests_on_what_changes(each, standing.beside)])
+        yield _with_rates(standing, (left, right), known)
     wanted = {*symbols_in(left), *symbols_in(right)}
     parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
     supposed = frozenset().union(*(each.symbols for each in standing.own))
@@ -348,6 +354,12 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
         tied = (parameters | supposed) & each.symbols
         for solution in [] if tied else _solutions(each, standing.vocabulary, wanted):
             yield extended(standing.vocabulary, [solution])
+
+
+def _with_rates(standing: Standing, trees: Sequence[Formula], known: Vocabulary) -> Vocabulary:
+    """Return a vocabulary with what the derivatives in some formulas stand for."""
+    rates = derivatives_in(trees, known, standing.survey.occurring)
+    return extended(known, [each for each in rates if not _rests_on_what_changes(each, standing.beside)])
 
 
 def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:

@@ -157,6 +157,38 @@ def with_norms(pieces: Sequence[Piece]) -> list[Piece]:
     return [each for place, each in enumerate(whole) if place not in others]
 
 
+def with_blocks(pieces: Sequence[Piece]) -> list[Piece]:
+    r"""Return pieces with a row of two blocks for ``[R | t]``, alone or behind K or R, as those of cameras are called.
+
+    Behind another letter it is a value with a condition, as ``E[X | Y]``.
+
+    Examples
+    --------
+    >>> "".join(each.text for each in with_blocks(pieces_of(r"K[R | -R C] E[X | Y]")))
+    'K\\begin{bmatrix}R & -R C\\end{bmatrix} E[X | Y]'
+    """
+    found = [*pieces]
+    for start in [place for place, each in enumerate(pieces) if each.text == "["][::-1]:
+        texts = [each.text for each in found]
+        ends = (end for end in range(start + 1, len(texts)) if texts[end] == "]")
+        end = next((end for end in ends if _is_balanced(found[start : end + 1])), start)
+        inside = "".join(texts[start + 1 : end])
+        before = _FACTOR.search("".join(texts[:start]))
+        if _TWO_BLOCKS.fullmatch(inside) and before is not None:
+            bar = next(place for place in range(start, end) if texts[place] in ("|", r"\mid", r"\vert"))
+            sized = [(place, " ") for place in (start - 1, end - 1) if texts[place] in (r"\left", r"\right")]
+            for place, text in (*sized, (start, r"\begin{bmatrix}"), (bar, "&"), (end, r"\end{bmatrix}")):
+                found[place] = found[place]._replace(text=text)
+    return found
+
+
+_CAPITAL = r"(?:\\(?:mathbf|mathrm|mathsf)\s*\{?\s*)?[A-Z]"
+_TWO_BLOCKS = re.compile(rf"\s*-?\s*{_CAPITAL}(?![a-z])[^|,;=<>]*?(?:\||\\mid|\\vert)(?![a-z])[^|,;=<>]*")
+"""A capital, and what stands behind a bar: no list, and no relation."""
+_FACTOR = re.compile(
+    rf"(?:^|[=&+\-(]|\\cdot|{_CAPITAL.replace('[A-Z]', '[KR]')}(?:_\w|_\{{\w+\}}|'|\}})*)\s*(?:\\left)?\s*$"
+)
+"""What may stand before a row of blocks."""
 _SIZED = re.compile(r"\\[bB]igg?[lrm]?")
 
 

@@ -241,7 +241,7 @@ def test_one_beside_a_square_matrix_is_the_identity(latex, verdict):
     [
         (r"It has the phase function $g$. \[ a = b g. \] Hence \[ b = a/g. \]", "follows"),
         (
-            r"It has the phase function $g$. \[ a = b (1 - g). \] \[ w = g(\mu). \] Hence \[ b = \frac{a}{1 - g}. \]",
+            r"It has the phase function $g$. \[ a = b g. \] \[ w = g(\mu). \] Hence \[ b = a/g. \]",
             None,
         ),
         (

@@ -321,3 +321,39 @@ def test_what_only_looks_like_a_consequence_does_not_follow(name: str) -> None:
 )
 def test_such_words_hide_no_consequence_that_they_do_not_concern(latex: str) -> None:
     assert read_document(document_of(latex))[-1].verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        # Nothing says that a letter does not change, or words say that it does.
+        (r"\[ v = r \omega \] Hence \[ \dot v = r \dot\omega. \]", False),
+        (r"Both $r$ and $\omega$ change with time. \[ v = r \omega \] Hence \[ \dot v = r \dot\omega. \]", False),
+        (r"Note that $r$ is not constant. \[ v = r \omega \] Hence \[ \dot v = r \dot\omega. \]", False),
+        (r"If $r$ is constant, it turns. \[ v = r \omega \] Hence \[ \dot v = r \dot\omega. \]", False),
+        (r"With piecewise constant $r$ \[ v = r \omega \] Hence \[ \dot v = r \dot\omega. \]", False),
+        (r"$r$ is constant along the rod. \[ v = r \omega \] Hence \[ \dot v = r \dot\omega. \]", False),
+        (r"The stiffness $k$ varies. \[ M = k w \] Hence \[ \frac{dM}{dx} = k \frac{dw}{dx}. \]", False),
+        (r"\[ k = \frac{K}{L} \] Hence \[ \dot k = \frac{\dot K}{L}. \]", False),
+        (r"The radius $r$ is constant. \[ v = r \omega \] Hence \[ \dot v = r \dot\omega. \]", True),
+        (
+            r"The letters $m$, $a$ and $r$ do not change. \[ v = a r \omega \] Hence \[ \dot v = a r \dot\omega. \]",
+            True,
+        ),
+        (r"Let $r$ be constant. \[ v = r \omega \] Hence \[ \frac{dv}{dt} = r \frac{d\omega}{dt}. \]", True),
+        (r"\[ x = a t^2 + b \] Hence \[ \dot x = 2 a t. \] The time is $t$.", True),
+        # A letter is given twice.
+        (r"For long beams \[ w = a L. \] For short beams \[ w = a L + b. \] Hence \[ b = 0. \]", False),
+        (r"Step 1: \[ x = a + b. \] Step 2: \[ x = a - b. \] Hence \[ b = 0. \]", False),
+        (r"The bounds are \begin{align} x &= a - d \\ x &= a + d \end{align} Hence \[ d = 0. \]", False),
+        (r"The vertices are \[ x = 0, \quad x = a. \] Hence \[ a = 0. \]", False),
+        (
+            r"Two of them are \begin{align} s &= \frac{q}{n} \\ s &= \frac{q}{n - 1} \end{align} Hence \[ q = 0. \]",
+            False,
+        ),
+        (r"\[ y = a x + b \] \[ y = c x + d \] Hence \[ (a - c) x = d - b. \]", True),
+        (r"\[ y = a (b + c) \] \[ y = a b + a c \] \[ z = 2 y \] Hence \[ z = 2 a b + 2 a c. \]", True),
+    ],
+)
+def test_what_changes_is_not_fixed_and_what_is_given_twice_is_not_put_together(latex: str, follows: bool) -> None:
+    assert (read_document(document_of(latex))[-1].verdict == "follows") == follows

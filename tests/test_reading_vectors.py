@@ -202,7 +202,8 @@ def test_words_call_a_letter_a_vector_or_a_set(latex, found):
         r"\[ \dot{\mathbf{r}} = \mathbf{v} + \mathbf{a} t \]",
         r"\[ \mathbf{r}(t) = x(t) \mathbf{e}_1 + y(t) \mathbf{e}_2 \] "
         r"\[ \frac{d\mathbf{r}(t)}{dt} = \frac{dx(t)}{dt} \mathbf{e}_1 + \frac{dy(t)}{dt} \mathbf{e}_2 \]",
-        r"\[ E = \frac12 m v^2 + m g y \] \[ \frac{dE}{dt} = m v \frac{dv}{dt} + m g \frac{dy}{dt} \]",
+        r"With constant $m$ and $g$ \[ E = \frac12 m v^2 + m g y \] "
+        r"\[ \frac{dE}{dt} = m v \frac{dv}{dt} + m g \frac{dy}{dt} \]",
     ],
 )
 def test_the_derivative_of_vectors_is_taken_factor_by_factor(latex):

@@ -57,10 +57,13 @@ class Dependence:
         What its equations say.
     by_time : bool
         Whether t is the time: a dot above a letter is the derivative by t.
+    constant : frozenset of str
+        The letters that words call constant.
     """
 
     ties: tuple[Tie, ...] = ()
     by_time: bool = False
+    constant: frozenset[str] = frozenset()
     _related: dict[str, frozenset[str]] = field(default_factory=dict, compare=False)
 
     @cached_property

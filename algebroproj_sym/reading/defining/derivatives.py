@@ -12,7 +12,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.chains import chained, slope_of
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
+from algebroproj_sym.reading.defining.rates import ONE, rate_of
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -24,7 +24,7 @@ _OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
 _FIXED = re.compile(
     r"_\{?0|\\(?:mathbf|vec|hat|overrightarrow)\{?(?:\\mathbf\{?)?(?:[ijkxyz]\}*$|e\}*_\{?[xyz123]\}?$)"
 )
-"""The vectors that may be fixed though nothing says so: those of the axes, and those at the start."""
+"""What may be fixed though nothing says so: the vectors of the axes, and what has the index of the start."""
 
 
 def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: frozenset[str]) -> list[Definition]:
@@ -194,8 +194,7 @@ def _of_factors(
         or any(" " in each or "/" in each for each in constant)
     ):
         return None
-    changing = [each for each in constant if vocabulary.is_matrix(each) and not _FIXED.search(each)]
-    if changing and variable not in symbols_in(tree):
+    if variable not in symbols_in(tree) and not _are_constant(constant, vocabulary):
         return None
     try:
         rate = rate_of(tree, {**rates, variable: ONE})
@@ -204,6 +203,12 @@ def _of_factors(
     if rate is None or symbol in symbols_in(rate):
         return None
     return _made(symbol, rate, definition, constant, vocabulary)
+
+
+def _are_constant(letters: Iterable[str], vocabulary: Vocabulary) -> bool:
+    """Whether letters are numbers, or said to be constant, or may be fixed though nothing says so."""
+    known = vocabulary.dependence.constant
+    return all(each in known or _FIXED.search(each) or vocabulary.constant(each) is not None for each in letters)
 
 
 def _rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:
@@ -318,7 +323,8 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
             terms.append(slope_of(letter_of(function), letter))
         else:
             constant.append(letter)
-    if not terms or vocabulary.depends(constant, "t"):
+    timed = "t" in vocabulary.letters_of(definition.tree)
+    if not terms or vocabulary.depends(constant, "t") or not (timed or _are_constant(constant, vocabulary)):
         return None
     signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]
     return _made(symbol, Tree("sum", signed), definition, constant, vocabulary)
@@ -333,7 +339,7 @@ def _made(
 
 def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
     verb = "does" if len(letters) == 1 else "do"
-    return f", where {', '.join(map(vocabulary.name, letters))} {verb}{UNCHANGED}" if letters else ""
+    return f", where {', '.join(map(vocabulary.name, letters))} {verb} not change" if letters else ""
 
 
 def _by_bare(symbols: Iterable[str]) -> dict[str, str]:

@@ -152,6 +152,34 @@ def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
     return called(every, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | {*members}
 
 
+_AND_OTHERS = r"(?:\$[^$]*\$ ?(?:, ?and|,|and) ?)*"
+_CONSTANT_BEFORE = re.compile(
+    rf"(?<![\w-])(?<!wise )(?<!ly )(?<!most )(?:constants? {_AND_OTHERS}"
+    r"|(?:constant|fixed) (?!of|in|for|and|with|or|on|by|to)[a-z]+ )$",
+    re.IGNORECASE,
+)
+_CONSTANT_BEHIND = re.compile(
+    r"(?:(?:, ?and|,|and) ?\$[^$]*\$ ?)*"
+    r"(?:(?:is|are|being|stays?|remains?|be) (?:(?:both|all|taken|assumed|kept|held|to be|as|a) )*(?:constants?|fixed)"
+    r"|(?:does|do) not change)(?: (?:in|with) time\b)?(?:\s*[.,;:)]| (?:and|so)\b|$)",
+    re.IGNORECASE,
+)
+
+
+def constants_in(statements: Iterable[Statement]) -> frozenset[str]:
+    """Return the symbols that words call constant, as in "with constant $m$ and $k$" and "$m$ is fixed"."""
+    found = set[str]()
+    for each in statements:
+        if each.display.environment == "inline":
+            before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
+            sentence = re.split(r"[.;]", f"{before} "[-200:])[-1]
+            if _DOUBTS.search(sentence) or _NO.search(before):
+                continue
+            if _CONSTANT_BEFORE.search(sentence) or _CONSTANT_BEHIND.match(after):
+                found |= {*symbols_in_list(each.latex)}
+    return frozenset(found)
+
+
 def called(statements: Iterable[Statement], things: str, *, of_time: bool = False) -> frozenset[str]:
     """Return the symbols that words before or behind them call by a name, perhaps A where they speak of ``A(t)``."""
     is_before = re.compile(

@@ -81,10 +81,15 @@ class Premise:
         """The symbols of its sides."""
         return frozenset((*symbols_in(self.left), *symbols_in(self.right)))
 
+    @property
+    def both_ways(self) -> tuple[tuple[Formula, Formula], ...]:
+        """Its sides, in both orders."""
+        return (self.left, self.right), (self.right, self.left)
+
     @cached_property
     def gives(self) -> Definition | None:
         """What it says of a letter, or of a derivative, that stands alone; None if none does."""
-        for side, other in ((self.left, self.right), (self.right, self.left)):
+        for side, other in self.both_ways:
             symbol, parameters = defined_by(side)
             if side.data == "opaque" and symbols_in(other):
                 symbol = str(side.children[0])
@@ -95,8 +100,7 @@ class Premise:
     @cached_property
     def values(self) -> tuple[tuple[Formula, Formula], ...]:
         """The sides that are a value of a function, or a square, each with the other side."""
-        pairs = ((self.left, self.right), (self.right, self.left))
-        return tuple((side, other) for side, other in pairs if side.data in _VALUES)
+        return tuple((side, other) for side, other in self.both_ways if side.data in _VALUES)
 
     def said(self, symbol: str, value: Formula) -> Definition:
         """Return that it says of a symbol what its value is."""

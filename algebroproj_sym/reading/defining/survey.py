@@ -26,6 +26,7 @@ from algebroproj_sym.reading.defining.phrases import (
     called,
     columns_in,
     complexes_in,
+    constants_in,
     matrices_in,
     named_otherwise,
     properties_in,
@@ -207,7 +208,7 @@ class Survey:
         )
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
         by_time = by_time or "t" in {symbol for each in self.formulas.values() for symbol in _turning(each)}
-        return Dependence(tuple(ties), by_time)
+        return Dependence(tuple(ties), by_time, constants_in(self.statements))
 
     @cached_property
     def indices(self) -> Indices:

@@ -21,6 +21,7 @@ from algebroproj_sym.reading.defining.recognising import (
     defined_by,
     differ_in_one_letter,
     given_by,
+    introduced_by,
     is_circular,
     is_named,
     is_one_value,
@@ -231,10 +232,50 @@ class Memory:
         known = self.vocabulary.definitions.get(defined_by(formula.sides[0])[0])
         if known and len(formula.sides) == 2 and differ_in_one_letter([known.tree], formula.sides[1:]):
             return
-        for each in self.premises_of(statement, formula, formula.sides[defines:]):
+        found = self.premises_of(statement, formula, formula.sides[defines:])
+        if contended := [other for each in found for other in self._contended(each)]:
+            for other in contended:
+                if isinstance(other, Definition):
+                    self.vocabulary.define(replace(other, role="case"))
+            self.premises = [replace(each, special=True) if each in contended else each for each in self.premises]
+            return
+        for each in found:
             self.premises.append(each)
             sides = map(argument_of, (each.left, each.right))
             self.alone |= dict.fromkeys(map(given_by, sides), statement.display.part)
+
+    def _contended(self, premise: Premise) -> list[Premise | Definition]:
+        """Return what gives otherwise what an equation gives, by the same letters or by some of them.
+
+        Two values of other letters may be equal, as in ``F = -k x`` and ``F = m a``.
+        """
+        found: list[Premise | Definition] = []
+        for side, value in ((premise.left, premise.right), (premise.right, premise.left)):
+            symbol, parameters = defined_by(side)
+            known = self.vocabulary.definitions.get(symbol)
+            above: list[tuple[Premise | Definition, Formula]]
+            above = [(known, known.tree)] if known is not None and known.parameters == parameters else []
+            above += [(each, two) for each in self.serving for one, two in each.both_ways if one == side]
+            for each, other in above if introduced_by(side) else ():
+                near = each.place == premise.place
+                if each.part == premise.part and self._contend(other, value, near=near):
+                    found.append(each)
+        return found
+
+    def _contend(self, one: Formula, other: Formula, *, near: bool) -> bool:
+        """Whether values differ, and one has all letters of the other.
+
+        In one display both have the same letters, or none more than one: its rows may be steps, in which letters go.
+        """
+        ours, theirs = map(self.vocabulary.letters_of, (one, other))
+        if near:
+            tied = (bool(ours) and ours == theirs) or all(len([*symbols_in(each)]) < 2 for each in (one, other))
+        else:
+            tied = bool(ours and theirs) and (ours <= theirs or theirs <= ours)
+        if one == other or not tied:
+            return False
+        computed = all(agree(self.vocabulary, (each, each)) for each in (one, other))
+        return computed and not agree(self.vocabulary, (one, other))
 
     def premises_of(self, statement: Statement, formula: Parsed, sides: Sequence[Formula]) -> list[Premise]:
         """Return the equations between sides of a statement: of those next to each other, and of the first and last."""

@@ -25,6 +25,7 @@ from algebroproj_sym.reading.defining.premises import (
     neighbours,
     with_given,
 )
+from algebroproj_sym.reading.defining.rates import UNCHANGED
 from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
@@ -40,6 +41,14 @@ from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
 
+
+_CHANGES = frozenset(
+    {
+        *("loses", "gains", "burns", "ejects", "gathers", "hardens", "softens", "melts", "evaporates", "leaks"),
+        *("empties", "drains", "shrinks", "draws", "apart", "faster", "slower", "accelerates", "decelerates"),
+    }
+)
+"""Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""
 
 _DIVIDES = frozenset(
     {"divide", "divided", "dividing", "division", "quotient", "ratio", "chain", "eliminating", "parametric"}
@@ -353,7 +362,7 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
         known = extended(standing.vocabulary, given)
         yield known
         rates = derivatives_in((left, right), known, standing.survey.occurring)
-        yield extended(known, [each for each in rates if _is_said(each, standing.beside)])
+        yield extended(known, [each for each in rates if not _rests_on_what_changes(each, standing.beside)])
     wanted = {*symbols_in(left), *symbols_in(right)}
     parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
     supposed = frozenset().union(*(each.symbols for each in standing.own))
@@ -363,9 +372,14 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
             yield extended(standing.vocabulary, [solution])
 
 
-def _is_said(rate: Definition, beside: Beside) -> bool:
-    """Whether a derivative may be computed so: rates are divided only where words say so."""
-    return rate.where != DIVIDED or not _DIVIDES.isdisjoint(beside.words)
+def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
+    """Whether a derivative takes letters to be fixed though words say that something changes.
+
+    Likewise whether rates are divided, and no words say so.
+    """
+    if rate.where == DIVIDED:
+        return _DIVIDES.isdisjoint(beside.words)
+    return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})
 
 
 def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:

@@ -9,11 +9,11 @@ pytestmark = pytest.mark.usefixtures("decided_here")
 SWING = r"The position is \[ x(t) = A \cos(\omega t). \] Hence "
 PLAIN = r"The position is \[ x = A \cos(\omega t). \] Hence "
 LAGRANGE = (
-    r"With \[ T = \frac12 m \dot x^2 \] and \[ V = \frac12 k x^2, \] the Lagrangian is \[ L = T - V. \] "
+    r"The mass $m$ is constant. With \[ T = \frac12 m \dot x^2 \] and \[ V = \frac12 k x^2, \] the Lagrangian is \[ L = T - V. \] "
     r"We have \[ \frac{\partial L}{\partial \dot x} = m \dot x. \] Hence "
 )
 POLAR = (
-    r"The Lagrangian is \[ L = \frac12 m (\dot r^2 + r^2 \dot\phi^2) - V. \] We have "
+    r"With constant $m$ the Lagrangian is \[ L = \frac12 m (\dot r^2 + r^2 \dot\phi^2) - V. \] We have "
     r"\[ \frac{\partial L}{\partial \dot\phi} = m r^2 \dot\phi. \] Hence "
 )
 FIELD = r"We have \[ u(x, y) = x^2 y + y^3. \] Hence "
@@ -43,7 +43,7 @@ def last(latex):
             r"\frac{d}{dt} (\frac{\partial L}{\partial \dot x}) - \frac{\partial L}{\partial x} = m \ddot x + k x",
         ),
         (POLAR, r"\frac{d}{dt} \frac{\partial L}{\partial \dot\phi} = m r^2 \ddot\phi + 2 m r \dot r \dot\phi"),
-        (r"The momentum is \[ p = m v. \] Hence ", r"\frac{d}{dt} p = m \dot v"),
+        (r"The mass $m$ is constant. The momentum is \[ p = m v. \] Hence ", r"\frac{d}{dt} p = m \dot v"),
         (FIELD, r"\frac{\partial^2 u}{\partial x \partial y} = 2 x"),
         (VARIANCE, rf"{BY_VECTOR} = 2 \mathbf{{S}} \mathbf{{u}} - 2 \lambda \mathbf{{u}}"),
     ],
@@ -64,7 +64,11 @@ def test_what_is_true_of_a_motion_follows(above, claim):
         (r"The velocity is \[ \dot x = c x. \] " + LAGRANGE, r"\frac{\partial L}{\partial x} = -k x"),
         (LAGRANGE, r"\frac{d}{dt} \frac{\partial L}{\partial \dot x} = m \dot x"),
         (POLAR, r"\frac{d}{dt} \frac{\partial L}{\partial \dot\phi} = m r^2 \ddot\phi"),
-        (r"The momentum is \[ p = m v, \] where the tank leaks. Hence ", r"\frac{d}{dt} p = m \dot v"),
+        (r"The momentum is \[ p = m v. \] Hence ", r"\frac{d}{dt} p = m \dot v"),
+        (
+            r"The mass $m$ is constant. The momentum is \[ p = m v, \] where the tank leaks. Hence ",
+            r"\frac{d}{dt} p = m \dot v",
+        ),
         (r"The volume is \[ V = w h t, \] where $t$ is the thickness. Hence ", r"\dot V = \dot w h t + w h"),
         (FIELD, r"\frac{\partial^2 u}{\partial x \partial y} = 2 y"),
         (

@@ -425,7 +425,7 @@ HONEST = [
     ),
     r"The force on the $k$ is \[ F = k (x - c). \] Hence \[ F = k x - k c. \]",
     r"Let $k$ be the stiffness at the temperature $T$. \[ F = k (x - c) \] Hence \[ F = k x - k c. \]",
-    r"The impulse is \[ p = m v. \] Differentiating, \[ \dot p = m \dot v. \]",
+    r"With constant $m$ the impulse is \[ p = m v. \] Differentiating, \[ \dot p = m \dot v. \]",
     r"Here $c$ is a constant. \[ u = c v \] \[ w = c z \] Hence \[ u z = w v. \]",
     r"There are more measurements than states. \[ \mathbf{z} = \mathbf{H} \mathbf{x} \] "
     r"Hence \[ \mathbf{x} = (\mathbf{H}^T \mathbf{H})^{-1} \mathbf{H}^T \mathbf{z}. \]",

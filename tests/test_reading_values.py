@@ -20,7 +20,7 @@ FOLLOWING = [
     CASE + r"Let $f(x) := c x$. Then \begin{equation} f(3) = 3 c \end{equation}",
     CASE + r"Let $f(x) := c x$. Then \begin{equation} f'(x) = c \end{equation}",
     r"\begin{equation} \frac{d}{dk} (c k) = c \end{equation}",
-    r"Let $\dot z = v$ and $y := x z$. Then \[ \dot y - x v = 0 \]",
+    r"Here $x$ is constant. Let $\dot z = v$ and $y := x z$. Then \[ \dot y - x v = 0 \]",
     r"\[ y_k = a + c x_k \] \[ \sum_{k=1}^n c = n c \]",
     r"\[ c + d = 1 \] \[ y = k c + d \] \[ \sum_{k=1}^n c = n c \]",
     r"\[ f(k) = c k + d \] \[ \sum_{k=1}^n c = n c \]",

@@ -12,7 +12,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.chains import chained, slope_of
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.rates import ONE, rate_of
+from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -339,7 +339,7 @@ def _made(
 
 def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
     verb = "does" if len(letters) == 1 else "do"
-    return f", where {', '.join(map(vocabulary.name, letters))} {verb} not change" if letters else ""
+    return f", where {', '.join(map(vocabulary.name, letters))} {verb}{UNCHANGED}" if letters else ""
 
 
 def _by_bare(symbols: Iterable[str]) -> dict[str, str]:

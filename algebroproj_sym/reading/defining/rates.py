@@ -14,6 +14,8 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
+UNCHANGED = " not change"
+"""How the name of a derivative ends that rests on letters that are taken to be fixed."""
 ONE: Formula = Tree("number", [Token("NUMBER", "1")])
 _ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
 _LINEAR = ("group", "bracket", "items", "cell")

@@ -24,6 +24,7 @@ from algebroproj_sym.reading.defining.premises import (
     neighbours,
     with_given,
 )
+from algebroproj_sym.reading.defining.rates import UNCHANGED
 from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
@@ -38,6 +39,15 @@ from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, 
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
+
+
+_CHANGES = frozenset(
+    {
+        *("loses", "gains", "burns", "ejects", "gathers", "hardens", "softens", "melts", "evaporates", "leaks"),
+        *("empties", "drains", "shrinks", "draws", "apart", "faster", "slower", "accelerates", "decelerates"),
+    }
+)
+"""Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""
 
 
 @dataclass(frozen=True)
@@ -144,7 +154,7 @@ def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[
     above = [each.gives for each in applicable(standing.premises, standing.part, standing.cited) if each.gives]
     told = extended(standing.vocabulary, above)
     (ours, made), (theirs, more) = (computed(side, told, standing.survey.occurring) for side in (left, right))
-    if made or more:
+    if (made or more) and not any(_rests_on_what_changes(each, standing.beside) for each in (*made, *more)):
         known = extended(standing.vocabulary, [*made, *more])
         yield Way(ours, theirs, known, doubt_of(standing.beside, formula, index, standing.vocabulary))
         yield Way(ours, theirs, extended(_with_rates(standing, (ours, theirs), told), [*made, *more]), A_VALUE)
@@ -348,7 +358,13 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
 
 def _with_rates(standing: Standing, trees: Sequence[Formula], known: Vocabulary) -> Vocabulary:
     """Return a vocabulary with what the derivatives in some formulas stand for."""
-    return extended(known, derivatives_in(trees, known, standing.survey.occurring))
+    rates = derivatives_in(trees, known, standing.survey.occurring)
+    return extended(known, [each for each in rates if not _rests_on_what_changes(each, standing.beside)])
+
+
+def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
+    """Whether a derivative takes letters to be fixed though words say that something changes."""
+    return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})
 
 
 def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:

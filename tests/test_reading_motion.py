@@ -9,7 +9,8 @@ pytestmark = pytest.mark.usefixtures("decided_here")
 SWING = r"The position is \[ x(t) = A \cos(\omega t). \] Hence "
 PLAIN = r"The position is \[ x = A \cos(\omega t). \] Hence "
 LAGRANGE = (
-    r"The mass $m$ is constant. With \[ T = \frac12 m \dot x^2 \] and \[ V = \frac12 k x^2, \] the Lagrangian is \[ L = T - V. \] "
+    r"The mass $m$ is constant. With \[ T = \frac12 m \dot x^2 \] and \[ V = \frac12 k x^2, \] "
+    r"the Lagrangian is \[ L = T - V. \] "
     r"We have \[ \frac{\partial L}{\partial \dot x} = m \dot x. \] Hence "
 )
 POLAR = (

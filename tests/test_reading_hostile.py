@@ -357,3 +357,22 @@ def test_such_words_hide_no_consequence_that_they_do_not_concern(latex: str) -> 
 )
 def test_what_changes_is_not_fixed_and_what_is_given_twice_is_not_put_together(latex: str, follows: bool) -> None:
     assert (read_document(document_of(latex))[-1].verdict == "follows") == follows
+
+
+SPRINGS = r"\section{Springs} The stiffness is \[ k = 2 m. \] It is given for each spring of the set. \section{Waves} "
+
+
+@pytest.mark.parametrize(
+    ("words", "follows"),
+    [
+        (r"We have \[ w = c k, \] where $k$ is the wave number. Hence", False),
+        (r"We have \[ w = c k. \] Here $k$ denotes the wave number. Hence", False),
+        (r"We have \[ w = c k. \] Its letters: $k$: wave number. Hence", False),
+        (r"The wave number is $k = 3 n$, and \[ w = c k. \] Hence", False),
+        (r"We have \[ w = c k, \] where $k$ is the stiffness. Hence", True),
+        (r"We have \[ w = c k. \] Hence", True),
+    ],
+)
+def test_a_letter_that_another_section_calls_something_else_is_not_what_it_was(words, follows):
+    found = read_document(document_of(rf"{SPRINGS}{words} \[ w = 2 c m. \]"), seconds=5)
+    assert (found[-1].verdict == "follows") is follows

@@ -56,6 +56,7 @@ class Memory:
         self.alone: dict[str, int] = {}
         self.given_at: dict[str, int] = {}
         self.tied = set[str]()
+        self.named = set[tuple[str, str]]()
         self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
@@ -97,8 +98,10 @@ class Memory:
         marked = {each for each in self.survey.occurring for mark in self.beside.dropped if mark in each}
         for symbol in self.beside.changed | marked:
             self.forget(symbol)
-        for symbol in self.beside.introduced:
-            self._forget_from_elsewhere(symbol, display.part)
+        for symbol, noun in self.beside.introduced:
+            if not noun or (symbol, noun) not in self.named:
+                self._forget_from_elsewhere(symbol, noun, display.part)
+            self.named.add((symbol, noun))
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
@@ -115,10 +118,14 @@ class Memory:
             each.symbol for each in self.vocabulary.definitions.values() if symbol in (each.symbol, *each.symbols)
         )
 
-    def _forget_from_elsewhere(self, symbol: str, part: int) -> None:
-        """Forget what other sections said of a letter, and with it."""
-        self.premises = [each for each in self.premises if each.part == part or symbol not in each.symbols]
-        known = [each for each in self.vocabulary.definitions.values() if each.part != part]
+    def _forget_from_elsewhere(self, symbol: str, noun: str, part: int) -> None:
+        """Forget what other sections said of a letter, and with it, if a word that says what it is was not near it."""
+
+        def stays(each: Premise | Definition) -> bool:
+            return each.part == part or (bool(noun) and noun in each.words)
+
+        self.premises = [each for each in self.premises if symbol not in each.symbols or stays(each)]
+        known = [each for each in self.vocabulary.definitions.values() if not stays(each)]
         self._drop(each.symbol for each in known if symbol in (each.symbol, *each.symbols))
 
     def _drop(self, symbols: Iterable[str]) -> None:

@@ -270,9 +270,15 @@ class Beside:
         return frozenset(symbol for each in found for symbol in symbols_in_list(each))
 
     @property
-    def introduced(self) -> frozenset[str]:
-        """The letters of which the words before say what they are to be: "Let $c$ be the speed"."""
-        return frozenset(symbol for each in _INTRODUCES.findall(self.before) for symbol in symbols_in_list(each))
+    def introduced(self) -> tuple[tuple[str, str], ...]:
+        """The letters of which the words near it say what they are, as in "where $c$ is the speed", and the noun.
+
+        There is none where they are introduced anew: "Let $c$ be".
+        """
+        found = [(letter, "") for letter in _LETS_BE.findall(self.before)]
+        found += _SAYS_WHAT.findall(f"{self.before} {self.behind}")
+        found += [(letter, noun) for noun, letter in _IS_LETTER.findall(self.before)]
+        return tuple((symbol, noun.lower()) for letter, noun in found for symbol in symbols_in_list(letter))
 
     @property
     def dropped(self) -> frozenset[str]:
@@ -453,7 +459,12 @@ FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
-_INTRODUCES = re.compile(r"\b[Ll]et \$([^$=(]*)\$ (?:now )?(?:be|denote|stand for|represent)\b")
+_LETS_BE = re.compile(r"\b[Ll]et \$([^$=(]*)\$ (?:now )?(?:be|denote|stand for|represent)\b")
+_SAYS_WHAT = re.compile(
+    r"(?:\b(?:[Ww]here|[Hh]ere|and)|[,:;.]) ?\$([^$=(]*)\$"
+    r"(?: (?:now )?(?:is|denotes?|stands? for|represents?)(?: now)?|:) (?:(?:the|an?|our|its) )?(\w+)"
+)
+_IS_LETTER = re.compile(r"\b[Tt]he (?:\w+ )?(\w+) is \$([^$=(]*)(?:=[^$]*)?\$")
 _CHANGED = re.compile(
     r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
     r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"

@@ -376,3 +376,16 @@ SPRINGS = r"\section{Springs} The stiffness is \[ k = 2 m. \] It is given for ea
 def test_a_letter_that_another_section_calls_something_else_is_not_what_it_was(words, follows):
     found = read_document(document_of(rf"{SPRINGS}{words} \[ w = 2 c m. \]"), seconds=5)
     assert (found[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Now the mass is doubled. Hence",
+        "After the collision the mass has doubled. Hence",
+        "In terms of the reduced mass we get",
+    ],
+)
+def test_an_equation_of_what_has_changed_contradicts_nothing(words):
+    found = read_document(document_of(rf"The momentum is \[ p = m v. \] {words} \[ p = 2 m v. \]"), seconds=5)
+    assert found[-1].verdict == "independent"

@@ -18,7 +18,7 @@ CASES = re.compile(
     r"wrong|solutions?|otherwise|instead|special\w*|let|mod|modulo|convention|sign|opposite|alternative\w*|except|unless|"
     r"setting|choos\w+|solv\w+|equilibrium|condition\w*|requir\w+|impos\w+|vanish\w*|equation of|not|never|without|"
     r"at rest|fixed|steady|stationary|extrem\w+|optim\w+|complementary|provided|absence|ignor\w+|drop\w*|error|"
-    r"erroneous\w*|mistak\w+|false)\b"
+    r"erroneous\w*|mistak\w+|false|doubled|halved|tripled|quadrupled|in half|peak|rms|reduced)\b"
     r"|(?:for|with|at|in which|where)\s+\$[^$]*=",
     re.IGNORECASE,
 )

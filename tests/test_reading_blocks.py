@@ -5,6 +5,7 @@ import pytest
 from algebroproj_sym.reading import document_of, read_document
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.lexing.pieces import pieces_of, with_blocks
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
@@ -164,3 +165,14 @@ def test_a_column_of_blocks_times_a_vector_is_one(claim, follows):
     given = r"\[ \mathbf{u} = \begin{bmatrix} \mathbf{A} \mathbf{x} \\ \mathbf{B} \mathbf{x} \end{bmatrix} \] "
     found = read_document(document_of(rf"{given} Hence \[ {claim}. \]"))[-1]
     assert (found.verdict == "follows") == follows
+
+
+@pytest.mark.parametrize("latex", ["[" * 1500 + "A | b" + "]" * 1500, "[A " * 1500 + "|" + "]" * 1500, "[" * 9000])
+def test_brackets_without_end_are_looked_through_once(latex):
+    pieces = pieces_of(latex)
+    assert len(with_blocks(pieces)) == len(pieces)
+
+
+def test_a_row_of_blocks_has_no_other_sign_for_a_bracket_at_the_end():
+    text = r"[R | t] x \right"
+    assert "".join(each.text for each in with_blocks(pieces_of(text))).endswith(r"\right")

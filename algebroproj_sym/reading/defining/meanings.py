@@ -121,7 +121,7 @@ _OPERATORS = (
     r"(?<=the )set|(?<=a )set|(?<!data )sets|events?)"
 )
 _MAPS = r"(?:(?:maps?|mappings?)(?! of\b)|activations?|kernels?(?! matri))"
-_FUNCTIONS = r"(?:(?:functions?|functionals?|maps?|mappings?)(?! of\b)|activations?|kernels?(?! matri))"
+_FUNCTIONS = rf"(?:(?:functions?|functionals?)(?! of\b)|{_MAPS})"
 _SIGNALS = (
     r"(?:signals?|potentials?|distributions?|densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index|windows?|"
     r"(?:frequency|impulse|step) responses?|shapes?|wave ?forms?|profiles?)"

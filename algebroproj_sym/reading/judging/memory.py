@@ -257,7 +257,7 @@ class Memory:
         Two values of other letters may be equal, as in ``F = -k x`` and ``F = m a``.
         """
         found: list[Premise | Definition] = []
-        for side, value in ((premise.left, premise.right), (premise.right, premise.left)):
+        for side, value in premise.both_ways:
             symbol, parameters = defined_by(side)
             known = self.vocabulary.definitions.get(symbol)
             above: list[tuple[Premise | Definition, Formula]]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import accumulate
 from typing import NamedTuple
 
 from algebroproj_sym.reading.lexing.commands import BOLD, CLOSING, OPENING, PIECE, RELATIONS
@@ -168,20 +169,36 @@ def with_blocks(pieces: Sequence[Piece]) -> list[Piece]:
     'K\\begin{bmatrix}R & -R C\\end{bmatrix} E[X | Y]'
     """
     found = [*pieces]
-    for start in [place for place, each in enumerate(pieces) if each.text == "["][::-1]:
-        texts = [each.text for each in found]
-        ends = (end for end in range(start + 1, len(texts)) if texts[end] == "]")
-        end = next((end for end in ends if _is_balanced(found[start : end + 1])), start)
-        inside = "".join(texts[start + 1 : end])
-        before = _FACTOR.search("".join(texts[:start]))
-        if _TWO_BLOCKS.fullmatch(inside) and before is not None:
-            bar = next(place for place in range(start, end) if texts[place] in ("|", r"\mid", r"\vert"))
-            sized = [(place, " ") for place in (start - 1, end - 1) if texts[place] in (r"\left", r"\right")]
+    whole = "".join(each.text for each in pieces)
+    offsets = [*accumulate((len(each.text) for each in pieces), initial=0)]
+    for start, end in sorted(_square_brackets(pieces), reverse=True):
+        texts = [each.text for each in found[start:end]]
+        before = _FACTOR.search(whole, max(0, offsets[start] - MOST_BEFORE_BLOCKS), offsets[start])
+        if before is not None and _TWO_BLOCKS.fullmatch("".join(texts[1:])):
+            bar = start + next(place for place, text in enumerate(texts) if text in ("|", r"\mid", r"\vert"))
+            around = [place for place in (start - 1, end - 1) if place >= 0]
+            sized = [(place, " ") for place in around if found[place].text in (r"\left", r"\right")]
             for place, text in (*sized, (start, r"\begin{bmatrix}"), (bar, "&"), (end, r"\end{bmatrix}")):
                 found[place] = found[place]._replace(text=text)
     return found
 
 
+def _square_brackets(pieces: Sequence[Piece]) -> Iterator[tuple[int, int]]:
+    """Yield where square brackets open and close that have a row of blocks at most between them."""
+    opened: list[int] = []
+    for place, piece in enumerate(pieces):
+        if piece.text == "{" or piece.text in OPENING:
+            opened.append(place)
+        elif (piece.text == "}" or piece.text in CLOSING) and opened:
+            start = opened.pop()
+            if (pieces[start].text, piece.text) == ("[", "]") and place - start <= MOST_WITHIN_BLOCKS:
+                yield start, place
+
+
+MOST_WITHIN_BLOCKS = 300
+"""How many pieces a row of two blocks may have."""
+MOST_BEFORE_BLOCKS = 60
+"""How many characters before it are searched for its factor."""
 _CAPITAL = r"(?:\\(?:mathbf|mathrm|mathsf)\s*\{?\s*)?[A-Z]"
 _TWO_BLOCKS = re.compile(rf"\s*-?\s*{_CAPITAL}(?![a-z])[^|,;=<>]*?(?:\||\\mid|\\vert)(?![a-z])[^|,;=<>]*")
 """A capital, and what stands behind a bar: no list, and no relation."""

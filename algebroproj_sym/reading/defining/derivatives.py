@@ -13,6 +13,7 @@ from lark import Token, Tree
 from algebroproj_sym.reading.defining.chains import chained, slope_of
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
+from algebroproj_sym.reading.defining.recognising import without_brackets
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -97,8 +98,7 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
 
 def _of_lone(tree: Any, variable: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
     """Return the derivative of a lone letter, or of a derivative that an equation above gives."""
-    while tree.data in ("group", "bracket", "items") and len(tree.children) == 1:
-        (tree,) = tree.children
+    tree = without_brackets(tree)
     if tree.data not in ("symbol", "opaque"):
         return None
     function = _bare(str(tree.children[0]))

@@ -120,7 +120,7 @@ _OPERATORS = (
     r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
     r"(?<=the )set|(?<=a )set|(?<!data )sets|events?)"
 )
-_MAPS = r"(?:(?:maps?|mappings?)(?! of\b)|activations?|kernels?(?! matri))"
+_MAPS = r"(?:(?:maps?|mappings?)(?! of\b)|activations?|kernels?(?! (?:matri|evaluated\b)))"
 _FUNCTIONS = rf"(?:(?:functions?|functionals?)(?! of\b)|{_MAPS})"
 _SIGNALS = (
     r"(?:signals?|potentials?|distributions?|densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index|windows?|"

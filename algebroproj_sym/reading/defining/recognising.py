@@ -42,6 +42,12 @@ def without_brackets(tree: Formula) -> Formula:
     return tree
 
 
+def without_power(tree: Formula) -> Formula:
+    """Return what a side is a power of, with a number above it."""
+    base, exponent = tree.children if tree.data == "power" else (tree, tree)
+    return base if isinstance(base, Tree) and isinstance(exponent, Tree) and not symbols_in(exponent) else tree
+
+
 def is_matrix(tree: Formula) -> bool:
     """Whether a side is a printed matrix, perhaps transposed."""
     tree = without_brackets(tree)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from algebroproj_sym.reading.documents.statements import Statement
@@ -18,6 +18,8 @@ _WORD = re.compile(r"(?<![\\\w])[A-Za-z]{3,}(?!\w)")
 _SAYS_ITSELF = re.compile(r"[A-Z]{3,}|[a-z]{4,}")
 _WITH_MORE = re.compile(r"[A-Z][a-z]{2,}\([^()=]*\)|([A-Z])\1_\{[^{}]*(?:\{[^{}]*\})?\}|[A-Z]{3,}_(?:\w|\{[^{}]*\})")
 """Names with an argument or a subscript, as in Mean(x) and SS_{total}."""
+_OF_CAPITALS = re.compile(r"[A-Z]{2,}(?:\([^()=]*\)|_(?:\w|\{[^{}]*\}))?")
+"""What is a name if its letters stand nowhere else, as in TV(x) and OP_1."""
 _TAKES = frozenset((*UPRIGHT, *STYLES, r"\text", r"\label", r"\tag", r"\ref", r"\begin", r"\end", "_", "^"))
 """What stands before letters that are a name already."""
 
@@ -32,10 +34,14 @@ def named(statements: Sequence[Statement]) -> list[Statement]:
         if run in words or run in FUNCTIONS or run in _FILLERS
     }
     names |= {name for each in statements if (name := _alone_on_the_left(each.pieces))}
+    capitals = {name for each in statements if (name := _alone_on_the_left(each.pieces, _OF_CAPITALS))} - names
+    if capitals:
+        alone = {letter for each in statements for letter in _letters_but_in(each.pieces, capitals)}
+        names |= {name for name in capitals if alone.isdisjoint(name)}
     return [replace(each, pieces=tuple(_with_names(each.pieces, names))) for each in statements]
 
 
-def _runs(pieces: Sequence[Piece]) -> Iterator[tuple[str, int, int]]:
+def _runs(pieces: Sequence[Piece], shortest: int = 2) -> Iterator[tuple[str, int, int]]:
     """Yield the letters that stand side by side, two or more, with where they begin and end."""
     place = 0
     while place < len(pieces):
@@ -46,7 +52,7 @@ def _runs(pieces: Sequence[Piece]) -> Iterator[tuple[str, int, int]]:
         end = place
         while end < len(pieces) and _LETTER.fullmatch(pieces[end].text):
             end += 1
-        if end - place > 1:
+        if end - place >= shortest:
             yield "".join(piece.text for piece in pieces[place:end]), place, end
         place = max(end, place + 1)
 
@@ -62,7 +68,14 @@ def _behind_argument(pieces: Sequence[Piece], place: int) -> int:
     return len(pieces)
 
 
-def _alone_on_the_left(pieces: Sequence[Piece]) -> str:
+def _letters_but_in(pieces: Sequence[Piece], names: Collection[str]) -> Iterator[str]:
+    """Yield the letters of a formula that stand in none of some names."""
+    for run, *_ in _runs(pieces, shortest=1):
+        if run not in names:
+            yield from run
+
+
+def _alone_on_the_left(pieces: Sequence[Piece], names: re.Pattern[str] | None = None) -> str:
     """Return the letters that are a side of their own before the first relation, if they look like a name."""
     end = next((place for place, piece in enumerate(pieces) if piece.text in RELATIONS), 0)
     left = [piece for piece in pieces[:end] if not piece.text.isspace() and piece.text != "&"]
@@ -70,6 +83,8 @@ def _alone_on_the_left(pieces: Sequence[Piece]) -> str:
     text = "".join(piece.text for piece in left)
     if not run or not text.startswith(run):
         return ""
+    if names:
+        return run if names.fullmatch(text) else ""
     if run != text:
         return run if _WITH_MORE.fullmatch(text) else ""
     return run if run in _SHORT or _SAYS_ITSELF.fullmatch(run) else ""

@@ -46,7 +46,7 @@ _STEPS = (*_ARROWS, r"\rightarrow", r"\longrightarrow", r"\to", "→")
 """What leads from one equation to the next; thin arrows do so only between equations."""
 _SPACES = (r"\;", r"\:", r"\,", r"\ ", "~", *_WIDE)
 _MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
-_IDLE = (r"\nonumber", r"\notag", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
+_IDLE = (r"\nonumber", r"\notag", r"\pause", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,8 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
     if not display.pieces:
         yield [display.latex], [([], "")]
         return
-    rows = [[*without_number(row)] for row in split_pieces(_flat(display.pieces), (r"\\",), brackets=False)]
+    pieces = _without_brackets(_flat(display.pieces))
+    rows = [[*without_number(row)] for row in split_pieces(pieces, (r"\\",), brackets=False)]
     latex = [*_rows_of(display)]
     if display.environment in ("multline", "dmath"):
         rows = [[piece for row in rows for piece in row]]
@@ -168,6 +169,17 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
         yield [display.latex], [part for _, parts in found for part in parts]
     else:
         yield from found
+
+
+def _without_brackets(pieces: list[Piece]) -> list[Piece]:
+    """Return an equation without the brackets round the whole of it."""
+    inside = [piece for piece in _without_idle(pieces) if piece.text not in (r"\left", r"\right")]
+    depth = 0
+    for place, piece in enumerate(inside):
+        depth += (piece.text in OPENING) - (piece.text in CLOSING)
+        if depth <= 0 and place < len(inside) - 1:
+            return pieces
+    return inside[1:-1] if has_relation(inside[1:-1]) else pieces
 
 
 def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:
@@ -387,7 +399,7 @@ def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> boo
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
     if following in RELATIONS and not _without_idle(before) and _names(words):
         return True
-    if following == "_" and words.isalpha():
+    if following == "_" and re.fullmatch(r"[a-zA-Z]+(?:-[a-zA-Z]+)*", words):
         return True
     goes_on = following in ("+", "-", "/", r"\cdot", r"\times") or following in RELATIONS
     return goes_on and any(not piece.text.isspace() for piece in before) and words not in _BETWEEN

@@ -22,7 +22,6 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import Asked, decide
 from algebroproj_sym.reading.judging.introducing import (
     definition_in,
-    introduces,
     is_only_one,
     tells,
 )
@@ -187,7 +186,7 @@ class _Pass:
             self.memory.tie(found.sides)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
             equal = bool(found.relations) and found.relations[0] in EQUALITIES
-            if equal and not reason.endswith(VARIES) and introduces(self.memory, statement, found):
+            if equal and not reason.endswith(VARIES) and tells(self.memory, statement, found, 0):
                 links[0] = Link("definition")
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         if found.relations[:1] == (":=",) and self.survey.has_programs:

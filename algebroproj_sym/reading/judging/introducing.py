@@ -21,12 +21,13 @@ from algebroproj_sym.reading.defining.recognising import (
     is_named,
     is_one_value,
     is_table,
+    without_power,
 )
 from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.memory import Memory, where_of
 from algebroproj_sym.reading.judging.words import beside
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
 
 def definition_in(
@@ -76,6 +77,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         or (index > 0 and is_matrix(right) and _are_new(memory, introduced_by(right), left, statement))
         or (first and _gives(memory, statement, left, right))
         or _is_free(memory, statement, left, right, value=index > 0)
+        or _is_new_value(memory, left, right)
         or any(_is_instance(memory, each, right) for each in others)
     )
 
@@ -102,7 +104,7 @@ def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
         and (everywhere or value)
         and bool(symbols_in(right))
         and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
-        and not memory.beside.is_condition
+        and not memory.beside.is_supposed
     )
 
 
@@ -117,8 +119,8 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     if is_indexed_above(left):
         above = any(left in (each.left, each.right) and each.part == statement.display.part for each in memory.premises)
         return not (above or memory.beside.case_of_sentence or left in right.iter_subtrees() or not symbols_in(right))
-    square = left.data == "power" and not symbols_in(left.children[1])  # type: ignore[arg-type]  # two trees
-    base: Formula = left.children[0] if square else argument_of(left)  # type: ignore[assignment]  # likewise
+    square = without_power(left) is not left
+    base = without_power(left) if square else argument_of(left)
     symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
     part = statement.display.part
     if not symbol or not (symbols_in(right) or is_matrix(right) or memory.survey.is_parameter(statement)):
@@ -128,7 +130,7 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
         return False
     known = memory.vocabulary.definitions.get(symbol)
-    if memory.beside.case_of_sentence or (square and symbol in memory.asserted):
+    if square and symbol in memory.asserted:
         return False
     if memory.beside.defines:
         return not is_circular(symbol, right, memory.vocabulary)
@@ -139,6 +141,9 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     told = memory.beside.names or memory.introduced
     here = (known is not None and known.part == part) or memory.alone.get(given_by(base)) == part
     anew = not (memory.beside.follows or memory.cited) and (memory.beside.names or memory.beside.renews)
+    condition = memory.beside.is_condition and not memory.beside.names
+    if memory.beside.case_of_sentence and (condition or known or symbol in memory.tied):
+        return False
     return not ((tied and not told) or (here and not anew) or is_circular(symbol, right, memory.vocabulary))
 
 
@@ -160,6 +165,22 @@ def _is_free(memory: Memory, statement: Statement, left: Formula, right: Formula
         and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
         and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)
         and not memory.is_named(statement, memory.given.statements)
+    )
+
+
+def _is_new_value(memory: Memory, left: Formula, right: Formula) -> bool:
+    r"""Whether the length or the mean of something is given the first time, as in ``\langle x \rangle = x_1 + x_2``."""
+    value = without_power(left)
+    is_value = value.data == "norm" or (
+        value.data == "inner" and all(len(each.children) == 1 for each in trees_in(value))
+    )
+    above = (side for each in memory.premises for side in (each.left, each.right))
+    return (
+        is_value
+        and bool(symbols_in(right))
+        and not (value.data == "norm" and {*symbols_in(value)} & {*symbols_in(right)})
+        and not any(value == part for side in (right, *above) for part in side.iter_subtrees())
+        and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)
     )
 
 

@@ -199,6 +199,12 @@ class Beside:
         return _ONLY_SOMETIMES.search(_main_clause(self.sentence)) is not None
 
     @property
+    def is_supposed(self) -> bool:
+        """Whether a word of a condition stands right before it, or almost: "if, say,"."""
+        words = FORMULA.sub(" ", self.sentence).split()[-3:]
+        return _ONLY_SOMETIMES.search(" ".join(words)) is not None
+
+    @property
     def names(self) -> bool:
         """Whether its own sentence says what something is or stands for."""
         return _NAMES.search(self.sentence) is not None

@@ -45,7 +45,8 @@ UPRIGHT = _words(r"\mathrm \operatorname \operatorname* \text \textrm \mathop \t
 DROPPED = _words(
     r"\left \right \displaystyle \textstyle \scriptstyle \big \Big \bigg \Bigg \bigl \bigr \Bigl \Bigr \biggl \biggr "
     r"\Biggl \Biggr \middle \limits \nolimits \nonumber \notag \rm \it \mathord \mathbin \, \; \: \! ~ \/ \hfill "
-    r"\hline \mathrm \allowbreak \nobreak \relax \protect \ensuremath \strut \mathstrut \scriptscriptstyle"
+    r"\hline \mathrm \allowbreak \nobreak \relax \protect \ensuremath \strut \mathstrut \scriptscriptstyle "
+    r"\pause"
 )
 DROPPED |= {"\\\n"}
 WIDE = frozenset((r"\quad", r"\qquad", "\\ "))

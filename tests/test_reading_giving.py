@@ -61,7 +61,7 @@ def verdicts(latex):
         r"If we modify the model to have a quadratic term: \[ t = a + b x + c x^2 \]",
         r"This happens if it performs some orbits in a day: \[ R = I + \frac{N}{D} \]",
         r"We use the pressure (which is positive) instead of the mean: \[ p = -\frac{s}{3} \]",
-        r"Functions compose. The mean motion is \[ \bar{n} = n \left[1 + \left(\frac{R}{p}\right)^2 (2 - 3 e)\right] \]",
+        r"Functions compose. The mean is \[ \bar{n} = n \left[1 + \left(\frac{R}{p}\right)^2 (2 - 3 e)\right] \]",
         r"The expected value is \[ \langle F(x) \rangle = \int dx \, p(x) F(x) \]",
         r"The moments are \[ m_n \equiv \langle x^n \rangle = \int dx \, p(x) x^n \]",
         r"The length is \[ \|x\| = \sqrt{x_1^2 + x_2^2} \]",

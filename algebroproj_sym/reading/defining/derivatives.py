@@ -12,7 +12,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.chains import chained, slope_of
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, rate_of
+from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, ZERO, rate_of
 from algebroproj_sym.reading.defining.recognising import without_brackets
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
@@ -134,7 +134,7 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
         if match is None:
             return None
         factors = _of_factors(symbol, _function_of(match), match[4], vocabulary, occurring)
-        found = _of_quotient(symbol, match, vocabulary) or _as_dots(symbol, match, occurring)
+        found = _of_quotient(symbol, match, vocabulary, occurring) or _as_dots(symbol, match, occurring)
         return factors if found is None or (factors and match[3].endswith(")")) else found
     if "'" in symbol:
         return _of_prime(symbol, vocabulary)
@@ -227,7 +227,10 @@ def _rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:
     return found
 
 
-def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Definition | None:
+def _of_quotient(
+    symbol: str, match: re.Match[str], vocabulary: Vocabulary, occurring: frozenset[str] = frozenset()
+) -> Definition | None:
+    """Return a derivative of what is given by a formula; zero for a partial one by a letter that only others have."""
     sign, order, above, below = match.groups()
     function = _by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), "")
     definition = vocabulary.definitions.get(function)
@@ -240,7 +243,11 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     letters = vocabulary.letters_of(definition.tree) | {*definition.parameters}
     variable = _by_bare(sorted(letters)).get(_bare(below))
     used = vocabulary.used_in(definition.tree)
-    if variable is None or any(variable in vocabulary.letters_of(each.tree) for each in used):
+    if variable is None:
+        other = _of_others(_bare(below), letters, vocabulary) if sign != "d" else ""
+        is_zero = other and not _change(letters, other, occurring, sign)
+        return _made(symbol, ZERO, definition, sorted(letters), vocabulary) if is_zero else None
+    if any(variable in vocabulary.letters_of(each.tree) for each in used):
         return None
     if stands_within(variable, letters):
         return None
@@ -248,6 +255,13 @@ def _of_quotient(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> D
     if vocabulary.moves_with(others, variable):
         return None
     return _made(symbol, slope_of(value, variable, order), definition, others, vocabulary)
+
+
+def _of_others(below: str, letters: frozenset[str], vocabulary: Vocabulary) -> str:
+    """Return the letter by which others are derived, and on which some do not depend; empty if they may."""
+    used = {letter for each in vocabulary.definitions.values() for letter in vocabulary.letters_of(each.tree)}
+    variable = _by_bare(sorted(used - {*vocabulary.definitions})).get(below, "")
+    return "" if vocabulary.moves_with(letters, variable) else variable
 
 
 def _of_two(symbol: str, mixed: re.Match[str], vocabulary: Vocabulary) -> Definition | None:

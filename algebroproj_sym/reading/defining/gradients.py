@@ -8,22 +8,23 @@ components.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.premises import extended, letter_of
+from algebroproj_sym.reading.defining.rates import ZERO, rate_of
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 _QUOTIENT = re.compile(r"(d|\\partial)([^/^()]+)(?:\(([^/^()]+)\))?/\1([^/^()]+)")
 _OPERATOR = re.compile(r"(d|\\partial)/\1([^/^]+)")
 _RATE = re.compile(r"^\\d+ot|^\\Delta|^d |/")
 _NABLA = re.compile(r"\\nabla(?:_.*)?")
-_TWO: Formula = Tree("number", [Token("NUMBER", "2")])
-_HIDES = ("call", "big", "function", "raised_function", "root", "nth_root", "norm", "absolute", "slope", "factorial")
 _IN_BRACKETS = ("group", "bracket", "items")
 
 
@@ -43,7 +44,7 @@ def along_directions(vocabulary: Vocabulary, *sides: Formula) -> tuple[list[Form
             reader.find(part)
         if reader.variable is None:
             return None
-        return [*map(reader.along, sides)], extended(vocabulary, reader.made)
+        return [*map(reader.along, sides)], extended(vocabulary, reader.made.values())
     except _OtherwiseError:
         return None
 
@@ -53,7 +54,7 @@ class _Gradients:
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.variable: str | None = None
-        self.made: list[Definition] = []
+        self.made: dict[str, Definition] = {}
         self._vocabulary = vocabulary
 
     def find(self, tree: Formula) -> Formula | None:
@@ -87,35 +88,51 @@ class _Gradients:
             below = below or (definition.parameters[0] if len(definition.parameters) == 1 else "")
             value = letter_of(definition.symbol)
             if definition.parameters:
-                self.made.append(replace(definition, symbol=f"{definition.symbol} ", parameters=()))
-                value = letter_of(self.made[-1].symbol)
+                self.made[definition.symbol] = replace(definition, symbol=f"{definition.symbol} ", parameters=())
+                value = letter_of(self.made[definition.symbol].symbol)
         elif name or within != below:
             return None
         direct = value if definition is None or not definition.usable else definition.tree
         used = self._vocabulary.used_in(direct)
-        trees = [direct, *(each.tree for each in used)]
-        letters = {symbol for each in trees for symbol in symbols_in(each)}
+        letters = {symbol for each in (direct, *(each.tree for each in used)) for symbol in symbols_in(each)}
         variable = {_bare(each): each for each in sorted(letters)}.get(_bare(below))
         if variable is None or not self._vocabulary.is_matrix(variable) or variable in self._vocabulary.definitions:
             return None
         others = letters - {variable} - {each.symbol for each in used}
         via = any(variable in self._vocabulary.letters_of(each.tree) for each in used)
-        hidden = any(variable in self._vocabulary.letters_of(part) for each in trees for part in _hiding(each))
-        hidden = hidden or self._vocabulary.depends(others, variable)
         rates = [each for each in others if _RATE.search(each) and _bare(variable) in _bare(each)]
-        if (partial and via and variable in symbols_in(direct)) or (rates and not partial) or hidden:
-            raise _OtherwiseError
-        if self.variable not in (None, variable):
+        ambiguous = (partial and via and variable in symbols_in(direct)) or (rates and not partial)
+        if ambiguous or self._vocabulary.depends(others, variable) or self.variable not in (None, variable):
             raise _OtherwiseError
         self.variable = variable
-        return Tree("along", [value, letter_of(variable)])
+        return Tree("along", [value, self._changed(direct, used)])
+
+    def _changed(self, tree: Formula, used: Sequence[Definition]) -> Formula:
+        """Return by how much a formula changes along the direction."""
+        rates: dict[str, Formula] = {"e": ZERO} if self._vocabulary.euler else {}
+        rates[self.variable or ""] = Tree("direction", [letter_of(self.variable or "")])
+        try:
+            for each in used:
+                if not each.parameters and (rate := rate_of(each.tree, rates)) is not None:
+                    rates[each.symbol] = Tree("group", [rate])
+            return Tree("group", [rate_of(tree, rates) or ZERO])
+        except UnreadableError:
+            raise _OtherwiseError from None
+
+    def _of_letters(self, tree: Any) -> Any:
+        """Return a formula in which a function that stands alone is its value, as c in ``c(x)`` and ``x/c``."""
+        if not isinstance(tree, Tree):
+            return tree
+        if tree.data == "symbol" and (made := self.made.get(str(tree.children[0]))) is not None:
+            return letter_of(made.symbol)
+        return Tree(tree.data, [*map(self._of_letters, tree.children)])
 
     def along(self, tree: Any) -> Formula:
         """Return a formula along a direction: derivatives as changes, and what else is there times the direction."""
         if (found := self.find(tree)) is not None:
             return found
         if not self._has(tree):
-            return Tree("applied", [tree, letter_of(self.variable or "")])
+            return Tree("applied", [self._of_letters(tree), letter_of(self.variable or "")])
         if tree.data in _IN_BRACKETS and len(tree.children) == 1:
             return self.along(tree.children[0])
         if tree.data == "sum":
@@ -135,19 +152,6 @@ def _with_nabla(tree: Any) -> Any:
     if tree.data == "run" and len(parts) > 2 and _NABLA.fullmatch(_lone(parts[-2])):
         parts = [*parts[:-2], Tree("run", parts[-2:])]
     return Tree(tree.data, parts)
-
-
-def _hiding(tree: Formula) -> list[Formula]:
-    """Return the parts within which the prover sees no letters; a square of a length is none."""
-    squares = [part.children[0] for part in tree.find_data("power") if part.children[1] == _TWO]
-    lengths = [each for each in squares if isinstance(each, Tree) and each.data == "norm"]
-    hiding = [part for part in tree.iter_subtrees() if part.data in _HIDES or _is_open_power(part)]
-    return [part for part in hiding if not any(part is each for each in lengths)]
-
-
-def _is_open_power(tree: Formula) -> bool:
-    """Whether the exponent of a power is no printed number."""
-    return tree.data == "power" and getattr(tree.children[1], "data", "") != "number"
 
 
 def _arguments(call: Formula) -> tuple[str, ...]:

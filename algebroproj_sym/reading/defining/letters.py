@@ -430,20 +430,19 @@ class _Parts(_Gathering):
     def slope(self, value: Part, variable: Part) -> Part:
         raise refused("a derivative")
 
-    def along(self, value: Part, variable: Part) -> Part:
-        """Return by how much a part changes along the direction in which a vector does."""
-        direction = self._direction(variable)
-        text = lambda: f"diff({value.text()}, {variable.text()}, {direction.text()})"  # noqa: E731
-        return Part(value.shape, text, value, direction)
+    def along(self, value: Part, change: Part) -> Part:
+        """Return by how much a value changes along a direction."""
+        return change
 
     def applied(self, slope: Part, variable: Part) -> Part:
         """Return a derivative by a vector times the direction in which the vector changes."""
         if slope.is_zero:
             return slope
-        direction = self._direction(variable)
+        direction = self.direction(variable)
         return joined("DOT", slope, direction) if slope.shape[1].value == 1 else times(slope, direction)
 
-    def _direction(self, variable: Part) -> Part:
+    def direction(self, variable: Part) -> Part:
+        """Return the direction in which a vector changes."""
         return self.reader.whole("direction", [column(variable)], variable.shape)
 
     def factorial(self, base: Part) -> Part:

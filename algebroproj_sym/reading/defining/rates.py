@@ -5,11 +5,12 @@ No factor changes its place, so this holds of vectors and matrices as well.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.labels import E
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
@@ -17,7 +18,8 @@ from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_i
 UNCHANGED = " not change"
 """How the name of a derivative ends that rests on letters that are taken to be fixed."""
 ONE: Formula = Tree("number", [Token("NUMBER", "1")])
-_ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
+ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
+TWO: Formula = Tree("number", [Token("NUMBER", "2")])
 _LINEAR = ("group", "bracket", "items", "cell")
 
 
@@ -29,7 +31,8 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     tree : Tree
         The formula.
     rates : mapping of str to Tree
-        The derivatives of the letters that change, and of values such as ``x(t)``.
+        The derivatives of the letters that change, and of values such as ``x(t)``; of e as well, where it is Euler's
+        number.
 
     Raises
     ------
@@ -63,8 +66,14 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     if tree.data == "power":
         base, exponent = trees_in(tree)
         return _of_power(base, exponent, rates)
-    if tree.data == "function" and tree.children[0] in ("sin", "cos", "exp"):
+    if tree.data == "function" and tree.children[0] in ("sin", "cos", "exp", "ln", "log"):
         return _of_function(tree, rates)
+    if tree.data in ("root", "norm"):
+        return _of_length(tree, rates)
+    if tree.data == "inner" and len(items := _items(tree)) == 2:
+        return _sum([("+", each) for place in (0, 1) if (each := _of_item(tree, items, place, rates)) is not None])
+    if tree.data == "big" and str(tree.children[0]).startswith(r"\sum"):
+        return _with(tree, 1, rate_of(trees_in(tree)[0], rates))
     if tree.data == "marked" and tree.children[1] in ("T", "hat", "vee"):
         return _with(tree, 0, rate_of(trees_in(tree)[0], rates))
     if tree.data in _LINEAR and len(tree.children) == 1:
@@ -91,7 +100,7 @@ def _or_zero(tree: Formula, rates: Mapping[str, Formula]) -> Formula:
     if tree.data in ("row", "cell"):
         parts: list[Any] = [_or_zero(each, rates) for each in trees_in(tree)]
         return Tree(tree.data, parts)
-    return rate_of(tree, rates) or _ZERO
+    return rate_of(tree, rates) or ZERO
 
 
 def _sum(terms: list[tuple[str, Formula]]) -> Formula | None:
@@ -115,10 +124,39 @@ def _of_fraction(above: Formula, below: Formula, rates: Mapping[str, Formula]) -
     return _sum(terms)
 
 
+def _items(tree: Formula) -> list[Formula]:
+    """Return what stands in the brackets of an inner product."""
+    return trees_in(trees_in(tree)[0])
+
+
+def _of_item(tree: Formula, items: Sequence[Formula], place: int, rates: Mapping[str, Formula]) -> Formula | None:
+    """Return an inner product with the rate of one vector."""
+    rate = rate_of(items[place], rates)
+    return None if rate is None else Tree("inner", [Tree("items", [*items[:place], rate, *items[place + 1 :]])])
+
+
+def _of_length(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
+    """Return the rate of a root, or of the length of a vector."""
+    (inside,) = trees_in(tree)
+    rate = rate_of(inside, rates)
+    if rate is None:
+        return None
+    if tree.data == "norm":
+        return Tree("fraction", [Tree("inner", [Tree("items", [inside, rate])]), tree])
+    return Tree("fraction", [rate, Tree("run", [TWO, tree])])
+
+
 def _of_power(base: Formula, exponent: Formula, rates: Mapping[str, Formula]) -> Formula | None:
-    """Return the rate of a power with a small whole exponent: that of a product of so many factors."""
+    """Return the rate of a power with a small whole exponent: that of a product of so many factors.
+
+    The square of a length is an inner product, and e has the rate of the exponent as a factor.
+    """
     while exponent.data == "group":
         (exponent,) = trees_in(exponent)
+    if base.data == "norm" and exponent == TWO:
+        return rate_of(Tree("inner", [Tree("items", [*trees_in(base), *trees_in(base)])]), rates)
+    if base == E and E.children[0] in rates and (rate := rate_of(exponent, rates)) is not None:
+        return Tree("run", [Tree("power", [base, exponent]), Tree("group", [rate])])
     times = str(exponent.children[0]) if exponent.data == "number" else ""
     if not (times.isdigit() and 1 < int(times) <= MOST_MATRIX_POWER):
         raise UnreadableError("the derivative of a power in it is not computed")
@@ -130,8 +168,10 @@ def _of_function(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     rate = rate_of(inside, rates)
     if rate is None:
         return None
-    other: Formula = Tree("function", [Token("FUNCTION", {"sin": "cos", "cos": "sin"}.get(name, name)), inside])
     if rate.data == "items":
         (rate,) = trees_in(rate)
+    if name in ("ln", "log"):
+        return Tree("fraction", [rate, *(trees_in(inside) if inside.data == "items" else [inside])])
+    other: Formula = Tree("function", [Token("FUNCTION", {"sin": "cos", "cos": "sin"}.get(name, name)), inside])
     sign = "-" if name == "cos" else "+"
     return _sum([(sign, Tree("run", [other, rate]))])

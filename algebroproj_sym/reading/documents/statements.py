@@ -110,7 +110,7 @@ def statements(document: Document) -> list[Statement]:
                     text = "".join(piece.text for piece in part).strip()
                     implied = place > 0 or arrow or (bool(pieces) and pieces[0].text in _STEPS)
                     arrow = False
-                    if found and not place and _goes_on_behind(part, found[-1]) and not display.before.strip():
+                    if found and not place and _goes_on_behind(part, found[-1], display):
                         part = [*_last_side(found[-1].pieces), *part]
                     found.append(
                         Statement(display, number, label, tuple(part), text, condition, display.reason, implied)
@@ -118,10 +118,11 @@ def statements(document: Document) -> list[Statement]:
     return found
 
 
-def _goes_on_behind(pieces: Sequence[Piece], before: Statement) -> bool:
-    """Whether a display begins with a relation, so that it goes on with the equation of the one before it."""
+def _goes_on_behind(pieces: Sequence[Piece], before: Statement, display: Display) -> bool:
+    """Whether a display begins with a relation, so that it goes on with the one before it, perhaps behind words."""
     first = _without_idle(pieces)[:1]
-    return bool(before.pieces and not before.condition) and begins_with_relation(first)
+    near = before.display.part == display.part or not display.before.strip()
+    return bool(before.pieces and not before.condition) and near and begins_with_relation(first)
 
 
 def _last_side(pieces: Sequence[Piece]) -> list[Piece]:

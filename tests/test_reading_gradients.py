@@ -10,6 +10,13 @@ _FORM = r"\[ f = \mathbf{x}^T \mathbf{A} \mathbf{x} + \mathbf{b}^T \mathbf{x} + 
 _LOSS = r"\[ L(\mathbf{w}) = (\mathbf{y} - \mathbf{X} \mathbf{w})^T (\mathbf{y} - \mathbf{X} \mathbf{w}) \] "
 _BEHIND = r"\[ \mathbf{r} = \mathbf{y} - \mathbf{X} \mathbf{w} \] \[ L = \mathbf{r}^T \mathbf{r} \] "
 _STEP = r"\[ \mathbf{x}_{k+1} = \mathbf{x}_k + h (\mathbf{A} \mathbf{x}_k + \mathbf{B} \mathbf{u}) \] "
+_LENGTH = r"\[ c = \sqrt{\mathbf{r}^T \mathbf{r} + d^2} \] "
+_UNIT = r"\[ \mathbf{n} = \frac{\mathbf{x}}{\|\mathbf{x}\|} \] \[ \frac{\partial\mathbf{n}}{\partial\mathbf{x}} = "
+_VIEW = (
+    r"\[ u = f \frac{X}{Z} \] \[ v = f \frac{Y}{Z} \] \[ \begin{bmatrix} \frac{\partial u}{\partial X} & "
+    r"\frac{\partial u}{\partial Z} \\ \frac{\partial v}{\partial X} & \frac{\partial v}{\partial Z} \end{bmatrix} = "
+)
+_VIEWED = r"\begin{bmatrix} \frac{f}{Z} & -\frac{f X}{Z^2} \\ 0 & -\frac{f Y}{Z^2} \end{bmatrix} \]"
 
 
 def last(latex: str):
@@ -29,6 +36,18 @@ def last(latex: str):
         r"\[ \frac{\partial}{\partial \mathbf{w}} (\mathbf{w}^T \mathbf{y}) = \mathbf{y} \]",
         _STEP + r"\[ \frac{\partial \mathbf{x}_{k+1}}{\partial \mathbf{u}} = h \mathbf{B} \]",
         _STEP + r"\[ \frac{\partial \mathbf{x}_{k+1}}{\partial \mathbf{x}_k} = \mathbf{I} + h \mathbf{A} \]",
+        _LENGTH + r"\[ \frac{\partial c}{\partial \mathbf{r}} = \frac{\mathbf{r}}{c} \]",
+        r"\[ n(\mathbf{x}) = \sqrt{\mathbf{x}^T \mathbf{x}} \] "
+        r"\[ \frac{\partial n}{\partial \mathbf{x}} = \frac{\mathbf{x}^T}{n} \]",
+        _UNIT + r"\frac{1}{\|\mathbf{x}\|} (\mathbf{I} - \mathbf{n} \mathbf{n}^T) \]",
+        r"\[ f = \|\mathbf{A} \mathbf{x}\| \] "
+        r"\[ \nabla_{\mathbf x} f = \frac{\mathbf{A}^T \mathbf{A} \mathbf{x}}{f} \]",
+        r"\[ p = e^{\mathbf{x}^T \mathbf{b}} \] \[ \nabla_{\mathbf x} p = p \mathbf{b} \]",
+        r"\[ f = \ln(\mathbf{x}^T \mathbf{x} + k) \] "
+        r"\[ \nabla_{\mathbf x} f = \frac{2 \mathbf{x}}{\mathbf{x}^T \mathbf{x} + k} \]",
+        r"\[ s = \mathbf{w}^T \mathbf{x} \] \[ y = \frac{1}{1 + e^{-s}} \] "
+        r"\[ \frac{\partial y}{\partial \mathbf{w}} = y (1 - y) \mathbf{x} \]",
+        _VIEW + _VIEWED,
     ],
 )
 def test_a_derivative_by_a_vector_is_one_along_every_direction(latex):
@@ -42,6 +61,15 @@ def test_it_rests_on_what_gives_the_function():
 @pytest.mark.parametrize(
     "latex",
     [
+        _LENGTH + r"\[ \frac{\partial c}{\partial \mathbf{r}} = \frac{2 \mathbf{r}}{c} \]",
+        _UNIT + r"\frac{1}{\|\mathbf{x}\|} (\mathbf{I} + \mathbf{n} \mathbf{n}^T) \]",
+        r"\[ q = 2 e \] \[ p = e^{\mathbf{x}^T \mathbf{b}} \] \[ \nabla_{\mathbf x} p = p \mathbf{b} \]",
+        r"\[ p = k^{\mathbf{x}^T \mathbf{b}} \] \[ \nabla_{\mathbf x} p = p \mathbf{b} \]",
+        r"The focal length $f$ is a function of $X$. " + _VIEW + _VIEWED,
+        r"\[ Y = 2 X \] " + _VIEW + _VIEWED,
+        r"\[ X^2 + Y^2 = 1 \] " + _VIEW + _VIEWED,
+        _VIEW.replace(r"\partial", "d") + _VIEWED,
+        r"\[ p = a T \] \[ s = p v + V \] \[ \frac{\partial p}{\partial V} = 0 \]",
         _FORM + r"\[ \frac{\partial f}{\partial \mathbf{x}} = 2 \mathbf{A} \mathbf{x} + \mathbf{b} \]",
         _FORM + r"\[ \frac{\partial f}{\partial \mathbf{x}} = (\mathbf{A} + \mathbf{A}^T) \mathbf{x} \]",
         _FORM + r"\[ \frac{\partial f}{\partial \mathbf{b}} = 2 \mathbf{x} \]",

@@ -127,8 +127,8 @@ def test_blocks_of_code_that_do_not_close_end_within_bounds():
 
 
 def test_a_display_that_begins_with_a_relation_goes_on_with_the_one_before_it():
-    found = read_document(document_of(r"\[ a = b + c \] \[ = c + b \] So \[ = d \]"))
-    assert [each.read for each in found] == ["a = b + c", "b + c = c + b", None]
+    found = read_document(document_of(r"\[ a = b + c \] \[ = c + b \] So \[ = d \] \section{Next} Here \[ = e \]"))
+    assert [each.read for each in found] == ["a = b + c", "b + c = c + b", "c + b = d", None]
 
 
 @pytest.mark.parametrize(

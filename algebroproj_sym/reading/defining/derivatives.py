@@ -244,7 +244,7 @@ def _of_quotient(
     variable = _by_bare(sorted(letters)).get(_bare(below))
     used = vocabulary.used_in(definition.tree)
     if variable is None:
-        other = _of_others(_bare(below), letters, vocabulary) if sign != "d" else ""
+        other = _of_others(_bare(below), letters, vocabulary, occurring) if sign != "d" else ""
         is_zero = other and not _change(letters, other, occurring, sign)
         return _made(symbol, ZERO, definition, sorted(letters), vocabulary) if is_zero else None
     if any(variable in vocabulary.letters_of(each.tree) for each in used):
@@ -257,9 +257,14 @@ def _of_quotient(
     return _made(symbol, slope_of(value, variable, order), definition, others, vocabulary)
 
 
-def _of_others(below: str, letters: frozenset[str], vocabulary: Vocabulary) -> str:
-    """Return the letter by which others are derived, and on which some do not depend; empty if they may."""
-    used = {letter for each in vocabulary.definitions.values() for letter in vocabulary.letters_of(each.tree)}
+def _of_others(below: str, letters: frozenset[str], vocabulary: Vocabulary, occurring: frozenset[str]) -> str:
+    """Return the letter by which the document derives others, and on which some do not depend; empty if they may."""
+    known = _by_bare(vocabulary.definitions)
+    derived = (
+        match[3] for each in map(_bare, occurring) if (match := _DERIVATIVE.fullmatch(each)) and match[4] == below
+    )
+    trees = [vocabulary.definitions[known[each]].tree for each in derived if each in known]
+    used = frozenset().union(*map(vocabulary.letters_of, trees))
     variable = _by_bare(sorted(used - {*vocabulary.definitions})).get(below, "")
     return "" if vocabulary.moves_with(letters, variable) else variable
 

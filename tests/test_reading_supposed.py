@@ -217,3 +217,26 @@ def test_a_column_beside_a_letter_like_the_identity_is_read():
 def test_an_empty_cell_beside_a_vector_ends_no_reading():
     latex = r"\[ \text{diag}(\mathbf{x}) = \begin{bmatrix} x_1 & 0 \\ & x_2 \end{bmatrix} \]"
     assert verdicts(latex)[0] != "contradicts"
+
+
+FACTORED = r"\[ \mathbf{x} = \mathbf{K}^{-1} \mathbf{b} \] "
+HALVES = r" \[ \mathbf{b}^T \mathbf{x} = \mathbf{b}^T \mathbf{L}^{-T} \mathbf{L}^{-1} \mathbf{b} \]"
+
+
+def test_what_the_text_says_of_a_new_matrix_holds_further_on():
+    latex = FACTORED + r"where $\mathbf{L} \mathbf{L}^T = \mathbf{K}$. \[ c = d \] Hence" + HALVES
+    assert verdicts(latex)[-1] == "follows"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"We ask where $\mathbf{L} \mathbf{L}^T = \mathbf{K}$ may hold. Then",
+        r"Let $\mathbf{L} \mathbf{L}^T = \mathbf{K}$ if possible. In general",
+        r"If it is large, let $\mathbf{L} \mathbf{L}^T = \mathbf{K}$. Then",
+        r"One may not put $\mathbf{L} \mathbf{L}^T = \mathbf{K}$. Then",
+        r"\[ \mathbf{L} = \mathbf{M} \mathbf{N} \] where $\mathbf{L} \mathbf{L}^T = \mathbf{K}$, or not. Then",
+    ],
+)
+def test_it_does_not_where_words_follow_or_the_matrix_is_known(words):
+    assert verdicts(FACTORED + words + HALVES)[-1] != "follows"

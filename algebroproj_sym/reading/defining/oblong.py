@@ -59,16 +59,16 @@ def _bare(symbol: str) -> str:
 
 
 def _inverted_squares_in(equations: Sequence[Sides]) -> Iterator[str]:
-    r"""Yield the letters of which a square is inverted, as X in ``(X^T X)^{-1}``, or in ``S = X^T X``, ``S^{-1}``."""
+    r"""Yield the letters of which a square is inverted, as X in ``(X^T X)^{-1}``, or in ``S = X^T X``, ``S^{-1}``.
+
+    None is a letter whose transpose is inverted itself, as in ``L^{-T}``.
+    """
     powers = (power for each in equations for side in each for power in side.find_data("power"))
     bases = [power.children[0] for power in powers if is_inverse(power)]
     inverted = {base_of(each) for each in bases if isinstance(each, Tree)} - {""}
-    for each in bases:
-        yield from _squared_in(each)
-    for both in equations:
-        if inverted & {head_of(side) for side in both}:
-            for side in both:
-                yield from _squared_in(side)
+    turned = {base_of(each) for each in bases if isinstance(each, Tree) and each.data == "marked"}
+    sides = [side for both in equations if inverted & {head_of(side) for side in both} for side in both]
+    yield from {letter for each in (*bases, *sides) for letter in _squared_in(each)} - turned
 
 
 def _normal_in(equations: Sequence[Sides]) -> Iterator[str]:

@@ -41,6 +41,7 @@ from algebroproj_sym.reading.judging.words import (
     CASES,
     SAYS,
     beside,
+    ends_clause,
     has_ended,
     is_given_within,
     is_item,
@@ -155,6 +156,9 @@ class _Pass:
                 and definition.symbol not in self.memory.vocabulary.definitions
             ):
                 self.memory.vocabulary.define(definition)
+            elif says and definition is None and ends_clause(statement.display) and self._introduces_within(formula):
+                given = self.memory.premises_of(statement, formula, formula.sides)
+                self.memory.premises += [replace(each, special=False) for each in given]
         if len(formula.sides) > 1:
             self.memory.note(statement, formula)
             self.memory.tie(formula.sides)
@@ -163,6 +167,13 @@ class _Pass:
                 words = f"${statement.display.latex}$"
                 self.within += [(words, each) for each in self.memory.premises_of(statement, formula, formula.sides)]
             del self.within[:-MOST_WITHIN]
+
+    def _introduces_within(self, formula: Parsed) -> bool:
+        r"""Whether an equation within the text says what a new letter is, though not alone: "where $L L^T = K$"."""
+        lone = [*filter(None, (defined_by(side)[0] for side in formula.sides))]
+        others = {*map(self.memory.vocabulary.is_matrix, lone)} == {True}
+        new = {*symbols_in(formula.sides[0])} - {*self.memory.asserted, *self.memory.vocabulary.definitions}
+        return formula.relations == ("=",) and len(lone) == 1 and others and bool(new) and bool(lone[0] not in new)
 
     def _displayed(
         self, statement: Statement, found: Parsed | UnreadableError, place: int

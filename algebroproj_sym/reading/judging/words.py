@@ -371,6 +371,11 @@ def has_ended(display: Display) -> bool:
     return _LABELS.sub("", display.latex).rstrip().endswith(".") or display.after.lstrip().startswith(".")
 
 
+def ends_clause(display: Display) -> bool:
+    """Whether a comma, a full stop or the like follows a formula, and no word that speaks of it."""
+    return re.match(r"\s*[.,;:](?!\s*(?:if|unless|when|but|at least|which|where)\b)", display.after) is not None
+
+
 def _begins_anew(behind: str) -> bool:
     """Whether the words behind an equation are a new sentence, though no full stop ends the one before it."""
     return _NEW_SENTENCE.match(behind) is not None and re.search(r",\s*[a-z]|\bthen\b", behind) is not None

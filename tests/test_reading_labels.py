@@ -10,6 +10,10 @@ MOTION = (
     r"\[ \mathbf{q}^{t+1} = \mathbf{q}^t + \Delta t \dot{\mathbf{q}}^{t+1} \] "
     r"\[ M \dot{\mathbf{q}}^{t+1} = M \dot{\mathbf{q}}^t + \Delta t \mathbf{f}^{t+1} \] "
 )
+FRAMES = (
+    r"From $B$ to $W$ it is \[ \begin{bmatrix} x^W \\ y^W \end{bmatrix} = "
+    r"a \begin{bmatrix} x^B \\ y^B \end{bmatrix} + \begin{bmatrix} t_W \\ 0 \end{bmatrix} \] "
+)
 STEP = r"\[ u^{n+1} = u^n + h f^n \] "
 
 
@@ -29,6 +33,9 @@ STEP = r"\[ u^{n+1} = u^n + h f^n \] "
             True,
         ),
         (STEP + r"\[ f^n = -u^n \] \[ u^{n+1} = (1 - h) u^n \]", True),
+        (FRAMES + r"Hence \[ x^W = a x^B + t_W. \]", True),
+        (FRAMES + r"Hence \[ x^W = a x^B + b t_W. \]", False),
+        (r"\[ a = x^N \] \[ b = y^N \] Hence \[ a b = (x y)^N. \] Thus \[ a b = x^N y^N. \]", True),
         (STEP + r"\[ f = -u \] Hence \[ u^{n+1} = (1 - h) u^n. \]", False),
         (STEP + r"\[ f^n = -u^n \] Hence \[ f^2 = (u^2)^2. \]", False),
         (r"\[ x^{k+1} = x^k + h \] \[ x_k = 2 \] Hence \[ x^{k+1} = 2 + h. \]", False),

@@ -26,6 +26,7 @@ def verdicts(latex):
         SUM + r"Thus it is, where $b = c^2$, \[ s = a + c^2. \]",
         SUM + r"Substituting $b = c - a$ gives \[ s = c. \]",
         SUM + r"We can define $b = c^2$ as the new width, then: \[ s = a + c^2. \]",
+        r"\[ s = \sum_{i=1}^n (x_i - a) (y_i - b) \] Since $a = 0$, it is \[ s = \sum_{i=1}^n x_i (y_i - b). \]",
         r"The height is \[ h = v t - g t^2. \] At $t = 0$ it is \[ h = 0. \]",
         r"It is \[ \frac{u}{c^2} + \frac{v}{d^2} = 0. \] If we use a grid where $c = d = h$, then \[ u + v = 0. \]",
         r"It is \[ m \ddot x = - k x. \] Introducing the parameter $w = \sqrt{k/m}$, \[ \ddot x + w^2 x = 0. \]",

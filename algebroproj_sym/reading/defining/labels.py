@@ -3,11 +3,12 @@ r"""What stands above a letter and is no power: a label, as in ``p^h``, and the 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.parsing.grammar import Formula, Sides
 
@@ -27,15 +28,20 @@ class _Raised(NamedTuple):
 
 
 def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
-    """Return the letters with a label that stands nowhere but above letters, and those with the number of a step."""
+    """Return the letters with a label that stands nowhere but above letters, and those with the number of a step.
+
+    A capital above all entries of a printed column may stand below letters as well: it names a frame, or a point.
+    """
     above: dict[str, set[str]] = {}
     elsewhere = set[str]()
+    frames = {label for side in _every(equations) for label in _labels_of_columns(side)}
+    points = [sides[0] for sides in equations if len(sides) == 1]
     for side in _every(equations):
         for power in side.find_data("power"):
             base, exponent = power.children
             if isinstance(base, Tree) and base.data == "symbol" and base != E and (label := lone_letter(exponent)):
                 above.setdefault(label, set()).add(str(base.children[0]))
-        elsewhere |= {*_not_raised(side)}
+        elsewhere |= {*_not_raised(side, frames)} if lone_letter(side) not in frames or side not in points else set()
     alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
     return iterates_in(equations).union(alone)
 
@@ -128,12 +134,23 @@ def lone_letter(tree: Any) -> str:
     return letter if len(letter) == 1 and letter.isalpha() else ""
 
 
-def _not_raised(tree: Any) -> Iterator[str]:
-    """Yield the letters of a tree that are no whole exponent."""
+def _labels_of_columns(tree: Formula) -> Iterator[str]:
+    r"""Yield the capitals that stand above all entries of a column, as C in ``(F^C, M^C)^T``."""
+    for matrix in tree.find_data("matrix"):
+        cells = [*matrix.find_data("cell")]
+        labels = {_raised(cell.children[0]).counter for cell in cells if len(cell.children) == 1}
+        if len(cells) > 1 and len(labels) == 1 and (label := labels.pop()).isupper() and label not in MARKS:
+            yield label
+
+
+def _not_raised(tree: Any, frames: Collection[str]) -> Iterator[str]:
+    """Yield the letters of a tree that are no whole exponent; of some, those that stand below no letter either."""
     if isinstance(tree, Token):
-        yield from re.findall(r"(?<![\\a-zA-Z])[a-zA-Z](?![a-zA-Z])", str(tree))
-    elif tree.data == "power" and lone_letter(tree.children[1]):
-        yield from _not_raised(tree.children[0])
+        found = re.findall(r"(?<![\\a-zA-Z])[a-zA-Z](?![a-zA-Z])", str(tree))
+        below = tree.type == "SYMBOL" and "_" in tree
+        yield from (each for each in found if not (below and each in frames and not tree.startswith(each)))
+    elif tree.data == "power" and _raised(tree).counter and lone_letter(tree.children[1]):
+        yield from _not_raised(tree.children[0], frames)
     else:
         for child in tree.children:
-            yield from _not_raised(child)
+            yield from _not_raised(child, frames)

@@ -13,6 +13,7 @@ from algebroproj_sym.reading.lexing.pieces import Piece, pieces_of
 _SHORT = frozenset(["Re", "Pr", "Nu", "Fr", "We", "Sc", "Pe", "Gr", "Ra", "Kn", "Ec", "Bi", "Ro", "Sh"])
 """Numbers without dimension that are named after people."""
 _LETTER = re.compile("[a-zA-Z]")
+_CAPITAL = re.compile("[A-Z]")
 _FILLERS = ("noise", "const", "pH", "pK")
 _WORD = re.compile(r"(?<![\\\w])[A-Za-z]{3,}(?!\w)")
 _SAYS_ITSELF = re.compile(r"[A-Z]{3,}|[a-z]{4,}")
@@ -26,6 +27,7 @@ _TAKES = frozenset((*UPRIGHT, *STYLES, r"\text", r"\label", r"\tag", r"\ref", r"
 
 def named(statements: Sequence[Statement]) -> list[Statement]:
     """Return the statements with each name of several letters as one."""
+    statements = [replace(each, pieces=tuple(_joined(each.pieces))) for each in statements]
     words = {word for each in statements for word in _WORD.findall(re.sub(r"\$[^$]*\$", " ", each.display.before))}
     names = {
         run
@@ -39,6 +41,24 @@ def named(statements: Sequence[Statement]) -> list[Statement]:
         alone = {letter for each in statements for letter in _letters_but_in(each.pieces, capitals)}
         names |= {name for name in capitals if alone.isdisjoint(name)}
     return [replace(each, pieces=tuple(_with_names(each.pieces, names))) for each in statements]
+
+
+def _joined(pieces: Sequence[Piece]) -> Iterator[Piece]:
+    r"""Yield a formula in which capitals with ``\!`` between them are one name, as in ``E\!A``."""
+    place = 0
+    while place < len(pieces):
+        end = place + 1
+        while [bool(_CAPITAL.fullmatch(each.text)) for each in pieces[end - 1 : end + 2]] == [True, False, True] and (
+            pieces[end].text == r"\!"
+        ):
+            end += 2
+        name = "".join(each.text for each in pieces[place:end:2])
+        yield from _at(f"\\mathrm{{{name}}}", pieces[place].place) if end > place + 1 else pieces[place:end]
+        place = end
+
+
+def _at(latex: str, place: int) -> Iterator[Piece]:
+    return (Piece(each.text, place) for each in pieces_of(latex))
 
 
 def _runs(pieces: Sequence[Piece], shortest: int = 2) -> Iterator[tuple[str, int, int]]:
@@ -96,6 +116,6 @@ def _with_names(pieces: Sequence[Piece], names: Iterable[str]) -> Iterator[Piece
         if run in names:
             yield from pieces[done:start]
             command = rf"\{run}" if run in FUNCTIONS else rf"\mathrm{{{run}}}"
-            yield from (Piece(each.text, pieces[start].place) for each in pieces_of(command))
+            yield from _at(command, pieces[start].place)
             done = end
     yield from pieces[done:]

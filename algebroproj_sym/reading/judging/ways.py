@@ -9,6 +9,7 @@ from itertools import combinations
 from lark import Tree
 
 from algebroproj_sym.reading.defining.arguments import alike, known_without, premise_without, without_arguments
+from algebroproj_sym.reading.defining.dependence import index_of, letters_of_symbol
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
 from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.indices import excludes
@@ -224,7 +225,7 @@ def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula)
     own = _supposed(standing, left, right)
     supposed = [each.gives for each in own if each.gives is not None]
     used = (left, right, *(each.tree for each in used_by(standing.vocabulary, left, right)))
-    bound = {symbol for side in used for part in side.find_data("big") for symbol in symbols_in(part)}
+    bound = {symbol for side in used for part in side.find_data("big") for symbol in _bound_in(part, standing.survey)}
     places = {(each.symbol, each.place) for each in supposed}
     twice = len({symbol for symbol, _ in places}) < len(places)
     if not own or twice or bound.intersection(each.symbol for each in supposed):
@@ -248,6 +249,13 @@ def _as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula)
     tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
     for under in dict.fromkeys(((*tied, *last), tied)):
         yield Way(left, right, with_rates, A_VALUE, under=under)
+
+
+def _bound_in(big: Formula, survey: Survey) -> Collection[str]:
+    """Return the letters of an integral or a sum into which nothing is put; in a sum, those that may change with it."""
+    index = index_of(str(big.children[0]))
+    varying = survey.dependence.related(index) | {index} if index else frozenset()
+    return [each for each in symbols_in(big) if not index or varying & {each, *letters_of_symbol(each)}]
 
 
 def _supposed(standing: Standing, left: Formula, right: Formula) -> list[Premise]:

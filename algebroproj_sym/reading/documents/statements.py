@@ -173,14 +173,18 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
 
 
 def _without_brackets(pieces: list[Piece]) -> list[Piece]:
-    """Return an equation without the brackets round the whole of it."""
-    inside = [piece for piece in _without_idle(pieces) if piece.text not in (r"\left", r"\right")]
+    """Return an equation without the brackets, or the braces, round the whole of it."""
+    kept = [place for place, piece in enumerate(pieces) if not piece.text.isspace()]
+    sizes = (r"\left", r"\right", r"\displaystyle")
+    bare = [place for place in kept if pieces[place].text not in sizes]
     depth = 0
-    for place, piece in enumerate(inside):
-        depth += (piece.text in OPENING) - (piece.text in CLOSING)
-        if depth <= 0 and place < len(inside) - 1:
+    for place in bare:
+        text = pieces[place].text
+        depth += (text in OPENING or text == "{") - (text in CLOSING or text == "}")
+        if depth <= 0 and place != bare[-1]:
             return pieces
-    return inside[1:-1] if has_relation(inside[1:-1]) else pieces
+    inside = [piece for piece in pieces[bare[0] + 1 : bare[-1]] if piece.text != r"\right"] if bare else []
+    return inside if has_relation(inside) else pieces
 
 
 def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:

@@ -153,6 +153,9 @@ JACOBIAN = (
         r"\[ u_{i,j} = u_{ij} \]",
         r"\[ u_{,x} = u_x \]",
         r"\[ a \overset{!}{=} b \] \[ a = b + c - c \] \[ c a = c b + 1 \]",
+        r"\[ y = a \] is not the same as \[ = b. \] Hence \[ a = b. \]",
+        r"\[ \mathbf{H} = \mathbf{X} (\mathbf{X}^T \mathbf{X})^{-1} \mathbf{X}^T \] Hence "
+        r"\[ \mathbf{H} = \mathbf{X} \mathbf{X}^{-1} \mathbf{X}^{-T} \mathbf{X}^T. \]",
     ],
 )
 def test_what_does_not_hold_does_not_follow(latex):

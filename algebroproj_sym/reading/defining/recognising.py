@@ -48,6 +48,12 @@ def without_power(tree: Formula) -> Formula:
     return base if isinstance(base, Tree) and isinstance(exponent, Tree) and not symbols_in(exponent) else tree
 
 
+def without_numbers(tree: Formula) -> Formula:
+    """Return what a side is a multiple of."""
+    *numbers, last = trees_in(tree) or [tree]
+    return last if tree.data == "run" and numbers and all(each.data == "number" for each in numbers) else tree
+
+
 def is_matrix(tree: Formula) -> bool:
     """Whether a side is a printed matrix, perhaps transposed."""
     tree = without_brackets(tree)
@@ -57,8 +63,8 @@ def is_matrix(tree: Formula) -> bool:
 def introduced_by(tree: Formula) -> frozenset[str]:
     r"""Return the letters that a left side may introduce; empty if it is none that does.
 
-    ``W(e^{it})``, ``x^T`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.  So does T, of a
-    column in brackets.
+    ``W(e^{it})``, ``x^T``, ``2 x`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.  T of a
+    column in brackets introduces T.
     """
     tree = argument_of(tree)
     if symbol := defined_by(tree)[0]:
@@ -68,6 +74,8 @@ def introduced_by(tree: Formula) -> frozenset[str]:
     if tree.data == "matrix":
         entries = [introduced_by(part) for cell in tree.find_data("cell") for part in cell.children]  # type: ignore[arg-type]
         return frozenset().union(*entries) if all(entries) else frozenset()
+    if (bare := without_numbers(tree)) is not tree:
+        return introduced_by(bare)
     is_map = tree.data == "run" and [each.data for each in trees_in(tree)] == ["symbol", "bracket"]
     if is_map and (columns := [*tree.find_data("matrix")]) and all(map(introduced_by, columns)):
         return introduced_by(trees_in(tree)[0])
@@ -129,6 +137,12 @@ def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:
     )
     named = any(each in scripts or each in conditions for each in parameters)
     return is_one_value(parameters, value) and not named
+
+
+def is_arithmetic(value: Formula) -> bool:
+    """Whether a value is of several numbers, and of no letter."""
+    numbers = [*value.scan_values(lambda each: isinstance(each, Token) and each.type == "NUMBER")]
+    return len(numbers) > 1 and not symbols_in(value)
 
 
 def is_table(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:

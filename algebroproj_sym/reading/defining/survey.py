@@ -116,7 +116,11 @@ class Survey:
 
     def has_one_argument(self, function: str) -> bool:
         """Whether a function is taken at one argument in the whole document, and stands nowhere without it."""
-        return len(self._arguments.get(function, ())) == 1 and function not in self.occurring
+        return len(self._arguments.get(function, ())) == 1 and function not in self._without_arguments
+
+    @cached_property
+    def _without_arguments(self) -> frozenset[str]:
+        return frozenset(str(tree.children[0]) for side in _sides(self.formulas) for tree in side.find_data("symbol"))
 
     @cached_property
     def _arguments(self) -> dict[str, set[Formula]]:

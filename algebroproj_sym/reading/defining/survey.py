@@ -11,6 +11,7 @@ from itertools import pairwise
 from lark import Tree
 
 from algebroproj_sym.reading.defining.arguments import lone_arguments
+from algebroproj_sym.reading.defining.components import columns_beside_matrices
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.indices import Indices
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
@@ -280,6 +281,10 @@ class Survey:
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
             found.define(definition)
+        given = {tie.given for tie in self.dependence.ties}
+        for column in columns_beside_matrices(_sides(self.formulas), self.occurring):
+            if column.symbol not in {*given, *sizes, *properties, *self.given.whole.symbols}:
+                found.define(column)
         return found
 
     @cached_property

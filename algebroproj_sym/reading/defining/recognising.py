@@ -49,9 +49,10 @@ def without_power(tree: Formula) -> Formula:
 
 
 def without_numbers(tree: Formula) -> Formula:
-    """Return what a side is a multiple of."""
+    """Return the value of a function of which a side is a multiple."""
     *numbers, last = trees_in(tree) or [tree]
-    return last if tree.data == "run" and numbers and all(each.data == "number" for each in numbers) else tree
+    is_multiple = tree.data == "run" and last.data == "call" and all(each.data == "number" for each in numbers)
+    return last if is_multiple else tree
 
 
 def is_matrix(tree: Formula) -> bool:
@@ -63,8 +64,8 @@ def is_matrix(tree: Formula) -> bool:
 def introduced_by(tree: Formula) -> frozenset[str]:
     r"""Return the letters that a left side may introduce; empty if it is none that does.
 
-    ``W(e^{it})``, ``x^T``, ``2 x`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.  T of a
-    column in brackets introduces T.
+    ``W(e^{it})``, ``2 W(t)``, ``x^T`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.  So
+    does T, of a column in brackets.
     """
     tree = argument_of(tree)
     if symbol := defined_by(tree)[0]:

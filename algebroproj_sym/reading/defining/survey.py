@@ -116,8 +116,15 @@ class Survey:
         return found
 
     def has_one_argument(self, function: str) -> bool:
-        """Whether a function is taken at one argument in the whole document, and stands nowhere without it."""
-        return len(self._arguments.get(function, ())) == 1 and function not in self._without_arguments
+        """Whether a function is taken at one argument in the whole document, and stands nowhere without it.
+
+        A derivative is no function of its own.
+        """
+        return (
+            "'" not in function
+            and len(self._arguments.get(function, ())) == 1
+            and function not in self._without_arguments
+        )
 
     @cached_property
     def _without_arguments(self) -> frozenset[str]:

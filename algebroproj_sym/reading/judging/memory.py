@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from algebroproj_sym.reading.defining.acting import acted_on, is_acted_on
 from algebroproj_sym.reading.defining.citing import apart_in, cited_in
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
@@ -29,9 +30,10 @@ from algebroproj_sym.reading.defining.recognising import (
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
-from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import agree
+from algebroproj_sym.reading.judging.describing import described, is_same
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.words import (
     Beside,
@@ -56,7 +58,7 @@ class Memory:
         self.alone: dict[str, int] = {}
         self.given_at: dict[str, int] = {}
         self.tied = set[str]()
-        self.named = set[tuple[str, str]]()
+        self.named: dict[tuple[str, int], frozenset[str]] = {}
         self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
@@ -87,8 +89,10 @@ class Memory:
             self.leave(display)
         same_part = self.beside.part == display.part
         if display is not self.display:
-            if self.display is not None and takes_back(display.before):
+            if self.display is not None and (takes_back(display.before) or is_acted_on(display.before)):
                 self._retract({self.display.place})
+            for symbol in acted_on(display.before):
+                self.forget(symbol)
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         self.display = display
         self.beside = beside(statement, self.carried)
@@ -98,10 +102,7 @@ class Memory:
         marked = {each for each in self.survey.occurring for mark in self.beside.dropped if mark in each}
         for symbol in self.beside.changed | marked:
             self.forget(symbol)
-        for symbol, noun in self.beside.introduced:
-            if not noun or (symbol, noun) not in self.named:
-                self._forget_from_elsewhere(symbol, noun, display.part)
-            self.named.add((symbol, noun))
+        self._hear_of_letters(display)
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
@@ -118,11 +119,25 @@ class Memory:
             each.symbol for each in self.vocabulary.definitions.values() if symbol in (each.symbol, *each.symbols)
         )
 
-    def _forget_from_elsewhere(self, symbol: str, noun: str, part: int) -> None:
-        """Forget what other sections said of a letter, and with it, if a word that says what it is was not near it."""
+    def _hear_of_letters(self, display: Display) -> None:
+        """Forget what other sections said of a letter, and with it, where words say that it is something else."""
+        sections = display.before.split(HEADING)
+        sections[-1] += f"${display.latex}${display.after}"
+        for part, words in enumerate(sections, display.part + 1 - len(sections)):
+            for symbol, nouns in described(words):
+                self.forget_from_elsewhere(symbol, nouns, part)
+                self.named[symbol, part] = self.named.get((symbol, part), frozenset()) | nouns
+
+    def _named_at(self, symbol: str, part: int) -> frozenset[str]:
+        """Return what words called a letter in a section, or else in the last one above it that called it anything."""
+        above = [each for name, each in self.named if name == symbol and each <= part]
+        return self.named[symbol, max(above)] if above else frozenset()
+
+    def forget_from_elsewhere(self, symbol: str, nouns: frozenset[str], part: int) -> None:
+        """Forget what other sections said of a letter, and with it, but for what may be called by the same nouns."""
 
         def stays(each: Premise | Definition) -> bool:
-            return each.part == part or (bool(noun) and noun in each.words)
+            return each.part == part or is_same(nouns, each.words | self._named_at(symbol, each.part))
 
         self.premises = [each for each in self.premises if symbol not in each.symbols or stays(each)]
         known = [each for each in self.vocabulary.definitions.values() if not stays(each)]

@@ -270,17 +270,6 @@ class Beside:
         return frozenset(symbol for each in found for symbol in symbols_in_list(each))
 
     @property
-    def introduced(self) -> tuple[tuple[str, str], ...]:
-        """The letters of which the words near it say what they are, as in "where $c$ is the speed", and the noun.
-
-        There is none where they are introduced anew: "Let $c$ be".
-        """
-        found = [(letter, "") for letter in _LETS_BE.findall(self.before)]
-        found += _SAYS_WHAT.findall(f"{self.before} {self.behind}")
-        found += [(letter, noun) for noun, letter in _IS_LETTER.findall(self.before)]
-        return tuple((symbol, noun.lower()) for letter, noun in found for symbol in symbols_in_list(letter))
-
-    @property
     def dropped(self) -> frozenset[str]:
         """The marks that letters lose from there on, as in "we drop the tilde": what had none was another letter."""
         found = frozenset(each.lower() for each in _DROPS.findall(self.before))
@@ -408,8 +397,13 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     >>> strange_word("Hence, for the ring, we obtain", {"disc"}), strange_word("This gives $x$ and thus", ())
     ('ring', '')
     """
-    words = (each for each in _WORD.findall(without_formulas(without_laws(sentence))) if not _NEUTRAL.fullmatch(each))
+    words = (each for each in _WORD.findall(without_formulas(without_laws(sentence))) if not is_neutral(each))
     return next((each for each in words if each.lower() not in known), "")
+
+
+def is_neutral(word: str) -> bool:
+    """Whether a word is one of those of a derivation."""
+    return _NEUTRAL.fullmatch(word) is not None
 
 
 def without_laws(text: str) -> str:
@@ -459,19 +453,13 @@ FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
-_LETS_BE = re.compile(r"\b[Ll]et \$([^$=(]*)\$ (?:now )?(?:be|denote|stand for|represent)\b")
-_SAYS_WHAT = re.compile(
-    r"(?:\b(?:[Ww]here|[Hh]ere|and)|[,:;.]) ?\$([^$=(]*)\$"
-    r"(?: (?:now )?(?:is|denotes?|stands? for|represents?)(?: now)?|:) (?:(?:the|an?|our|its) )?(\w+)"
-)
-_IS_LETTER = re.compile(r"\b[Tt]he (?:\w+ )?(\w+) is \$([^$=(]*)(?:=[^$]*)?\$")
 _CHANGED = re.compile(
     r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
     r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
     r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b"
     r"|\bin this (?:section|chapter|appendix)\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:denotes?|stands? for|is the)\b"
     r"|\$([^$=]*)\$ (?:now )?has (?:an?other|a new|a different|its own) meaning"
-    r"|\b[Ww]rite \$([^$=]*)\$ for \$[^$]*\$"
+    r"|\b[Ww]rite \$([^$=]*)\$ for (?:\$|the|an?|its)\b"
     r"|\b(?:re-?defin\w+|re-?us(?:e|ing)) (?:the (?:letter|symbol) )?\$([^$=]*)\$|\bnow let \$([^$=]*)=[^$]*\$"
     r"|\b(?:measur|count|express|scal)\w* \$([^$=]*)\$ (?:in|by)\b[^.$]*\b(?:from (?:here|now)|henceforth|hereafter)",
     re.IGNORECASE,

@@ -1,0 +1,98 @@
+"""What is done to a letter, so that it is no longer what it was: "$n$ is normalised", "we replace $n$ by $n + 1$".
+
+The words that leave a letter as it is are listed.  Any other one changes it: what is not heard costs a derivation.
+"""
+
+from __future__ import annotations
+
+import re
+
+from algebroproj_sym.reading.defining.phrases import symbols_in_list
+
+_LETTERS = re.compile(r"(?:\$[^$=<>(]*\$(?:,? and |, ))*\$[^$=<>(]*\$")
+_MEANWHILE = r"(?:(?:\w+ly|then|now|next|again|also|first|further|both|all|here|thus|hence|being|there) )*"
+_DONE = re.compile(
+    rf",? {_MEANWHILE}(?:is|are|was|were|gets?|has been|have been|will be) {_MEANWHILE}"
+    r"(\w+(?:ed|wn|ken)|set|reset|put|cut|split|made|shrunk)\b(?! (?:as|in) \$)"
+)
+_DOES = re.compile(rf" {_MEANWHILE}([a-z]*[a-rt-z]s)\b")
+_BEFORE_A_NOUN = r"(?!(?:of|in|to|for|with|at|on|by|from|first|last|all) )[\w-]+ "
+_SUBJECT = re.compile(
+    r"(?:^|\b(?:[Tt]hen|[Nn]ow|[Nn]ext|[Ww]hile|[Hh]ere|[Aa]nd|[Ss]o|[Hh]ence),? "
+    rf"|\b(?:[Tt]he|[Ii]ts|[Oo]ur|[Aa]n?) (?:[\w-]+ ){{0,2}}?{_BEFORE_A_NOUN})$"
+)
+_OF = r"(?:(?:the|its|our|each|both) )?(?:[\w-]+ (?:of|in) (?:the |its |our |both )?)?(?:[\w-]+ )??"
+_ORDERED = re.compile(rf"(?:\b(?:[Ww]e|[Yy]ou|[Oo]ne|us|[Tt]hen|[Nn]ow|[Nn]ext),? {_MEANWHILE}|^\W*)([A-Za-z]+) {_OF}$")
+_GOES_ON = re.compile(
+    r"\s*(?:$|[.,;]|(?:by|to|with|into|onto|in|from|for|until|at|again|back|around|about|over|off|out|away|after|before|"
+    r"and|so|up|down|once|twice)\b)"
+)
+_ADDED = re.compile(
+    r"\b(?:[Aa]dd|[Ss]ubtract|[Tt]ake)s? (?:one|two|three|\$\d+\$|\d+|an? \w+) (?:to|from) (?:the \w+ )?$"
+)
+_STEMS = (
+    # to say what it is
+    "defin|describ|interpret|call|denot|nam|label|indicat|represent|mean|stand|abbreviat|explain|specif|stat|express|"
+    "characteri[sz]|mention|discuss|present|report|list|tabulat|cit|tell|recall|introduc|refer|identif|recogni[sz]|"
+    # to find it
+    "comput|calculat|determin|estimat|measur|evaluat|obtain|deriv|observ|examin|compar|infer|check|verif|prov|solv|"
+    "look|seek|learn|guess|generat|minimi[sz]|maximi[sz]|optimi[sz]|sampl|fit|"
+    # to suppose it
+    "assum|suppos|consider|requir|need|expect|desir|want|wish|ignor|neglect|omit|view|regard|treat|think|prescrib|choos|"
+    "pick|select|fix|keep|let|allow|assign|"
+    # to use it
+    "us|eliminat|substitut|insert|plug|integrat|differentiat|equat|factor|simplif|rewrit|rearrang|isolat|cancel|collect|"
+    "sum|multipl|divid|add|subtract|appl|work|encod|realiz|build|construct|model|parametri[sz]|retain|plot|display|"
+    "illustrat|associat|connect|link|attach|mount|locat|plac|includ|"
+    # to be what it is
+    "relat|provid|involv|situat|contain|bound|limit|restrict|constrain|distribut|cent(?:e?r)|clos|own|bas|contribut|exceed|"
+    "equal|depend|differ|consist|satisf|obey|appear|occur|lie|act|exist|belong|correspond|point|serv|remain|stay|vanish|"
+    "cover|span|form|yield|impl|map|affect|govern|control|play|aris|compris|agree|coincid|match|hold|giv|tak|mak|rang|count|"
+    "stud|run|show|see|find|writ|get|read|know|draw|go|do|try|understand"
+)
+_LEAVES = re.compile(
+    rf"(?:{_STEMS})(?:[a-z]?(?:e|y|es|s|ed|d|ies|ied|n|en|wn|ing|ying))?"
+    r"|found|shown|known|held|kept|done|said|sought|built|thought|understood|chosen|drawn|given|taken|written|"
+    r"is|are|was|were|be|been|has|have|had|does|can|may|might|must|will|would|shall|should|cannot|and|or|of|in|at|on|to|by|"
+    r"for|with|from|as|where|which|that|when|if|while|then|so|but|not|only|such|per|plus|minus|times|over|whose|into|about|"
+    r"we|it|they|there|this|these|each|both|since|because|due|versus|vs|itself|themselves|independent\w*|constant|above|"
+    r"below|here|again|also|hence|thus|now|the|an?",
+    re.IGNORECASE,
+)
+"""The words by which a letter stays what it is."""
+
+
+def acted_on(text: str) -> frozenset[str]:
+    """Return the letters that words change.
+
+    Examples
+    --------
+    >>> for words in ("Next, $n$ is normalised.", "We flip the sign of $n$.", "The rate $h$ decays.", "$b$ is given."):
+    ...     print(sorted(acted_on(words)))
+    ['n']
+    ['n']
+    ['h']
+    []
+    """
+    found = set[str]()
+    for sentence in re.split(r"(?<=[.!?;:])\s+|\n\s*\n|\f", text):
+        words = " ".join(sentence.split())
+        for letters in _LETTERS.finditer(words):
+            if _is_changed(words[: letters.start()], words[letters.end() :]):
+                found.update(each for latex in letters.group().split("$")[1::2] for each in symbols_in_list(latex))
+    return frozenset(found)
+
+
+def is_acted_on(behind: str) -> bool:
+    """Whether words right behind a formula change what it gives: "is then normalised"."""
+    done = _DONE.match(f" {behind.lstrip()}")
+    return done is not None and _LEAVES.fullmatch(done[1]) is None
+
+
+def _is_changed(before: str, behind: str) -> bool:
+    """Whether the words of a sentence around a letter change it."""
+    does = _DOES.match(behind) if _SUBJECT.search(before) else None
+    order = _ORDERED.search(before) if _GOES_ON.match(behind) else None
+    verbs = [each[1] for each in (does, order) if each is not None]
+    changes = any(_LEAVES.fullmatch(each) is None for each in verbs)
+    return changes or (behind[:1] in (" ", ",") and is_acted_on(behind)) or _ADDED.search(before) is not None

@@ -21,7 +21,10 @@ _SUBJECT = re.compile(
     r"(?:^|\b(?:[Tt]hen|[Nn]ow|[Nn]ext|[Ww]hile|[Hh]ere|[Aa]nd|[Ss]o|[Hh]ence),? "
     rf"|\b(?:[Tt]he|[Ii]ts|[Oo]ur|[Aa]n?) (?:[\w-]+ ){{0,2}}?{_BEFORE_A_NOUN})$"
 )
-_OF = r"(?:(?:the|its|our|each|both) )?(?:[\w-]+ (?:of|in) (?:the |its |our |both )?)?(?:[\w-]+ )??"
+_OF = (
+    r"(?:(?:the|its|our|each|both) )?(?:(?!derivative|gradient|slope|rate|logarithm|norm|differential|variation)[\w-]+ "
+    r"(?:of|in) (?:the |its |our |both )?)?(?:[\w-]+ )??"
+)
 _ORDERED = re.compile(rf"(?:\b(?:[Ww]e|[Yy]ou|[Oo]ne|us|[Tt]hen|[Nn]ow|[Nn]ext),? {_MEANWHILE}|^\W*)([A-Za-z]+) {_OF}$")
 _GOES_ON = re.compile(
     r"\s*(?:$|[.,;]|(?:by|to|with|into|onto|in|from|for|until|at|again|back|around|about|over|off|out|away|after|before|"

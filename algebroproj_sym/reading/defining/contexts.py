@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 _ARTICLE = r"(?:the\s+|an?\s+)"
@@ -13,7 +14,20 @@ _STEP = (
 _ORDINAL = r"(?:old|new|first|second|third|other|another|explicit|implicit|forward|backward|original|modified|exact)"
 _THING = (
     r"(?:method|model|case|experiment|medium|scheme|image|camera|approach|problem|lens|body|stage|phase|euler|setup|"
-    r"system|example|variant|interval|region|version|edition|notation|convention|axis|one)"
+    r"system|example|variant|interval|region|version|edition|notation|convention|axis|branch|frame|run|trial|one)"
+)
+_WORD_OF_A_TEXT = (
+    r"(?:equations?|eqs?|sections?|sec|chapter|figures?|fig|tables?|theorems?|lemmas?|definitions?|propositions?|steps?|"
+    r"corollary|parts?|lines?|rows?|columns?|pages?|paragraph|appendix|place|terms?|time|times|sum|integral|factors?|"
+    r"order|instance|sight|glance|approximation|inequality|equality|identity|relation|expression|formula|law|derivatives?|"
+    r"moment|components?|entry|argument|kind|sense|derivation|variables?|coordinates?|letter|side|slot|position|hand|"
+    r"words?|two|three|few|at least|at most|remarks?|results?|dimensions?)"
+)
+"""What is numbered in a text, and no thing of which it speaks."""
+_AIM = (
+    r"(?:simplicity|brevity|convenience|clarity|completeness|comparison|reference|definiteness|illustration|ease|short|"
+    r"all|any|each|every|some|this|that|these|those|which|it|us|now|later|further|more|most|many|our|its|notational|"
+    r"us|use|better|future|later|both|given|fixed|constant|\w+ing|\w+ly|arbitrary|general|instance|example)"
 )
 _KINDS = {
     "condition": (
@@ -28,22 +42,27 @@ _KINDS = {
     r"|at\s+rest|in\s+motion",
     "place": (
         r"at\s+(?:the\s+)?points?\s+\$[^$=]*\$|"
+        r"(?:(?:at|on|in)\s+)?(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+"
+        r"(?:boundary|end|wall|edge|half|side(?! of))|"
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
-        r"|(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+(?:boundary|end|wall|edge|half|side(?! of))"
         r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
     ),
-    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)",
+    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)|until\b"
+    rf"|(?:before|after)\s+(?!{_STEP})[a-z]+ing\b",
     "name": (
         r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
         rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
+        rf"|(?:in|on|for|by|with|at|during)\s+(?:the\s+)?(?!{_WORD_OF_A_TEXT}\b)[a-z]+\s+(?:\d+|one|two|three|ii|iii)\b"
+        rf"|(?:in|on|for|by|with|at|during)\s+(?:the\s+)(?:first|second|third|other)\s+(?!{_WORD_OF_A_TEXT}\b)[a-z]+"
     ),
     "sort": r"for\s+(?:an?|the\s+(?:left|right|first|second|upper|lower|inner|outer|other))\s+"
     r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+"
-    r"|for\s+[a-z-]+\s+(?:flows?|fluids?|gas(?:es)?|media|materials?|particles?|bodies|motions?|light)\b",
+    r"|for\s+[a-z-]+\s+(?:flows?|fluids?|gas(?:es)?|media|materials?|particles?|bodies|motions?|light)\b"
+    rf"|for\s+(?!{_AIM}\b)[a-z]+(?=\s*(?:,|:|$|(?:we|the|it|one|this|is)\b))",
     "presence": r"with(?:out)?\s+(?:the\s+|any\s+|an?\s+)?[a-z]+",
 }
 _BEGINS = re.compile(
-    r"[^a-z$]*(?:(?:textbf|textit|emph|paragraph|and|but|now|then)\W+)*(?:"
+    r"[^a-z$]*(?:(?:textbf|textit|emph|paragraph|and|but|now|then|hence|thus|so|therefore|consequently)\W+)*(?:"
     + "|".join(f"(?P<{kind}>{words})" for kind, words in _KINDS.items())
     + ")",
     re.DOTALL,
@@ -52,6 +71,9 @@ _OF_A_THING = re.compile(
     r"[^a-z$]*the\s+[a-z]+\s+(?:in|of|for)\s+(?:the\s+)?((?:frame|model|image|camera|system|case|observer|medium|scenario)"
     r"\s+\$?[a-z0-9]+\b)"
 )
+_LEADS = re.compile(r"(?:(?:in|on|at|for|by|with|during)\s+)?(?:(?:the|an?)\s+)?")
+_THINGS = ("place", "name", "sort", "state", "time")
+"""The kinds of contexts that a sentence of its own may begin."""
 _FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
 _STEPS = re.compile(
     r"\b(?:if|when|once)\s+(?:we|you|one)\s+(?=(?:now\s+|then\s+)?(?:substitut|insert|plug|replac|put|multipl|divid|add|"
@@ -115,13 +137,28 @@ def without_steps(words: str) -> str:
     return _STEPS.sub("", words)
 
 
+def last_context(sentences: Sequence[str], behind: str) -> Context:
+    """Return where an equation holds, by the last sentence before it that says it.
+
+    Only the last one may say it by a condition, or by a range.
+
+    Examples
+    --------
+    >>> last_context(["The right half is free.", "Hence"], "")
+    Context(kind='place', words='right half')
+    """
+    own = context_of(sentences[-1], behind)
+    above = (found for each in sentences[-2::-1] if (found := context_of(each)).kind in _THINGS)
+    return own if own.kind else next(above, ANYWHERE)
+
+
 def context_of(sentence: str, behind: str = "") -> Context:
     """Return where an equation holds, by the words with which its sentence begins, and perhaps goes on behind it.
 
     Examples
     --------
     >>> context_of("At the top, the speed is"), context_of("After some algebra, we get")
-    (Context(kind='place', words='at the top'), Context(kind='', words=''))
+    (Context(kind='place', words='top'), Context(kind='', words=''))
     """
     step = _STEPS.search(f"{sentence} {behind}")
     bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
@@ -129,4 +166,5 @@ def context_of(sentence: str, behind: str = "") -> Context:
     if found is None or found.lastgroup is None:
         thing = _OF_A_THING.match(bare.lower())
         return Context("name", " ".join(thing[1].split())) if thing else ANYWHERE
-    return Context(found.lastgroup, " ".join(found[found.lastgroup].split()))
+    words = " ".join(found[found.lastgroup].split())
+    return Context(found.lastgroup, _LEADS.sub("", words) if found.lastgroup in _THINGS else words)

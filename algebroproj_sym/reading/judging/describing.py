@@ -117,7 +117,7 @@ def _named_behind(before: str, behind: str) -> list[str]:
     tokens = _TOKEN.findall(clause)
     while tokens and tokens[0].lower() in (*_DETERMINERS, "now", "then", "here"):
         tokens.pop(0)
-    found, _ = _nouns(tokens)
+    found = _nouns(tokens)[0] or [each.lower() for each in tokens[:1] if says and each.isalpha()]
     rest = tokens[len(found) :]
     if found and rest[:1] == ["of"]:
         rest = [each for each in rest[1:] if each.lower() not in _DETERMINERS]

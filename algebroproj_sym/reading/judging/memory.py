@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from algebroproj_sym.reading.defining.acting import acted_on, is_acted_on
 from algebroproj_sym.reading.defining.citing import apart_in, cited_in
-from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
+from algebroproj_sym.reading.defining.contexts import ANYWHERE, last_context
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
@@ -39,11 +40,14 @@ from algebroproj_sym.reading.judging.words import (
     Beside,
     beside,
     has_ended,
-    last_sentence,
+    sentences_of,
     takes_back,
     words_of,
 )
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+
+_ONLY = re.compile(r"\W*([^.$]*?) only\b")
+"""Words behind an equation that limit it, as in "in the first case only"."""
 
 
 class Memory:
@@ -62,6 +66,7 @@ class Memory:
         self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
+        self.ranges: tuple[Parsed, ...] = ()
         self.scopes = Scopes()
         self.supposed = set[int]()
         self.part = 0
@@ -150,8 +155,10 @@ class Memory:
 
     def stand_at(self, display: Display) -> None:
         """Take in where an equation holds: what one before it says goes on, up to the next heading."""
-        behind = display.after if display.environment == "inline" else ""
-        own = context_of(last_sentence(display.before), behind)
+        inline = display.environment == "inline"
+        limited = None if inline else _ONLY.match(display.after)
+        sentences = [limited[1]] if limited else sentences_of(display.before.rpartition(HEADING)[2])
+        own = last_context(sentences, display.after if inline else "")
         self.context = own if own.kind or self.part != display.part else self.context
         self.part = display.part
 
@@ -209,7 +216,9 @@ class Memory:
         if not (statement.condition or self.beside.case() or is_circular(symbol, value, self.vocabulary)):
             where, words = where_of(statement), self.beside.words
             given = symbol, parameters, value, where, part, False
-            made = Definition(*given, place=self.beside.place, words=words, context=self.context)
+            apart = (known.apart | known.words) - words
+            held = self.beside.place, words, self.context, apart, self.ranges
+            made = Definition(*given, True, "definition", *held)
             self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
 
     def tie(self, sides: Collection[Formula]) -> None:
@@ -288,10 +297,12 @@ class Memory:
         """Whether values differ, and one has all letters of the other.
 
         In one display both have the same letters, or none more than one: its rows may be steps, in which letters go.
+        That does not matter where words speak of several things, as in "The bounds are".
         """
         ours, theirs = map(self.vocabulary.letters_of, (one, other))
         if near:
             tied = (bool(ours) and ours == theirs) or all(len([*symbols_in(each)]) < 2 for each in (one, other))
+            tied = tied or self.beside.lists
         else:
             tied = bool(ours and theirs) and (ours <= theirs or theirs <= ours)
         if one == other or not tied:
@@ -306,7 +317,8 @@ class Memory:
         display, special, words = statement.display, bool(self.beside.case()), self.beside.words
         given = where_of(statement), display.part, display.place, names, special, words
         chained = len(formula.sides) > 2
-        return [Premise(left, right, *given, chained=chained, context=self.context) for left, right in pairs]
+        held = self.context, self.ranges
+        return [Premise(left, right, *given, chained, *held) for left, right in pairs]
 
     def forget_elsewhere(self, vocabulary: Vocabulary) -> None:
         """Drop the definitions that belong to another context, but for those that words cite."""
@@ -315,6 +327,7 @@ class Memory:
         for known in [*vocabulary.definitions.values()]:
             elsewhere = self.context.excludes(known.context) and not known.where.startswith(names)
             elsewhere = elsewhere or (bool(apart) and known.where.startswith(apart))
+            elsewhere = elsewhere or bool(known.apart & words_of(self.beside.sentence))
             if elsewhere and known.symbol in vocabulary.definitions:
                 vocabulary.drop(known.symbol)
 

@@ -45,6 +45,8 @@ _DENIED = re.compile(
     r"(?:find|spot) the \w+|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
     r"on average|in the mean|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
+    r"up to (?:(?:the|its|their) )?(?:scale|scaling|signs?|normali[sz]ation|factors?|constants?|multiples?|units|"
+    r"phases?|permutations?|rotations?|isomorphism|translations?|higher|lower|first|second|rounding|noise|gauge|terms)\b|"
     r"(?:plus|and|with) some noise|"
     r"(?:is|be) (?:enough|sufficient) (?:that|if)|suffices (?:that|if)|we (?:want|wish|demand)(?: that)?(?=\W*$)|"
     r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
@@ -114,6 +116,9 @@ _LETS = re.compile(r"\b(?:let|put|set|defin\w+|denot\w+)\W*$", re.IGNORECASE)
 SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is one, if nothing else in the document gives its letter."""
 
+ASKS = re.compile(r"\W*(?:exercises?|problems?|questions?|quiz|tasks?|puzzle|homework)\b", re.IGNORECASE)
+"""How a sentence begins that asks: what it gives holds for its answer alone."""
+
 _NEUTRAL = re.compile(
     r"a|an|the|this|that|these|those|it|its|we|one|us|our|which|whose|what|both|all|each|any|every|and|or|of|to|into|in|"
     r"from|by|on|as|at|with|for|between|is|are|be|been|was|has|have|had|can|may|will|must|do|does|now|also|again|then|"
@@ -121,7 +126,7 @@ _NEUTRAL = re.compile(
     r"gets|obtain\w*|find|finds|found|arriv\w+|giv\w+|yield\w*|becom\w+|equal\w*|substitut\w+|insert\w*|plug\w*|"
     r"combin\w+|rearrang\w+|result\w*|lead\w*|simpl\w+|other words|equivalent\w*|impl(?:y|ies|ying)|differentia\w+|"
     r"expan\w+|rewrit\w+|reduc\w+|turn\w* into|writ\w+|express\w*|form\w*|equations?|eqs?|eqn|eqns|relations?|"
-    r"definitions?|defin\w+|identit(?:y|ies)|formulas?|formulae|terms?|sides?|factors?|left|right|hand|using|use\w*|"
+    r"definitions?|defin\w+|identit(?:y|ies)|formulas?|formulae|terms?|sides?|factors?|hand|using|use\w*|"
     r"appl\w+|recall\w*|not(?:e|ing) that|see|show\w*|comput\w+|calculat\w+|evaluat\w+|perform\w*|tak\w+|"
     r"squaring|multipl\w+|divid\w+|divis\w+|add\w*|subtract\w*|sum\w*|product\w*|collect\w*|factor\w*|"
     r"derivativ\w*|respect|time|compact\w*|explicit\w*|direct\w*|finally|easily|readily|straightforward\w*|immediate\w*|"
@@ -212,6 +217,11 @@ class Beside:
     def speaks_of_a_length(self) -> bool:
         """Whether its own sentence speaks of a root, or of a quantity that is never negative, such as a speed."""
         return _LENGTH.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
+
+    @property
+    def lists(self) -> bool:
+        """Whether its own sentence speaks of several things, as in "The bounds are", and not of equations."""
+        return _SEVERAL.search(without_formulas(self.sentence)) is not None and not _EQUATIONS.search(self.sentence)
 
     @property
     def renews(self) -> bool:
@@ -381,7 +391,12 @@ def _case_in(words: str) -> str:
 
 def last_sentence(words: str) -> str:
     """Return the words since the last full stop or the last empty line."""
-    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())[-1]
+    return sentences_of(words)[-1]
+
+
+def sentences_of(words: str) -> list[str]:
+    """Return the sentences of words; what stands behind the last full stop is the last one."""
+    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())
 
 
 def words_of(text: str) -> frozenset[str]:
@@ -407,19 +422,22 @@ def is_neutral(word: str) -> bool:
 
 
 def without_laws(text: str) -> str:
-    """Return words without the names of laws, which hold beside what else is said of a letter.
+    """Return words without the names of laws, which hold beside what else is said of a letter, and of both sides.
 
     Examples
     --------
     >>> without_laws("By Newton's second law, it is")
     ', it is'
     """
-    return _LAW.sub("", text)
+    return _SIDE.sub("", _LAW.sub("", text))
 
 
 _LAW = re.compile(
     r"(?:[A-Z][\w-]*(?:['’]s?)?\s+)*(?:(?:[Ff]irst|[Ss]econd|[Tt]hird)\s+)?"
     r"\b[Ll]aws?\b(?: of (?:motion|cosines|sines))?"
+)
+_SIDE = re.compile(
+    r"\b(?:left|right)(?:[ -]?hand)?[ -](?:sides?|terms?|factors?)\b|\b(?:[Oo]n|[Tt]o|[Ff]rom) the (?:left|right)\b"
 )
 _NAMES = re.compile(
     r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
@@ -433,6 +451,12 @@ _DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe 
 _LENGTH = re.compile(
     r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|positive|"
     r"(?:square )?roots?)\b",
+    re.IGNORECASE,
+)
+_SEVERAL = re.compile(r"\b(?:are|were|have|give|read|become|follow|equal)\b(?![^.]*\b(?:we|you|it)\b)", re.IGNORECASE)
+_EQUATIONS = re.compile(
+    r"\b(?:equations?|relations?|conditions?|expressions?|laws?|balances?|formula\w*|constraints?|identit(?:y|ies)|"
+    r"definitions?|systems?|we|rules?|steps?|results?|facts?|there|same|equal)\b",
     re.IGNORECASE,
 )
 _SUPPOSES = re.compile(r"\b(?:suppos(?:e|ing)|assum(?:e|ing)|let)\b", re.IGNORECASE)

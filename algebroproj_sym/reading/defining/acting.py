@@ -9,21 +9,28 @@ import re
 
 from algebroproj_sym.reading.defining.phrases import symbols_in_list
 
+NEAR = 200
+"""How many characters on both sides of a letter are searched for what is done to it."""
 _LETTERS = re.compile(r"(?:\$[^$=<>(]*\$(?:,? and |, ))*\$[^$=<>(]*\$")
 _MEANWHILE = r"(?:(?:\w+ly|then|now|next|again|also|first|further|both|all|here|thus|hence|being|there) )*"
 _DONE = re.compile(
     rf",? {_MEANWHILE}(?:is|are|was|were|gets?|has been|have been|will be) {_MEANWHILE}"
     r"(\w+(?:ed|wn|ken)|set|reset|put|cut|split|made|shrunk)\b(?! (?:as|in) \$)"
 )
-_DOES = re.compile(rf" {_MEANWHILE}([a-z]*[a-rt-z]s)\b")
+_DOES = re.compile(
+    rf" {_MEANWHILE}([a-z]*[a-rt-z]s)(?=\s*(?:$|[.,;:]|(?:(?:its |the )?(?:sign|value|size|direction)|by|to|with|at|in|"
+    r"after|during|every|each|from|until|when|whenever|while|over|as|once|twice|again|up|down|and|small|smaller|larger|"
+    r"one|two|three|\w+ly)\b))"
+)
+_LET_DO = re.compile(r" (?!(?:be|denote|stand|represent|have|and|or|mean)\b)([a-z]+)\b")
 _BEFORE_A_NOUN = r"(?!(?:of|in|to|for|with|at|on|by|from|first|last|all) )[\w-]+ "
 _SUBJECT = re.compile(
-    r"(?:^|\b(?:[Tt]hen|[Nn]ow|[Nn]ext|[Ww]hile|[Hh]ere|[Aa]nd|[Ss]o|[Hh]ence),? "
+    r"(?:^|\b(?:[Tt]hen|[Nn]ow|[Nn]ext|[Ww]hile|[Hh]ere|[Aa]nd|[Ss]o|[Hh]ence|[Ee]ach|[Ee]very),? "
     rf"|\b(?:[Tt]he|[Ii]ts|[Oo]ur|[Aa]n?) (?:[\w-]+ ){{0,2}}?{_BEFORE_A_NOUN})$"
 )
 _OF = (
     r"(?:(?:the|its|our|each|both) )?(?:(?!derivative|gradient|slope|rate|logarithm|norm|differential|variation)[\w-]+ "
-    r"(?:of|in) (?:the |its |our |both )?)?(?:[\w-]+ )??"
+    rf"(?:of|in) (?:the |its |our |both )?)?(?:{_BEFORE_A_NOUN})??"
 )
 _ORDERED = re.compile(rf"(?:\b(?:[Ww]e|[Yy]ou|[Oo]ne|us|[Tt]hen|[Nn]ow|[Nn]ext),? {_MEANWHILE}|^\W*)([A-Za-z]+) {_OF}$")
 _GOES_ON = re.compile(
@@ -32,6 +39,10 @@ _GOES_ON = re.compile(
 )
 _ADDED = re.compile(
     r"\b(?:[Aa]dd|[Ss]ubtract|[Tt]ake)s? (?:one|two|three|\$\d+\$|\d+|an? \w+) (?:to|from) (?:the \w+ )?$"
+    r"|\b(?:is|are|was|were|gets?) (?:\w+ )?(?:applied|added|assigned|copied|written) (?:to|into|onto) (?:the \w+ )?$"
+)
+_HENCEFORTH = re.compile(
+    r"\b(?:from (?:now|here|this point|there)(?: on(?:wards?)?)?|henceforth|hereafter)\b", re.IGNORECASE
 )
 _STEMS = (
     # to say what it is
@@ -45,11 +56,11 @@ _STEMS = (
     "pick|select|fix|keep|let|allow|assign|"
     # to use it
     "us|eliminat|substitut|insert|plug|integrat|differentiat|equat|factor|simplif|rewrit|rearrang|isolat|cancel|collect|"
-    "sum|multipl|divid|add|subtract|appl|work|encod|realiz|build|construct|model|parametri[sz]|retain|plot|display|"
+    "sum|add|subtract|appl|work|encod|realiz|build|construct|model|parametri[sz]|retain|plot|display|"
     "illustrat|associat|connect|link|attach|mount|locat|plac|includ|"
     # to be what it is
     "relat|provid|involv|situat|contain|bound|limit|restrict|constrain|distribut|cent(?:e?r)|clos|own|bas|contribut|exceed|"
-    "equal|depend|differ|consist|satisf|obey|appear|occur|lie|act|exist|belong|correspond|point|serv|remain|stay|vanish|"
+    "equal|depend|differ|consist|satisf|obey|appear|occur|lie|act|exist|belong|correspond|point|serv|remain|stay|vanish|enter|"
     "cover|span|form|yield|impl|map|affect|govern|control|play|aris|compris|agree|coincid|match|hold|giv|tak|mak|rang|count|"
     "stud|run|show|see|find|writ|get|read|know|draw|go|do|try|understand"
 )
@@ -81,7 +92,8 @@ def acted_on(text: str) -> frozenset[str]:
     for sentence in re.split(r"(?<=[.!?;:])\s+|\n\s*\n|\f", text):
         words = " ".join(sentence.split())
         for letters in _LETTERS.finditer(words):
-            if _is_changed(words[: letters.start()], words[letters.end() :]):
+            start, end = letters.span()
+            if _is_changed(words[max(0, start - NEAR) : start], words[end : end + NEAR]):
                 found.update(each for latex in letters.group().split("$")[1::2] for each in symbols_in_list(latex))
     return frozenset(found)
 
@@ -95,7 +107,9 @@ def is_acted_on(behind: str) -> bool:
 def _is_changed(before: str, behind: str) -> bool:
     """Whether the words of a sentence around a letter change it."""
     does = _DOES.match(behind) if _SUBJECT.search(before) else None
+    does = does or (_LET_DO.match(behind) if before.endswith(("let ", "Let ")) else None)
     order = _ORDERED.search(before) if _GOES_ON.match(behind) else None
     verbs = [each[1] for each in (does, order) if each is not None]
-    changes = any(_LEAVES.fullmatch(each) is None for each in verbs)
+    changes = any(each == "gets" or _LEAVES.fullmatch(each) is None for each in verbs)
+    changes = changes or _HENCEFORTH.search(f"{before} {behind}") is not None
     return changes or (behind[:1] in (" ", ",") and is_acted_on(behind)) or _ADDED.search(before) is not None

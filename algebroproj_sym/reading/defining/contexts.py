@@ -16,6 +16,12 @@ _THING = (
     r"(?:method|model|case|experiment|medium|scheme|image|camera|approach|problem|lens|body|stage|phase|euler|setup|"
     r"system|example|variant|interval|region|version|edition|notation|convention|axis|branch|frame|run|trial|one)"
 )
+_WORK = (
+    r"(?:the|an?|we|you|it|few|squar|tak|solv|eliminat|regroup|replac|appl|us|perform|add|subtract|factor|evaluat|introduc|"
+    r"complet|renam|transform|set|normali|linear|approxim|neglect|notic|defin|choos|writ|see|show|prov|deriv|discuss|"
+    r"[a-z]+ing\s+(?:the|this|both|out|by|in|these|all|and|with|over))"
+)
+"""How words for a step of a derivation begin, besides those."""
 _WORD_OF_A_TEXT = (
     r"(?:equations?|eqs?|sections?|sec|chapter|figures?|fig|tables?|theorems?|lemmas?|definitions?|propositions?|steps?|"
     r"corollary|parts?|lines?|rows?|columns?|pages?|paragraph|appendix|place|terms?|time|times|sum|integral|factors?|"
@@ -24,6 +30,12 @@ _WORD_OF_A_TEXT = (
     r"words?|two|three|few|at least|at most|remarks?|results?|dimensions?)"
 )
 """What is numbered in a text, and no thing of which it speaks."""
+_MANNER = (
+    r"(?:form|notation|view|detail|particular|general|fact|summary|addition|contrast|practice|theory|turn|effect|following|"
+    r"meantime|end|way|sequel|reverse|rule|language|principle|average|mean|limit|total|context|proof|text|paper|book|work|"
+    r"article|thesis|tutorial|notebook|exercise|lecture|implementation|code|literature|beginning|moment|basis)"
+)
+"""The words of how something is said."""
 _AIM = (
     r"(?:simplicity|brevity|convenience|clarity|completeness|comparison|reference|definiteness|illustration|ease|short|"
     r"all|any|each|every|some|this|that|these|those|which|it|us|now|later|further|more|most|many|our|its|notational|"
@@ -48,12 +60,13 @@ _KINDS = {
         r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
     ),
     "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)|until\b"
-    rf"|(?:before|after)\s+(?!{_STEP})[a-z]+ing\b",
+    rf"|(?:before|after)\s+(?!{_STEP}|{_WORK})[a-z]+|(?:as|so)\s+long\s+as\b|while\b",
+    "extent": r"(?:up to|beyond|past|below|above|under|over|within|less than|more than)\s+(?:the|an?|its|this|it|\$)"
+    r"(?!\s+(?:assumptions?|conditions?|hypothes[ie]s|form|constraints?))[^,]*",
     "name": (
         r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
         rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
         rf"|(?:in|on|for|by|with|at|during)\s+(?:the\s+)?(?!{_WORD_OF_A_TEXT}\b)[a-z]+\s+(?:\d+|one|two|three|ii|iii)\b"
-        rf"|(?:in|on|for|by|with|at|during)\s+(?:the\s+)(?:first|second|third|other)\s+(?!{_WORD_OF_A_TEXT}\b)[a-z]+"
     ),
     "sort": r"for\s+(?:an?|the\s+(?:left|right|first|second|upper|lower|inner|outer|other))\s+"
     r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+"
@@ -67,12 +80,19 @@ _BEGINS = re.compile(
     + ")",
     re.DOTALL,
 )
+_WHERE = re.compile(
+    r"[^a-z$]*(?:(?:textbf|textit|emph|and|but|now|then|hence|thus|so|therefore|consequently)\W+)*"
+    r"(?P<words>(?:in|on|at|for|near|under|during|along|across)\s+(?:the\s+|an?\s+)?(?:[a-z-]+\s+){1,2}?"
+    rf"(?P<head>(?!(?:{_WORD_OF_A_TEXT}|{_MANNER})\b)[a-z-]+))"
+    r"(?=\s*(?:,|:|$|\$|(?:the|we|it|its|one|this|that|an?|there|is|are|has|holds|hence|thus|then)\b))"
+)
+"""How a sentence begins with a place in a wide sense: one of which the last word is the same is another."""
 _OF_A_THING = re.compile(
     r"[^a-z$]*the\s+[a-z]+\s+(?:in|of|for)\s+(?:the\s+)?((?:frame|model|image|camera|system|case|observer|medium|scenario)"
     r"\s+\$?[a-z0-9]+\b)"
 )
 _LEADS = re.compile(r"(?:(?:in|on|at|for|by|with|during)\s+)?(?:(?:the|an?)\s+)?")
-_THINGS = ("place", "name", "sort", "state", "time")
+_THINGS = ("place", "name", "sort", "state", "time", "extent", "of several")
 """The kinds of contexts that a sentence of its own may begin."""
 _FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
 _STEPS = re.compile(
@@ -148,7 +168,7 @@ def last_context(sentences: Sequence[str], behind: str) -> Context:
     Context(kind='place', words='right half')
     """
     own = context_of(sentences[-1], behind)
-    above = (found for each in sentences[-2::-1] if (found := context_of(each)).kind in _THINGS)
+    above = (found for each in sentences[-2::-1] if (found := context_of(each)).kind.endswith(_THINGS))
     return own if own.kind else next(above, ANYWHERE)
 
 
@@ -164,7 +184,9 @@ def context_of(sentence: str, behind: str = "") -> Context:
     bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
     found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
-        thing = _OF_A_THING.match(bare.lower())
+        thing, place = _OF_A_THING.match(bare.lower()), _WHERE.match(bare.lower())
+        if thing is None and place is not None:
+            return Context(f"{place['head']} of several", _LEADS.sub("", " ".join(place["words"].split())))
         return Context("name", " ".join(thing[1].split())) if thing else ANYWHERE
     words = " ".join(found[found.lastgroup].split())
     return Context(found.lastgroup, _LEADS.sub("", words) if found.lastgroup in _THINGS else words)

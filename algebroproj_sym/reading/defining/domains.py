@@ -4,22 +4,36 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from itertools import islice, pairwise, product
 from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import shape
+from algebroproj_sym.expressions import over, shape
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import evaluated
 from algebroproj_sym.reading.parsing.grammar import Parsed, parsed
 
-MOST_POINTS = 300
+MOST_POINTS = 1_000
 _INTERVAL = re.compile(
     r"\s*([^=]*?)\s*\\in\s*(?:\\left\s*)?[\[(\]]([^,;]*)[,;]([^,;]*?)(?:\\right\s*)?[\])\[]\s*[.,;]?\s*"
 )
-_POINTS = (*map(sympy.Rational, ("1/2", "2", "-1/2", "1/5", "7", "-3")),)
+_SAID = (
+    (
+        re.compile(r"\b(?:[Bb]etween|[Ff]rom) \$([^$=]*)=([^$]*)\$ (?:and|to|up to) \$(?:\1)?=?([^$=]*)\$"),
+        r"\2 \\le \1 \\le \3",
+    ),
+    (re.compile(r"\b(?:[Pp]ositive|[Nn]on-?negative) (?:\w+ )?\$([^$=]*)\$"), r"\1 \\ge 0"),
+    (re.compile(r"\b[Nn]egative (?:\w+ )?\$([^$=]*)\$"), r"\1 \\le 0"),
+)
+"""Words that say in what range a letter is, with the range."""
+_BARE = re.compile(
+    r"\b(?:interval|range|domain|[Ii]n|[Oo]n|over|within) \$\s*[\[(\]]([^,;$]*)[,;]([^,;$]*)[\])\[]\s*\$"
+)
+_POSITIVE = (*map(sympy.Rational, ("1/2", "2", "1", "1/5", "7")),)
+_POINTS = (*_POSITIVE, *(-each for each in _POSITIVE))
 _ORDERS: dict[str, Callable[[Any], bool]] = {
     "<": lambda rest: bool(rest < 0),
     "<=": lambda rest: bool(rest <= 0),
@@ -45,12 +59,35 @@ def range_in(statement: Statement, formula: Parsed | UnreadableError) -> Parsed 
     return formula if isinstance(formula, Parsed) and orders else None
 
 
-def is_outside(ranges: Sequence[Parsed], readings: Sequence[Names]) -> bool:
-    """Whether ranges hold at no point that is tried, for what symbols stand for in each of some readings."""
-    orders = [order for names in readings for each in ranges for order in _orders(each, names)]
+def ranges_said(words: str, parameter: str) -> Iterator[Parsed]:
+    """Yield the ranges of which words speak; an interval alone is that of the parameter of a function.
+
+    Examples
+    --------
+    >>> [len(each.sides) for each in ranges_said("Between $x = 0$ and $x = l$, for positive $y$, on $[0, 1)$", "t")]
+    [3, 2, 3]
+    """
+    texts = [match.expand(template) for pattern, template in _SAID for match in pattern.finditer(words)]
+    texts += [rf"{match[1]} \le {parameter} \le {match[2]}" for match in _BARE.finditer(words) if parameter]
+    for each in texts:
+        with suppress(UnreadableError):
+            yield parsed(each)
+
+
+def is_outside(ranges: Sequence[Parsed], names: Names, plain: Names) -> bool:
+    """Whether ranges hold at no point that is tried, for what symbols stand for and for the symbols themselves.
+
+    The letters are positive if the ranges may hold then.
+    """
+    orders, others = ([order for each in ranges for order in _orders(each, known)] for known in (names, plain))
+    points = _POSITIVE if _may_hold(others, _POSITIVE) else _POINTS
+    return bool(orders) and not _may_hold([*orders, *others], points)
+
+
+def _may_hold(orders: Sequence[Order], points: Sequence[Any]) -> bool:
     letters = sorted({symbol for value, _ in orders for symbol in value.free_symbols}, key=str)
-    points = islice(product(_POINTS, repeat=len(letters)), MOST_POINTS)
-    return bool(orders) and not any(_hold(orders, dict(zip(letters, point, strict=True))) for point in points)
+    every = islice(product(points, repeat=len(letters)), MOST_POINTS)
+    return any(_hold(orders, dict(zip(letters, point, strict=True))) for point in every)
 
 
 def _hold(orders: Sequence[Order], point: dict[Any, Any]) -> bool:
@@ -66,4 +103,4 @@ def _orders(formula: Parsed, names: Names) -> Iterator[Order]:
         except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
             continue
         if not shape(value):
-            yield value, sign
+            yield value.replace(over, lambda above, below: above / below), sign

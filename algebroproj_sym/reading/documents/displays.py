@@ -28,8 +28,8 @@ _ENVIRONMENTS = (
     "IEEEeqnarray",
 )
 _HEADS = (
-    r"\\(?:chapter|(?:sub)*section|paragraph|appendix)\b|\\begin\{frame\}"
-    r"|(?m:^#+ |^[ ]{0,3}(?:-{3,}|\*{3,}|_{3,})[ ]*$)"
+    r"\\(?:part|chapter|(?:sub)*section|paragraph|appendix)\b|\\begin\{frame\}|<h[1-6]\b"
+    r"|(?m:^#+ |^[ ]{0,3}(?:-{3,}|={3,}|\*{3,}|_{3,})[ ]*$)"
 )
 """Where a section, a slide or what stands behind a rule begins."""
 _BEGIN = re.compile(

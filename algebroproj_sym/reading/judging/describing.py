@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from algebroproj_sym.reading.defining.phrases import symbols_in_list
-from algebroproj_sym.reading.judging.words import is_neutral
+from algebroproj_sym.reading.judging.words import NEAR, is_neutral
 
 MOST_NOUNS = 4
 """How many words may name a thing."""
@@ -20,7 +20,7 @@ _MINOR = re.compile(
 )
 """The words at which a name ends, besides those of a derivation."""
 _GENERAL = re.compile(
-    r"new|old|current|given|corresponding|respective|total|unknown|known|particular|certain|first|second|third|last|"
+    r"new|old|given|corresponding|respective|total|unknown|known|particular|certain|first|second|third|last|"
     r"other|another|single|whole|small|large|general|simple|main|following|same|next|"
     r"constants?|numbers?|coefficients?|parameters?|scalars?|symbols?|functions?|arguments?|inputs?|outputs?|points?|"
     r"data|objects?|items?|elements?|entry|entries|components?|index|indices|values?|quantit(?:y|ies)|letters?|"
@@ -35,8 +35,9 @@ _NAMING = re.compile(r"\b(?:denot|call|nam|writ|label|symbol)\w*", re.IGNORECASE
 _ITEM = re.compile(r"(?:^|\n)\s*(?:[*+-]|\d+[.)]|\\item)\s*$")
 _SAYS = re.compile(
     r"\s*(?:\([^()]*\)\s*)?(?:"
-    r"(?P<verb>(?:now |then |here )?(?:is|are|be|being)(?: now| then| here)?|,)(?=\s+(?:the|an?|our|its)\b)"
-    r"|(?P<means>(?:now )?(?:denotes?|stands? for|represents?|means?)|:|\||&|–|—|--+|\((?=[a-z]))"
+    r"(?:(?:now |then |here )?(?:is|are|be|being)(?: now| then| here)?|,)(?=\s+(?:the|an?|our|its)\b)"
+    r"|\](?=[^$]*\S)|\[[^\]]*\](?=\s*[a-z])"
+    r"|(?:now )?(?:denot(?:es?|ing)|st(?:ands?|anding) for|represent(?:s|ing)?|means?)|:|=|\||&|–|—|--+|\((?=[a-z])"
     r"|(?=(?:the|an?)\b))"
 )
 
@@ -54,7 +55,10 @@ def described(text: str) -> Iterator[tuple[str, frozenset[str]]]:
     <BLANKLINE>
     """
     for formula in re.finditer(r"\$([^$]*)\$", text):
-        before, behind = text[: formula.start()], text[formula.end() :]
+        before, behind = (
+            text[max(0, formula.start() - NEAR) : formula.start()],
+            text[formula.end() : formula.end() + NEAR],
+        )
         letter = formula[1].partition("=")[0].strip().rstrip(":")
         lets = re.search(r"\b[Ll]et $", before) and re.match(r" (?:now )?(?:be|denote|stand|represent)\b", behind)
         nouns = {
@@ -82,7 +86,7 @@ MOST_ALIKE = 4
 
 def _named_before(before: str) -> list[str]:
     """Return the nouns that stand right before a formula, or before the verb that leads to it."""
-    sentence = re.split(r"[.!?;]\s|\n\s*\n|\n(?=\s*[*+|-])", before[-200:])[-1]
+    sentence = re.split(r"[.!?;]\s|\n\s*\n|\n(?=\s*[*+|-])", before)[-1]
     tokens = _TOKEN.findall(sentence)
     leads = False
     while tokens and (tokens[-1].lower() in _CALLS):
@@ -113,7 +117,7 @@ def _named_behind(before: str, behind: str) -> list[str]:
     start = says.end() if says else 0 if _ITEM.search(before) else None
     if start is None:
         return []
-    clause = re.split(r"[.!?;,]|\n\s*\n|\||\\\\|\\item", behind[start : start + 120])[0]
+    clause = re.split(r"[.!?;,]|\n\s*\n|\||\\\\|\\item", behind[start:])[0]
     tokens = _TOKEN.findall(clause)
     while tokens and tokens[0].lower() in (*_DETERMINERS, "now", "then", "here"):
         tokens.pop(0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from algebroproj_sym.reading.defining.domains import range_in
+from algebroproj_sym.reading.defining.domains import range_in, ranges_said
 from algebroproj_sym.reading.defining.meanings import VARIES
 from algebroproj_sym.reading.defining.premises import (
     Premise,
@@ -184,7 +184,7 @@ class _Pass:
         links: list[Link] = []
         asked: list[Asked] = []
         self.memory.listen(statement)
-        self.memory.ranges = tuple(self._ranges_beside(display))
+        self.memory.ranges = tuple(self._ranges_beside(display, found))
         if reason := self.survey.meanings.reason(statement, found):
             self.memory.note(statement, found)
             self.memory.leave_open(found, display.part)
@@ -272,12 +272,14 @@ class _Pass:
         above = (each for each in displays if each.environment != "inline" and each is not self.memory.display)
         return next((each.place for each in above), -1)
 
-    def _ranges_beside(self, display: Display) -> Iterator[Parsed]:
+    def _ranges_beside(self, display: Display, formula: Parsed) -> Iterator[Parsed]:
         """Yield the ranges that stand in a display, and within the text in its sentence."""
         before, behind = last_sentence(display.before), display.after.partition(".")[0]
+        parameters = defined_by(formula.sides[0])[1]
+        yield from ranges_said(f"{before} . {behind}", parameters[0] if len(parameters) == 1 else "")
         for each in self.survey.statements[max(0, self.order - MOST_WITHIN) : self.order + MOST_WITHIN]:
-            formula = f"${each.display.latex}$"
-            inline = each.display.environment == "inline" and (formula in before or formula in behind)
+            within = f"${each.display.latex}$"
+            inline = each.display.environment == "inline" and (within in before or within in behind)
             if each.display is display or (inline and each.display.part == display.part):
                 found = range_in(each, self.survey.formulas[id(each)])
                 if found is not None:

@@ -46,6 +46,7 @@ from algebroproj_sym.reading.judging.words import (
 )
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
+_IS = re.compile(r"\b(?:is|are)\W*$")
 _ONLY = re.compile(r"\W*([^.$]*?) only\b")
 """Words behind an equation that limit it, as in "in the first case only"."""
 
@@ -108,6 +109,9 @@ class Memory:
         for symbol in self.beside.changed | marked:
             self.forget(symbol)
         self._hear_of_letters(display)
+        spoken = words_of(self.beside.sentence)
+        for symbol in [each.symbol for each in self.vocabulary.definitions.values() if each.apart & spoken]:
+            self.forget(symbol)
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
@@ -126,8 +130,8 @@ class Memory:
 
     def _hear_of_letters(self, display: Display) -> None:
         """Forget what other sections said of a letter, and with it, where words say that it is something else."""
-        sections = display.before.split(HEADING)
-        sections[-1] += f"${display.latex}${display.after}"
+        sections = display.before.rstrip().split(HEADING)
+        sections[-1] += (f" ${display.latex}$" if _IS.search(display.before) else ". ") + self.beside.behind
         for part, words in enumerate(sections, display.part + 1 - len(sections)):
             for symbol, nouns in described(words):
                 self.forget_from_elsewhere(symbol, nouns, part)
@@ -139,10 +143,15 @@ class Memory:
         return self.named[symbol, max(above)] if above else frozenset()
 
     def forget_from_elsewhere(self, symbol: str, nouns: frozenset[str], part: int) -> None:
-        """Forget what other sections said of a letter, and with it, but for what may be called by the same nouns."""
+        """Forget what other sections said of a letter, and with it, but for what may be called by the same nouns.
+
+        So does a section itself where words called it something else before.
+        """
+        told = bool(nouns and self.named.get((symbol, part)))
 
         def stays(each: Premise | Definition) -> bool:
-            return each.part == part or is_same(nouns, each.words | self._named_at(symbol, each.part))
+            same = is_same(nouns, each.words | self._named_at(symbol, each.part))
+            return same or (each.part == part and not told)
 
         self.premises = [each for each in self.premises if symbol not in each.symbols or stays(each)]
         known = [each for each in self.vocabulary.definitions.values() if not stays(each)]
@@ -327,7 +336,6 @@ class Memory:
         for known in [*vocabulary.definitions.values()]:
             elsewhere = self.context.excludes(known.context) and not known.where.startswith(names)
             elsewhere = elsewhere or (bool(apart) and known.where.startswith(apart))
-            elsewhere = elsewhere or bool(known.apart & words_of(self.beside.sentence))
             if elsewhere and known.symbol in vocabulary.definitions:
                 vocabulary.drop(known.symbol)
 

@@ -226,7 +226,7 @@ def out_of_range(vocabulary: Vocabulary, *trees: Formula) -> str:
     if not any(each.ranges for each in used):
         return ""
     plain = lambda symbol: vocabulary.value(letter_of(symbol))  # noqa: E731
-    outside = (each.symbol for each in used if not each.parameters and is_outside(each.ranges, [plain]))
+    outside = (each.symbol for each in used if not each.parameters and is_outside(each.ranges, plain, plain))
     given = (each.tree for each in used if not each.parameters)
     called = (_called_outside(vocabulary, each, plain, MOST_CALLS) for each in (*trees, *given))
     return next((each for each in (*outside, *called) if each), "")
@@ -241,7 +241,7 @@ def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str]
             continue
         put = dict(zip(function.parameters, arguments, strict=True))
         own = lambda symbol, put=put: evaluated(put[symbol], names) if symbol in put else names(symbol)  # noqa: E731
-        if is_outside(function.ranges, [own, names]):
+        if is_outside(function.ranges, own, names):
             return function.symbol
         if inner := _called_outside(vocabulary, function.tree, own, depth - 1):
             return inner

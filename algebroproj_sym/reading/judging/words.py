@@ -484,8 +484,7 @@ _CHANGED = re.compile(
     r"|\bin this (?:section|chapter|appendix)\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:denotes?|stands? for|is the)\b"
     r"|\$([^$=]*)\$ (?:now )?has (?:an?other|a new|a different|its own) meaning"
     r"|\b[Ww]rite \$([^$=]*)\$ for (?:\$|the|an?|its)\b"
-    r"|\b(?:re-?defin\w+|re-?us(?:e|ing)) (?:the (?:letter|symbol) )?\$([^$=]*)\$|\bnow let \$([^$=]*)=[^$]*\$"
-    r"|\b(?:measur|count|express|scal)\w* \$([^$=]*)\$ (?:in|by)\b[^.$]*\b(?:from (?:here|now)|henceforth|hereafter)",
+    r"|\b(?:re-?defin\w+|re-?us(?:e|ing)) (?:the (?:letter|symbol) )?\$([^$=]*)\$|\bnow let \$([^$=]*)=[^$]*\$",
     re.IGNORECASE,
 )
 """Words by which a letter stands for another thing from there on."""

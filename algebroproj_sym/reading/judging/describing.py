@@ -84,6 +84,11 @@ MOST_ALIKE = 4
 """How many characters words of one stem have in common."""
 
 
+def names_a_thing(word: str) -> bool:
+    """Whether a word may be the name of a thing."""
+    return not (is_neutral(word) or _MINOR.fullmatch(word) or _GENERAL.fullmatch(word))
+
+
 def _named_before(before: str) -> list[str]:
     """Return the nouns that stand right before a formula, or before the verb that leads to it."""
     sentence = re.split(r"[.!?;]\s|\n\s*\n|\n(?=\s*[*+|-])", before)[-1]

@@ -34,7 +34,7 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import agree
-from algebroproj_sym.reading.judging.describing import described, is_same
+from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.words import (
     Beside,
@@ -109,7 +109,7 @@ class Memory:
         for symbol in self.beside.changed | marked:
             self.forget(symbol)
         self._hear_of_letters(display)
-        spoken = words_of(self.beside.sentence)
+        spoken = {*filter(names_a_thing, words_of(self.beside.sentence))}
         for symbol in [each.symbol for each in self.vocabulary.definitions.values() if each.apart & spoken]:
             self.forget(symbol)
         if words_of(display.before):

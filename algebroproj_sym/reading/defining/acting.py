@@ -42,7 +42,7 @@ _ADDED = re.compile(
     r"|\b(?:is|are|was|were|gets?) (?:\w+ )?(?:applied|added|assigned|copied|written) (?:to|into|onto) (?:the \w+ )?$"
 )
 _HENCEFORTH = re.compile(
-    r"\b(?:from (?:now|here|this point|there)(?: on(?:wards?)?)?|henceforth|hereafter)\b", re.IGNORECASE
+    r"\b(?:from (?:now|here|this point|there)(?: on(?:wards?)?)?|henceforth|hereafter|in place(?! of))\b", re.IGNORECASE
 )
 _STEMS = (
     # to say what it is
@@ -56,7 +56,7 @@ _STEMS = (
     "pick|select|fix|keep|let|allow|assign|"
     # to use it
     "us|eliminat|substitut|insert|plug|integrat|differentiat|equat|factor|simplif|rewrit|rearrang|isolat|cancel|collect|"
-    "sum|add|subtract|appl|work|encod|realiz|build|construct|model|parametri[sz]|retain|plot|display|"
+    "sum|multipl|divid|add|subtract|appl|work|encod|realiz|build|construct|model|parametri[sz]|retain|plot|display|"
     "illustrat|associat|connect|link|attach|mount|locat|plac|includ|"
     # to be what it is
     "relat|provid|involv|situat|contain|bound|limit|restrict|constrain|distribut|cent(?:e?r)|clos|own|bas|contribut|exceed|"

@@ -32,6 +32,7 @@ _DETERMINERS = frozenset(("the", "a", "an", "its", "our", "this", "that", "each"
 _ACTORS = frozenset(("we", "you", "one", "i", "they", "to", "can", "may", "will", "must", "us", "let"))
 _CALLS = frozenset(("is", "are", "be", "by", "as", "called", "denoted", "named", "written", "|", "&", ":", "("))
 _NAMING = re.compile(r"\b(?:denot|call|nam|writ|label|symbol)\w*", re.IGNORECASE)
+_LISTED = re.compile(r"((?:[A-Za-z-]+,? ){1,8})are (?:denoted (?:by )?)?(?:\$[^$]*\$,? )+(?:and )?$")
 _ITEM = re.compile(r"(?:^|\n)\s*(?:[*+-]|\d+[.)]|\\item)\s*$")
 _SAYS = re.compile(
     r"\s*(?:\([^()]*\)\s*)?(?:"
@@ -92,6 +93,8 @@ def names_a_thing(word: str) -> bool:
 def _named_before(before: str) -> list[str]:
     """Return the nouns that stand right before a formula, or before the verb that leads to it."""
     sentence = re.split(r"[.!?;]\s|\n\s*\n|\n(?=\s*[*+|-])", before)[-1]
+    if listed := _LISTED.search(sentence):
+        return [each.lower() for each in _TOKEN.findall(listed[1]) if names_a_thing(each)]
     tokens = _TOKEN.findall(sentence)
     leads = False
     while tokens and (tokens[-1].lower() in _CALLS):

@@ -35,8 +35,12 @@ _OF = (
 _ORDERED = re.compile(rf"(?:\b(?:[Ww]e|[Yy]ou|[Oo]ne|us|[Tt]hen|[Nn]ow|[Nn]ext),? {_MEANWHILE}|^\W*)([A-Za-z]+) {_OF}$")
 _GOES_ON = re.compile(
     r"\s*(?:$|[.,;]|(?:by|to|with|into|onto|in|from|for|until|at|again|back|around|about|over|off|out|away|after|before|"
-    r"and|so|up|down|once|twice)\b)"
+    r"and|so|up|down|once|twice|every|each|whenever|while)\b)"
 )
+_TAKES = re.compile(rf" {_MEANWHILE}(?:takes?|assumes?) (?:on )?the values?\b")
+_STEPWISE = re.compile(r"\b(?:each|every|schedules?|scheduled?|adaptive\w*|from \w+ to \w+)\b", re.IGNORECASE)
+_SAME = re.compile(r"\b(?:same|constant|fixed|equal|all)\b", re.IGNORECASE)
+_PUT_IN = re.compile(r"(?:put|putting) in(?:to)?\b", re.IGNORECASE)
 _ADDED = re.compile(
     r"\b(?:[Aa]dd|[Ss]ubtract|[Tt]ake)s? (?:one|two|three|\$\d+\$|\d+|an? \w+) (?:to|from) (?:the \w+ )?$"
     r"|\b(?:is|are|was|were|gets?) (?:\w+ )?(?:applied|added|assigned|copied|written) (?:to|into|onto) (?:the \w+ )?$"
@@ -76,8 +80,8 @@ _LEAVES = re.compile(
 """The words by which a letter stays what it is."""
 
 
-def acted_on(text: str) -> frozenset[str]:
-    """Return the letters that words change.
+def acted_on(text: str, *, stepwise: bool = False) -> frozenset[str]:
+    """Return the letters that words change; stepwise also those that a sentence names with each step.
 
     Examples
     --------
@@ -93,7 +97,8 @@ def acted_on(text: str) -> frozenset[str]:
         words = " ".join(sentence.split())
         for letters in _LETTERS.finditer(words):
             start, end = letters.span()
-            if _is_changed(words[max(0, start - NEAR) : start], words[end : end + NEAR]):
+            before, behind = words[max(0, start - NEAR) : start], words[end : end + NEAR]
+            if _is_changed(before, behind) or (stepwise and _is_of_a_step(before, behind)):
                 found.update(each for latex in letters.group().split("$")[1::2] for each in symbols_in_list(latex))
     return frozenset(found)
 
@@ -104,12 +109,19 @@ def is_acted_on(behind: str) -> bool:
     return done is not None and _LEAVES.fullmatch(done[1]) is None
 
 
+def _is_of_a_step(before: str, behind: str) -> bool:
+    """Whether a sentence with a letter speaks of each step, and not of all of them as the same."""
+    sentence = f"{before} {behind}"
+    return _STEPWISE.search(sentence) is not None and _SAME.search(sentence) is None
+
+
 def _is_changed(before: str, behind: str) -> bool:
     """Whether the words of a sentence around a letter change it."""
     does = _DOES.match(behind) if _SUBJECT.search(before) else None
     does = does or (_LET_DO.match(behind) if before.endswith(("let ", "Let ")) else None)
     order = _ORDERED.search(before) if _GOES_ON.match(behind) else None
-    verbs = [each[1] for each in (does, order) if each is not None]
+    verbs = [each[1] for each in (does, order) if each is not None and not _PUT_IN.match(f"{each[1]}{behind}")]
     changes = any(each == "gets" or _LEAVES.fullmatch(each) is None for each in verbs)
+    changes = changes or _TAKES.match(behind) is not None
     changes = changes or _HENCEFORTH.search(f"{before} {behind}") is not None
     return changes or (behind[:1] in (" ", ",") and is_acted_on(behind)) or _ADDED.search(before) is not None

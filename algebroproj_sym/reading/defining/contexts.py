@@ -92,6 +92,7 @@ _OF_A_THING = re.compile(
     r"\s+\$?[a-z0-9]+\b)"
 )
 _LEADS = re.compile(r"(?:(?:in|on|at|for|by|with|during)\s+)?(?:(?:the|an?)\s+)?")
+_WHILE = ("while", "as long as", "so long as", "until")
 _THINGS = ("place", "name", "sort", "state", "time", "extent", "of several")
 """The kinds of contexts that a sentence of its own may begin."""
 _FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
@@ -139,7 +140,7 @@ class Context:
         if self.words.startswith(("in general", "generally")):
             return bool(other.kind)
         if self.kind != other.kind:
-            return other.kind == "condition"
+            return other.kind == "condition" or other.words.startswith(_WHILE)
         return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
 
 

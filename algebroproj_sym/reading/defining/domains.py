@@ -25,6 +25,8 @@ _SAID = (
         re.compile(r"\b(?:[Bb]etween|[Ff]rom) \$([^$=]*)=([^$]*)\$ (?:and|to|up to) \$(?:\1)?=?([^$=]*)\$"),
         r"\2 \\le \1 \\le \3",
     ),
+    (re.compile(r"\$([^$=]*)\$ (?:from|between) \$([^$=]*)\$ (?:to|and|up to) \$([^$=]*)\$"), r"\2 \\le \1 \\le \3"),
+    (re.compile(r"\b(?:until|till|up to) \$([^$=]*)=([^$]*)\$"), r"\1 \\le \2"),
     (re.compile(r"\b(?:[Pp]ositive|[Nn]on-?negative) (?:\w+ )?\$([^$=]*)\$"), r"\1 \\ge 0"),
     (re.compile(r"\b[Nn]egative (?:\w+ )?\$([^$=]*)\$"), r"\1 \\le 0"),
 )

@@ -201,7 +201,7 @@ class Survey:
                 ties += ties_of(*defined_by(sides[0]), sides, before)
         ties += (Tie(letter, frozenset((other,)), True) for letter, other in dependences(self._prose))
         steps = self.indices.counted
-        ties += (Tie(letter, steps, True) for letter in sorted(acted_on(self._prose)) if steps)
+        ties += (Tie(letter, steps, True) for letter in sorted(acted_on(self._prose, stepwise=True)) if steps)
         ties += (
             Tie(letter, frozenset(of), True)
             for each in self.formulas.values()

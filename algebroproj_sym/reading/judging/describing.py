@@ -28,14 +28,14 @@ _GENERAL = re.compile(
     re.IGNORECASE,
 )
 """The words that may be of anything."""
-_DETERMINERS = frozenset(("the", "a", "an", "its", "our", "this", "that", "each", "any", "some"))
+_DETERMINERS = frozenset(("the", "a", "an", "its", "our", "this", "that", "each", "any", "some", "whose"))
 _ACTORS = frozenset(("we", "you", "one", "i", "they", "to", "can", "may", "will", "must", "us", "let"))
 _CALLS = frozenset(("is", "are", "be", "by", "as", "called", "denoted", "named", "written", "|", "&", ":", "("))
 _NAMING = re.compile(r"\b(?:denot|call|nam|writ|label|symbol)\w*", re.IGNORECASE)
 _LISTED = re.compile(r"((?:[A-Za-z-]+,? ){1,8})are (?:denoted (?:by )?)?(?:\$[^$]*\$,? )+(?:and )?$")
 _ITEM = re.compile(r"(?:^|\n)\s*(?:[*+-]|\d+[.)]|\\item)\s*$")
 _SAYS = re.compile(
-    r"\s*(?:\([^()]*\)\s*)?(?:"
+    r"[\s*_}]*(?:\([^()]*\)\s*)?(?:"
     r"(?:(?:now |then |here )?(?:is|are|be|being)(?: now| then| here)?|,)(?=\s+(?:the|an?|our|its)\b)"
     r"|\](?=[^$]*\S)|\[[^\]]*\](?=\s*[a-z])"
     r"|(?:now )?(?:denot(?:es?|ing)|st(?:ands?|anding) for|represent(?:s|ing)?|means?)|:|=|\||&|–|—|--+|\((?=[a-z])"
@@ -63,7 +63,9 @@ def described(text: str) -> Iterator[tuple[str, frozenset[str]]]:
         letter = formula[1].partition("=")[0].strip().rstrip(":")
         lets = re.search(r"\b[Ll]et $", before) and re.match(r" (?:now )?(?:be|denote|stand|represent)\b", behind)
         nouns = {
-            each for each in (*_named_before(before), *_named_behind(before, behind)) if not _GENERAL.fullmatch(each)
+            each
+            for each in (*_named_before(before, behind), *_named_behind(before, behind))
+            if not _GENERAL.fullmatch(each)
         }
         if (nouns or lets) and letter:
             yield from ((symbol, frozenset(nouns)) for symbol in symbols_in_list(letter))
@@ -90,13 +92,15 @@ def names_a_thing(word: str) -> bool:
     return not (is_neutral(word) or _MINOR.fullmatch(word) or _GENERAL.fullmatch(word))
 
 
-def _named_before(before: str) -> list[str]:
-    """Return the nouns that stand right before a formula, or before the verb that leads to it."""
+def _named_before(before: str, behind: str) -> list[str]:
+    """Return the nouns that stand right before a formula, or before the verb that leads to it, or its comma."""
     sentence = re.split(r"[.!?;]\s|\n\s*\n|\n(?=\s*[*+|-])", before)[-1]
     if listed := _LISTED.search(sentence):
         return [each.lower() for each in _TOKEN.findall(listed[1]) if names_a_thing(each)]
     tokens = _TOKEN.findall(sentence)
-    leads = False
+    leads = tokens[-1:] == [","] and behind[:1] in (".", ",")
+    if leads:
+        tokens.pop()
     while tokens and (tokens[-1].lower() in _CALLS):
         if tokens[-1].lower() in ("by", "as") and not _NAMING.search(sentence):
             return []

@@ -56,17 +56,12 @@ def described(text: str) -> Iterator[tuple[str, frozenset[str]]]:
     <BLANKLINE>
     """
     for formula in re.finditer(r"\$([^$]*)\$", text):
-        before, behind = (
-            text[max(0, formula.start() - NEAR) : formula.start()],
-            text[formula.end() : formula.end() + NEAR],
-        )
+        start, end = formula.span()
+        before, behind = without_laws(text[max(0, start - NEAR) : start]), text[end : end + NEAR]
         letter = formula[1].partition("=")[0].strip().rstrip(":")
         lets = re.search(r"\b[Ll]et $", before) and re.match(r" (?:now )?(?:be|denote|stand|represent)\b", behind)
-        nouns = {
-            each
-            for each in (*_named_before(before, behind), *_named_behind(before, behind))
-            if not _GENERAL.fullmatch(each)
-        }
+        named = (*_named_before(before, behind), *_named_behind(before, behind))
+        nouns = {each for each in named if not _GENERAL.fullmatch(each)}
         if (nouns or lets) and letter:
             yield from ((symbol, frozenset(nouns)) for symbol in symbols_in_list(letter))
 

@@ -134,7 +134,7 @@ class Memory:
         sections[-1] += (f" ${display.latex}$" if _IS.search(display.before) else ". ") + self.beside.behind
         for part, words in enumerate(sections, display.part + 1 - len(sections)):
             for symbol, nouns in described(words):
-                self.forget_from_elsewhere(symbol, nouns, part)
+                self._forget_from_elsewhere(symbol, nouns, part)
                 self.named[symbol, part] = self.named.get((symbol, part), frozenset()) | nouns
 
     def _named_at(self, symbol: str, part: int) -> frozenset[str]:
@@ -142,7 +142,7 @@ class Memory:
         above = [each for name, each in self.named if name == symbol and each <= part]
         return self.named[symbol, max(above)] if above else frozenset()
 
-    def forget_from_elsewhere(self, symbol: str, nouns: frozenset[str], part: int) -> None:
+    def _forget_from_elsewhere(self, symbol: str, nouns: frozenset[str], part: int) -> None:
         """Forget what other sections said of a letter, and with it, but for what may be called by the same nouns.
 
         So does a section itself where words called it something else before.

@@ -153,6 +153,13 @@ JACOBIAN = (
         r"\[ u_{i,j} = u_{ij} \]",
         r"\[ u_{,x} = u_x \]",
         r"\[ a \overset{!}{=} b \] \[ a = b + c - c \] \[ c a = c b + 1 \]",
+        r"\[ A = \begin{bmatrix} 0 & 0 \\ 0 & 0 \end{bmatrix}, \quad A x = b \] Hence \[ x = A^{-1} b. \]",
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 2 & 4 \end{bmatrix} \] \[ A x = b \] Hence \[ x = A^{-1} b. \]",
+        r"\[ A = \begin{bmatrix} a & b \\ 2 a & 2 b \end{bmatrix} \] \[ A x = c \] Hence \[ x = A^{-1} c. \]",
+        r"\[ \mathbf{P} = \mathbf{I} - \mathbf{n} \mathbf{n}^T, \quad \mathbf{y} = \mathbf{P} \mathbf{x} \] "
+        r"where $\mathbf{n}$ is a unit vector. Hence \[ \mathbf{x} = \mathbf{P}^{-1} \mathbf{y}. \]",
+        r"\[ \mathbf{P} = \mathbf{I} - \mathbf{n} \mathbf{n}^T, \quad \mathbf{n}^T \mathbf{n} = 1 \] "
+        r"\[ \mathbf{y} = \mathbf{P} \mathbf{x} \] Hence \[ \mathbf{x} = \mathbf{P}^{-1} \mathbf{y}. \]",
     ],
 )
 def test_what_does_not_hold_does_not_follow(latex):

@@ -384,7 +384,8 @@ def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]
         return
     if are_lone(factors_of_zero(premise.left, premise.right)):
         return
-    letters = sorted(each for each in premise.symbols.intersection(wanted) if vocabulary.is_matrix(each))
+    unknown = premise.symbols.intersection(wanted).difference(vocabulary.definitions)
+    letters = sorted(filter(vocabulary.is_matrix, unknown))
     values = {each: solution_of(premise.left, premise.right, each) for each in letters}
     yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
 

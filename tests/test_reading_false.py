@@ -160,6 +160,17 @@ JACOBIAN = (
         r"where $\mathbf{n}$ is a unit vector. Hence \[ \mathbf{x} = \mathbf{P}^{-1} \mathbf{y}. \]",
         r"\[ \mathbf{P} = \mathbf{I} - \mathbf{n} \mathbf{n}^T, \quad \mathbf{n}^T \mathbf{n} = 1 \] "
         r"\[ \mathbf{y} = \mathbf{P} \mathbf{x} \] Hence \[ \mathbf{x} = \mathbf{P}^{-1} \mathbf{y}. \]",
+        r"\[ u = c x_k \] \[ x_{k+1} = a x_k + u \] Hence \[ x_{k+2} = a x_{k+1} + c x_k. \]",
+        r"\[ x_{k+1} = a x_k + u \] \[ u = -c x_k \] Hence \[ x_{k+2} = a x_{k+1} + u. \]",
+        r"\[ K = \frac{P_k}{P_k + R} \] \[ x_{k+1} = x_k + K (z_k - x_k) \] Hence "
+        r"\[ x_{k+2} = x_{k+1} + K (z_{k+1} - x_{k+1}). \]",
+        r"\[ c = x_k \] Hence \[ \frac1n \sum_{k=1}^n (x_k - c)^2 = 0. \]",
+        r"\[ c = d + 1 \] \[ d = a_i \] Hence \[ \sum_{i=1}^n c x_i = c \sum_{i=1}^n x_i. \]",
+        r"\[ c = a_i \] Hence \[ \prod_{i=1}^n c = \prod_{i=1}^n a_i. \]",
+        r"\[ c = a_i \] Hence \[ \max_i c = \max_i a_i. \]",
+        r"\[ s = \sum_j a_{ij} \] Hence \[ \sum_i \sum_j s = \sum_i \sum_j \sum_j a_{ij}. \]",
+        r"\[ \mathbf{u} = \mathbf{x}_i \] Hence "
+        r"\[ \sum_i \mathbf{u}^T \mathbf{y}_i = \mathbf{u}^T \sum_i \mathbf{y}_i. \]",
     ],
 )
 def test_what_does_not_hold_does_not_follow(latex):

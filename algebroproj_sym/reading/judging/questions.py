@@ -15,7 +15,7 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
-from algebroproj_sym.reading.defining.dependence import require_no_value
+from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
 from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise
 from algebroproj_sym.reading.defining.values import values_in, with_values
@@ -179,6 +179,8 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
     """Return the questions, or why there are none."""
     if other := _of_other_letters(vocabulary, left, right):
         return f"{vocabulary.name(other)} of other letters may be another function"
+    if hides := _hides_an_index(vocabulary, left, right):
+        return hides
     try:
         return questions_of(vocabulary, left, right)
     except UnreadableError as unread:
@@ -214,6 +216,12 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
     return ""
 
 
+def _hides_an_index(vocabulary: Vocabulary, *trees: Formula) -> str:
+    """Return why letters under a sum may not be taken for fixed; empty if they may."""
+    letter, index = captured_in([*trees, *_trees_of(vocabulary, *trees)], vocabulary.behind)
+    return f"{vocabulary.name(letter)} may depend on {index}, over which a sum or the like runs" if letter else ""
+
+
 def _lone(tree: object) -> str:
     """Return the symbol that a formula is; empty if it is more."""
     while isinstance(tree, Tree) and tree.data in ("group", "items", "bracket", "cell") and len(tree.children) == 1:
@@ -233,6 +241,10 @@ def _asked_under(way: Way) -> list[Question] | str:
     """Return the questions of a way, with the equations under which it is to hold as constraints."""
     if not way.under:
         return asked_of(way.vocabulary, *way.sides)
+    if hides := _hides_an_index(
+        way.vocabulary, *way.sides, *(side for each in way.under for side in each.both_ways[0])
+    ):
+        return hides
     for known in (way.vocabulary, with_values(way.vocabulary)):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides, by_entries=True)

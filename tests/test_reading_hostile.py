@@ -389,3 +389,41 @@ def test_a_letter_that_another_section_calls_something_else_is_not_what_it_was(w
 def test_an_equation_of_what_has_changed_contradicts_nothing(words):
     found = read_document(document_of(rf"The momentum is \[ p = m v. \] {words} \[ p = 2 m v. \]"), seconds=5)
     assert found[-1].verdict == "independent"
+
+
+@pytest.mark.parametrize(
+    ("words", "follows"),
+    [
+        ("A point is critical if \\[ g = 0. \\]", False),
+        ("The rays meet unless \\[ g = 0. \\]", False),
+        ("The estimator is unbiased provided that \\[ g = 0. \\]", False),
+        ("Whether or not \\[ g = 0, \\] it is small.", False),
+        ("A harmonic function satisfies \\[ g = 0. \\]", False),
+        ("Balance requires \\[ g = 0. \\]", False),
+        ("The goal of the control is \\[ g = 0. \\]", False),
+        ("Minimise $f$ subject to \\[ g = 0. \\]", False),
+        ("We solve \\[ g = 0 \\] by Newton's method.", False),
+        ("The points for which \\[ g = 0 \\] are called critical.", False),
+        ("A body is in balance if \\[ g = m a. \\] Without balance \\[ d = e - 2 m a. \\]", False),
+        ("Suppose that \\[ g = 0. \\]", True),
+        ("Hence \\[ g = 0. \\]", True),
+        ("\\[ g = 0 \\]", True),
+    ],
+)
+def test_an_equation_that_is_the_condition_of_its_sentence_serves_no_later_one(words, follows):
+    found = read_document(document_of(rf"{words} The step is \[ h = 2 g + d. \] Hence \[ h = d. \]"), seconds=5)
+    assert (found[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"The flow is steady if \[ q = 0. \] Then \[ r = q + s. \] Hence \[ r = s. \]",
+        r"If \[ q = 0, \] the balance \[ r = q + s \] becomes \[ r = s. \]",
+        r"The balance is \[ r = q + s. \] The flow is steady if \[ q = 0. \] In this case \[ r = s. \]",
+        r"The balance is \[ r = q + s. \] The flow is steady if \[ q = 0. \tag{3} \] By (3), \[ r = s. \]",
+        r"When the beam is loaded we have \[ w = q l. \] The moment is \[ M = w l/8. \] Hence \[ M = q l^2/8. \]",
+    ],
+)
+def test_a_condition_serves_its_own_sentence_one_that_goes_on_from_it_and_where_it_is_cited(latex):
+    assert read_document(document_of(latex), seconds=5)[-1].verdict == "follows"

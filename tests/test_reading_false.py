@@ -171,6 +171,13 @@ JACOBIAN = (
         r"\[ s = \sum_j a_{ij} \] Hence \[ \sum_i \sum_j s = \sum_i \sum_j \sum_j a_{ij}. \]",
         r"\[ \mathbf{u} = \mathbf{x}_i \] Hence "
         r"\[ \sum_i \mathbf{u}^T \mathbf{y}_i = \mathbf{u}^T \sum_i \mathbf{y}_i. \]",
+        r"\[ \dot x = A x + B u, \quad u = -K x \] Hence \[ \dot x = A x - K B x. \]",
+        r"\[ x_{k+1} = F x_k + G u_k + w_k \] \[ u_k = -K x_k \] Hence \[ x_{k+1} = F x_k - K G x_k + w_k. \]",
+        r"\[ \dot z = A z + L (y - C z), \quad y = C x \] Hence \[ \dot z = A z + C L (x - z). \]",
+        r"\[ T_{12} = T_1^{-1} T_2 \] Hence \[ T_{12} = T_2 T_1^{-1}. \]",
+        r"\[ A X = X B \] Hence \[ A = B. \]",
+        r"\[ x_b = C_{ba} x_a, \quad x_c = C_{cb} x_b \] Hence \[ x_c = C_{ba} C_{cb} x_a. \]",
+        r"Here $G(s) = C (s I - A)^{-1} B$. \[ G = C F B \] Hence \[ G = B C F. \]",
     ],
 )
 def test_what_does_not_hold_does_not_follow(latex):
@@ -212,6 +219,11 @@ def test_what_does_not_hold_does_not_follow(latex):
         r"Let $\theta = \|\mathbf{a}\|$. "
         r"\[ \exp([\mathbf{a}]_\times) = I_{3\times3} + \frac{\sin\theta}{\theta} [\mathbf{a}]_\times + "
         r"\frac{1 - \cos\theta}{\theta^2} [\mathbf{a}]_\times^2 \]",
+        r"\[ \dot x = A x + B u, \quad u = -K x \] Hence \[ \dot x = (A - B K) x. \]",
+        r"\[ T_{12} = T_1^{-1} T_2 \] Hence \[ T_2 = T_1 T_{12}. \]",
+        r"\[ x_b = C_{ba} x_a, \quad x_c = C_{cb} x_b \] Hence \[ x_c = C_{cb} C_{ba} x_a. \]",
+        r"\[ v = R i + L p \] \[ i = G v \] Hence \[ v = \frac{L p}{1 - G R}. \]",
+        r"\[ y = A c + B s \] Hence \[ y^2 = A^2 c^2 + 2 A B c s + B^2 s^2. \]",
     ],
 )
 def test_what_holds_follows(latex):

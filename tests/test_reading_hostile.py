@@ -427,3 +427,24 @@ def test_an_equation_that_is_the_condition_of_its_sentence_serves_no_later_one(w
 )
 def test_a_condition_serves_its_own_sentence_one_that_goes_on_from_it_and_where_it_is_cited(latex):
     assert read_document(document_of(latex), seconds=5)[-1].verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (
+            r"\[ f = x y, \quad s = x + y \] As a function of $x$ and $s$, \[ \frac{\partial f}{\partial x} = y. \]",
+            False,
+        ),
+        (r"\[ f = x y, \quad s = x + y \] Keeping $s$ fixed, \[ \frac{\partial f}{\partial x} = y. \]", False),
+        (r"\[ x = r \cos\theta \] At fixed $x$, \[ \frac{\partial x}{\partial\theta} = -r \sin\theta. \]", False),
+        (r"On the line $x + y = 1$, \[ f = x y. \] Hence \[ \frac{df}{dx} = y. \]", False),
+        (r"The mass $m$ is constant. \[ p = m v \] Here $m$ grows with time. \[ \dot p = m \dot v \]", False),
+        (r"The mass $m$ is constant. For the rocket it is not. \[ p = m v \] \[ \dot p = m \dot v \]", False),
+        (r"The mass $m$ is constant. \[ p = m v \] \[ \dot p = m \dot v \]", True),
+        (r"\[ f = x y \] As a function of $x$ and $y$, \[ \frac{\partial f}{\partial x} = y. \]", True),
+        (r"\[ f = x y \] At fixed $y$, \[ \frac{\partial f}{\partial x} = y. \]", True),
+    ],
+)
+def test_a_derivative_is_taken_of_the_letters_that_its_sentence_names_and_of_none_that_change(latex, follows):
+    assert (read_document(document_of(latex), seconds=5)[-1].verdict == "follows") is follows

@@ -367,7 +367,14 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
 def _with_rates(standing: Standing, trees: Sequence[Formula], known: Vocabulary) -> Vocabulary:
     """Return a vocabulary with what the derivatives in some formulas stand for."""
     rates = derivatives_in(trees, known, standing.survey.occurring)
-    return extended(known, [each for each in rates if not _rests_on_what_changes(each, standing.beside)])
+    changing = {each.symbol for each in rates if _rests_on_what_changes(each, standing.beside)}
+    others = {each.symbol for each in rates if standing.beside.variables - known.letters_of(each.tree) - _below(each)}
+    return extended(known, [each for each in rates if each.symbol not in changing | others])
+
+
+def _below(rate: Definition) -> set[str]:
+    """Return the letter by which a derivative is."""
+    return {rate.symbol.rpartition("/")[2].removeprefix(r"\partial").removeprefix("d").strip()}
 
 
 def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:

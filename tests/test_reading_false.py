@@ -178,6 +178,9 @@ JACOBIAN = (
         r"\[ A X = X B \] Hence \[ A = B. \]",
         r"\[ x_b = C_{ba} x_a, \quad x_c = C_{cb} x_b \] Hence \[ x_c = C_{ba} C_{cb} x_a. \]",
         r"Here $G(s) = C (s I - A)^{-1} B$. \[ G = C F B \] Hence \[ G = B C F. \]",
+        r"\[ y = a \] is not the same as \[ = b. \] Hence \[ a = b. \]",
+        r"\[ \mathbf{H} = \mathbf{X} (\mathbf{X}^T \mathbf{X})^{-1} \mathbf{X}^T \] Hence "
+        r"\[ \mathbf{H} = \mathbf{X} \mathbf{X}^{-1} \mathbf{X}^{-T} \mathbf{X}^T. \]",
     ],
 )
 def test_what_does_not_hold_does_not_follow(latex):

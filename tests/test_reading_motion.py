@@ -17,6 +17,10 @@ POLAR = (
     r"With constant $m$ the Lagrangian is \[ L = \frac12 m (\dot r^2 + r^2 \dot\phi^2) - V. \] We have "
     r"\[ \frac{\partial L}{\partial \dot\phi} = m r^2 \dot\phi. \] Hence "
 )
+TURN = (
+    r"The rotation is \[ R(\theta) = \begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta "
+    r"\end{bmatrix}. \] Hence "
+)
 FIELD = r"We have \[ u(x, y) = x^2 y + y^3. \] Hence "
 VARIANCE = (
     r"With the covariance matrix $\mathbf{S}$ we have \[ L(\mathbf{u}, \lambda) = \mathbf{u}^T \mathbf{S} \mathbf{u} + "
@@ -33,6 +37,7 @@ def last(latex):
     ("above", "claim"),
     [
         (SWING, r"\dot x(t) = -A \omega \sin(\omega t)"),
+        (TURN, r"R^T \dot R = \begin{bmatrix} 0 & -\dot\theta \\ \dot\theta & 0 \end{bmatrix}"),
         (SWING, r"\dot x = -A \omega \sin(\omega t)"),
         (SWING, r"\ddot x(t) = -\omega^2 x(t)"),
         (PLAIN, r"\dot x = -A \omega \sin(\omega t)"),
@@ -56,6 +61,7 @@ def test_what_is_true_of_a_motion_follows(above, claim):
 @pytest.mark.parametrize(
     ("above", "claim"),
     [
+        (TURN, r"R^T \dot R = \begin{bmatrix} 0 & \dot\theta \\ -\dot\theta & 0 \end{bmatrix}"),
         (SWING, r"\dot x(t) = A \omega \sin(\omega t)"),
         (SWING, r"\ddot x(t) = \omega^2 x(t)"),
         (SWING.replace("A", "A(t)"), r"\dot x(t) = -A(t) \omega \sin(\omega t)"),
@@ -90,3 +96,10 @@ def test_what_is_false_of_a_motion_does_not_follow(above, claim):
 def test_what_is_positive_definite_is_symmetric_as_well():
     latex = r"The covariance matrix $P$ is positive definite. Let $P$ be a positive definite matrix. Then "
     assert last(latex + r"\[ \mathbf{x}^T P \mathbf{y} = \mathbf{y}^T P \mathbf{x}. \]").verdict == "follows"
+
+
+def test_a_new_letter_within_a_chain_is_what_stands_before_it():
+    found = last(TURN + r"\[ R^T \dot R = W = \begin{bmatrix} 0 & -\dot\theta \\ \dot\theta & 0 \end{bmatrix} \]")
+    assert [link.verdict for link in found.links] == ["definition", "follows"]
+    false = last(TURN + r"\[ R^T \dot R = W = \begin{bmatrix} 0 & \dot\theta \\ -\dot\theta & 0 \end{bmatrix} \]")
+    assert false.verdict not in ("definition", "follows")

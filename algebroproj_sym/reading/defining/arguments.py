@@ -61,7 +61,8 @@ def alike(
 ) -> dict[str, str]:
     """Return the functions that are the same with and without their argument, with the argument.
 
-    The letter gives the function where it stands without it, or the document has its derivative by it.
+    The letter gives the function where it stands without it, or the document has its derivative by it, or those of both
+    by time.
     """
     lone = {each.gives.symbol for each in premises if each.gives is not None and not each.gives.parameters}
     found = {}
@@ -70,7 +71,8 @@ def alike(
         if known is not None and not known.parameters:
             is_same = argument in vocabulary.behind(function)
         else:
-            is_same = function not in lone and has_rate(function, argument, occurring)
+            move = all(has_rate(each, "t", occurring) for each in (function, argument))
+            is_same = function not in lone and (move or has_rate(function, argument, occurring))
         if is_same:
             found[function] = argument
     return found

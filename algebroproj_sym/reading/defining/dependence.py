@@ -166,6 +166,15 @@ def index_of(name: str) -> str:
     return match[1] if match else ""
 
 
+COUNTED = re.compile(r"\\sum_\{[a-z]=(0(?=.*-1)|[01](?!.*-1))\}\^\{([a-zA-Z](?:_\w)?)(-1)?\}")
+"""From 1 to n, from 0 to n, or from 0 to n - 1: n is a number 0, 1, 2, ..."""
+
+
+def is_number(limit: str, varying: frozenset[str], definitions: Collection[str]) -> bool:
+    """Whether the upper limit of a sum is a letter that nothing gives, and that does not depend on the index."""
+    return limit not in definitions and varying.isdisjoint({limit, *letters_of_symbol(limit)})
+
+
 def letters_in(name: str) -> frozenset[str]:
     """Return the letters in the name of a sum, an integral or a function."""
     return frozenset(re.findall(r"(?<![a-zA-Z\\])[a-zA-Z](?![a-zA-Z])", name))

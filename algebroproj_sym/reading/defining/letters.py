@@ -21,7 +21,9 @@ from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.letters import worked_out
 from algebroproj_sym.reading.defining.dependence import (
     ANY,
+    COUNTED,
     index_of,
+    is_number,
     letters_in,
     letters_of_symbol,
     require_no_value,
@@ -40,6 +42,7 @@ from algebroproj_sym.reading.defining.parts import (
     joined,
     number_of,
     of_blocks,
+    product_terms,
     refused,
     same_shape,
     scalar,
@@ -48,6 +51,7 @@ from algebroproj_sym.reading.defining.parts import (
     transposed,
     without,
 )
+from algebroproj_sym.reading.defining.summing import arranged
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
@@ -145,6 +149,7 @@ class _Reader:
         self._names: set[str] = set()
         self._functions: dict[str, str] = {}
         self._wholes: dict[str, tuple[str, Shape]] = {}
+        self._symmetric: set[str] = set()
         self._called: dict[str, str] = {}
         self._applied: set[str] = set()
         self._no_numbers: list[tuple[str, Part]] = []
@@ -229,6 +234,15 @@ class _Reader:
         related = self._vocabulary.dependence.related(index)
         return any(each in related or not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in part.symbols)
 
+    def count(self, name: str, index: str) -> Part | None:
+        """Return how many terms a sum has, if its upper limit is a number of which nothing else is known."""
+        counted, varying = COUNTED.fullmatch(name), self._vocabulary.dependence.related(index) | {index}
+        if counted is None or not is_number(counted[2], varying, self._vocabulary.definitions):
+            return None
+        more = (counted[1] == "0") - bool(counted[3])
+        number = self.symbol(counted[2])
+        return sum_of([(False, number), (more < 0, constant(str(abs(more))))]) if more else number
+
     def is_column(self, symbol: str) -> bool:
         """Whether a symbol is written as a vector; a derivative by a vector may be a row, or a matrix."""
         above, _, below = symbol.partition("/")
@@ -269,8 +283,13 @@ class _Reader:
         named = re.match(r"[A-Z]", symbol) is not None and self._vocabulary.is_matrix(symbol)
         return (named or _TABLE.search(symbol) is not None) and self._vocabulary.size_of(symbol) is None
 
-    def whole(self, name: str, arguments: list[Part], shape: Shape, *, is_call: bool = False) -> Part:
-        """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text."""
+    def whole(
+        self, name: str, arguments: list[Part], shape: Shape, *, is_call: bool = False, turned: Part | None = None
+    ) -> Part:
+        """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text.
+
+        It is symmetric if what is summed is the same when it is turned.
+        """
         is_open = is_call and None in (shape[0].value, shape[1].value) and self._vocabulary.is_no_number(name)
 
         def text() -> str:
@@ -283,6 +302,8 @@ class _Reader:
                 one.value is None or one.value != other.value for one, other in zip(first, shape, strict=True)
             ):
                 raise UnreadableError(f"{name} has two sizes")
+            if turned is not None and turned.text() == arguments[0].text():
+                self._symmetric.add(own)
             return own
 
         found = Part(shape, text, *arguments)
@@ -308,7 +329,7 @@ class _Reader:
                 raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is a number")
         for own, shape in self._wholes.values():
             if (text := f"{self.size(shape[0])}x{self.size(shape[1])}") != "1x1":
-                letters[own] = text
+                letters[own] = f"{text} symmetric" if own in self._symmetric else text
         return Question(texts[0], texts[1], tuple(self._laws()), letters=letters)
 
     def _laws(self) -> list[str]:
@@ -402,16 +423,18 @@ class _Parts(_Gathering):
         if not re.fullmatch(r"-?\d{1,2}", text):
             raise refused(f"the power {text[:20]}")
         if base.square is not None and int(text) == 2:
-            return number_of(base.square, base)
+            return base.square()
         if base.shape[1].value == 1 and base.shape[0].value != 1 and int(text) == 2:
-            return number_of(lambda: f"dot({base.text()}, {base.text()})", base)
+            return joined("DOT", base, base)
         if not base.is_number:
             base.shape[0].unite(base.shape[1])
             if int(text) < 0 and all(any(each.is_line for each in factors) for _, factors in base.terms):
                 raise UnreadableError("a product of vectors has no inverse")
             if abs(int(text)) > MOST_MATRIX_POWER:
                 raise refused(f"the power {text}")
-        return Part(base.shape, lambda: f"({base.text()})**{text}", base)
+        found = Part(base.shape, lambda: f"({base.text()})**{text}", base)
+        found.terms = (product_terms(base, base) if int(text) == 2 and base.is_number else []) or found.terms
+        return found
 
     def marked(self, base: Part, mark: Token) -> Part:
         if mark == "T":
@@ -492,18 +515,21 @@ class _Parts(_Gathering):
 
     def _summed(self, name: str, index: str, factors: list[Part]) -> Part:
         """Return a sum of products: what does not depend on the index stands before or behind it."""
-        numbers = [each for each in factors if each.is_number]
-        rest = [each for each in factors if not each.is_number]
-        depends = [self.reader.depends(each, index) for each in rest]
-        first = depends.index(True) if True in depends else len(rest)
-        last = len(rest) - depends[::-1].index(True) if True in depends else len(rest)
-        within = [each for each in numbers if self.reader.depends(each, index)]
-        middle = rest[first:last]
-        inner = in_order(within, reduce(times, middle) if middle else None)
-        outer = [each for each in numbers if not self.reader.depends(each, index)]
-        whole = self.reader.whole(name, [inner], inner.shape)
+        if (product := reduce(times, factors)).shape[0].value == 1 and not product.is_number:
+            return transposed(self._summed(name, index, [transposed(each) for each in factors[::-1]]))
+
+        def depends(part: Part) -> bool:
+            return self.reader.depends(part, index)
+
+        found = arranged(factors, depends)
+        within, outer = ([each for each in found.numbers if depends(each) is inside] for inside in (True, False))
+        if not (within or found.within) and (count := self.reader.count(name, index)) is not None:
+            return reduce(times, [*outer, *found.before, count, *found.behind])
+        inner = in_order(within, reduce(times, found.within) if found.within else None)
+        turned = in_order(within, reduce(times, map(transposed, found.within[::-1]))) if found.within else None
+        whole = self.reader.whole(name, [inner], inner.shape, turned=turned)
         whole.symbols = frozenset().union(*(without(index, each) for each in whole.symbols))
-        return reduce(times, [*outer, *rest[:first], whole, *rest[last:]])
+        return reduce(times, [*outer, *found.before, whole, *found.behind])
 
     def absolute(self, inside: Part) -> Part:
         if not inside.is_number and any(map(self.reader.may_be_square, inside.symbols)):
@@ -515,7 +541,7 @@ class _Parts(_Gathering):
             return self._value("abs", inside)
         column(inside)
         number = self._value("norm", inside)
-        number.square = lambda: f"dot({inside.text()}, {inside.text()})"
+        number.square = lambda: joined("DOT", inside, inside)
         return number
 
     def inner(self, items: list[Part]) -> Part:

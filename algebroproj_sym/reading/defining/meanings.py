@@ -19,6 +19,7 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
+ITERATE = "a power of a function may be its iterate"
 VARIES = "is another number each time"
 _SIGNS = (
     (
@@ -56,8 +57,8 @@ _SIGNS = (
     (
         r"\bcompos(?:e|es|ed|itions?)\b|\biterat(?:es?|ed|ions?)\b|\bappl\w+ twice\b|\btwice in a row\b"
         r"|(?<!\^)(?<!\^\{)\\circ(?![a-z])|([a-zA-Z])\s*(?:\\left\s*)?\(\s*\1\s*(?:\\left\s*)?\(",
-        r"\^\s*\{?\s*[2-9]\s*\}?\s*(?:\\left\s*)?\(",
-        "a power of a function may be its iterate",
+        r"(\\[a-zA-Z]+|[a-zA-Z]|\})\s*(?:_(?:\w|\{[^{}]*\})\s*)?\^\s*\{?\s*[2-9]\s*\}?\s*(?:\\left\s*)?\(",
+        ITERATE,
     ),
     (r"\bexclusive[- ]or\b|\bxor\b", r"\^", "a caret may be the exclusive or"),
     (
@@ -252,11 +253,15 @@ class Meanings:
         return found
 
     @cached_property
+    def _applied(self) -> frozenset[str]:
+        """The letters that have an argument somewhere."""
+        return frozenset(str(call.children[0]) for side in self.sides for call in side.find_data("call"))
+
+    @cached_property
     def _functions(self) -> frozenset[str]:
         """The letters that are functions: a factor is none that is called a function, and has no argument anywhere."""
         inverse = (symbol for each in _INVERSE.findall(self.words) for symbol in symbols_in_list(each))
-        applied = {str(call.children[0]) for side in self.sides for call in side.find_data("call")}
-        named = called(self.statements, _MAPS) | (called(self.statements, _FUNCTIONS) & applied)
+        named = called(self.statements, _MAPS) | (called(self.statements, _FUNCTIONS) & self._applied)
         return frozenset((*inverse, *(each for each in named if not _CHANGES.search(each))))
 
     @cached_property
@@ -277,8 +282,10 @@ class Meanings:
     def reason(self, statement: Statement, formula: Parsed) -> str:
         """Return why an equation may say something else than it looks like; empty for no reason."""
         latex = "".join(piece.text for piece in statement.pieces)
-        if found := next((reason for pattern, reason in self._signs if pattern.search(latex)), ""):
-            return found
+        for pattern, reason in self._signs:
+            match = pattern.search(latex)
+            if match and (reason != ITERATE or match[1] == "}" or match[1] in self._applied):
+                return reason
         if match := _MICRO.search(statement.latex):
             return f"{match[1]} may be a unit"
         if _TRANSFORM.search(latex):

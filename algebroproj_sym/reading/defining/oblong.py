@@ -34,6 +34,7 @@ _UNEVEN = re.compile(
     r"|\b(?:over|under)-?determined\b",
     re.IGNORECASE,
 )
+_FACTOR = re.compile(r"(?:\\mathbf)?L(?:_\w+)?")
 _BOLDLY = re.compile(r"^\\(?:mathbf|boldsymbol|bm)\{?\s*")
 _OF_SIZE = re.compile(r"\$(\w+) ?\\times ?(\w+)\$ (?:[\w-]+ ){0,2}matri(?:x|ces) \$([^$]+)\$")
 _ARE_OF_SIZE = re.compile(r"\$([^$]+)\$ (?:is|be|are|denotes?) (?:an? |the )?\$(\w+) ?\\times ?(\w+)\$")
@@ -61,14 +62,15 @@ def _bare(symbol: str) -> str:
 def _inverted_squares_in(equations: Sequence[Sides]) -> Iterator[str]:
     r"""Yield the letters of which a square is inverted, as X in ``(X^T X)^{-1}``, or in ``S = X^T X``, ``S^{-1}``.
 
-    None is a letter whose transpose is inverted itself, as in ``L^{-T}``.
+    None is the L of ``L L^T``, the factor of Cholesky, whose transpose is inverted itself, as in ``L^{-T}``.
     """
     powers = (power for each in equations for side in each for power in side.find_data("power"))
     bases = [power.children[0] for power in powers if is_inverse(power)]
     inverted = {base_of(each) for each in bases if isinstance(each, Tree)} - {""}
     turned = {base_of(each) for each in bases if isinstance(each, Tree) and each.data == "marked"}
+    factors = {each for each in turned if _FACTOR.fullmatch(_bare(each))}
     sides = [side for both in equations if inverted & {head_of(side) for side in both} for side in both]
-    yield from {letter for each in (*bases, *sides) for letter in _squared_in(each)} - turned
+    yield from {letter for each in (*bases, *sides) for letter in _squared_in(each)} - factors
 
 
 def _normal_in(equations: Sequence[Sides]) -> Iterator[str]:

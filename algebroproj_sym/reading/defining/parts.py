@@ -79,7 +79,9 @@ class Part:
     text : callable
         Its text, once all sizes are known.
     square : callable or None
-        The text of its square, if that is simpler.
+        Its square, if that is simpler.
+    turned : Part or None
+        What it is the transpose of.
     weight : int
         Of how many parts it is made.
     is_zero, is_one : bool
@@ -97,7 +99,8 @@ class Part:
     def __init__(self, shape: Shape, text: Callable[[], str], *inside: Part) -> None:
         self.shape = shape
         self.text = text
-        self.square: Callable[[], str] | None = None
+        self.square: Callable[[], Part] | None = None
+        self.turned: Part | None = None
         self.blocks: Blocks = []
         self.weight: int = 1 + sum(part.weight for part in inside)
         self.is_zero = False
@@ -193,7 +196,17 @@ def transposed(part: Part) -> Part:
     """Return a part with its columns as rows."""
     if part.blocks:
         return of_blocks([[transposed(each) for each in row] for row in zip(*part.blocks, strict=True)])
-    return Part(part.shape[::-1], lambda: f"({part.text()}).T", part)
+    if part.turned is not None:
+        return part.turned
+    found = Part(part.shape[::-1], lambda: f"({part.text()}).T", part)
+    found.turned = part
+    if part.terms != [(False, [part])]:
+        found.terms = [(minus, [*map(_turned, factors[::-1])]) for minus, factors in part.terms]
+    return found
+
+
+def _turned(factor: Part) -> Part:
+    return factor if factor.is_number else transposed(factor)
 
 
 def _times_blocks(left: Part, right: Part) -> Part:
@@ -227,9 +240,15 @@ def _product(left: Part, right: Part) -> Part:
         left.shape[1].unite(right.shape[0])
         shape = (left.shape[0], right.shape[1])
     found = Part(shape, lambda: f"{left.text()}*{right.text()}", left, right)
-    if len(left.terms) * len(right.terms) <= MOST_TERMS:
-        found.terms = [(a != b, [*one, *other]) for a, one in left.terms for b, other in right.terms]
+    found.terms = product_terms(left, right) or found.terms
     return found
+
+
+def product_terms(left: Part, right: Part) -> list[Term]:
+    """Return the products of which a product is the sum; none if they are too many."""
+    if len(left.terms) * len(right.terms) > MOST_TERMS:
+        return []
+    return [(a != b, [*one, *other]) for a, one in left.terms for b, other in right.terms]
 
 
 def sum_of(signed: list[tuple[bool, Part]]) -> Part:
@@ -286,7 +305,9 @@ def joined(kind: str, left: Part, right: Part) -> Part:
         return times(left, right)
     if kind == "DOT" and left.shape[1].value == 1 and right.shape[1].value == 1:
         left.shape[0].unite(right.shape[0])
-        return number_of(lambda: f"dot({left.text()}, {right.text()})", left, right)
+        found = number_of(lambda: f"dot({left.text()}, {right.text()})", left, right)
+        found.terms = product_terms(transposed(left), right) or found.terms
+        return found
     if kind == "CROSS":
         column(left, 3)
         column(right, 3)

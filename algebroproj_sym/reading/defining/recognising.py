@@ -48,6 +48,13 @@ def without_power(tree: Formula) -> Formula:
     return base if isinstance(base, Tree) and isinstance(exponent, Tree) and not symbols_in(exponent) else tree
 
 
+def without_numbers(tree: Formula) -> Formula:
+    """Return the value of a function of which a side is a multiple."""
+    *numbers, last = trees_in(tree) or [tree]
+    is_multiple = tree.data == "run" and last.data == "call" and all(each.data == "number" for each in numbers)
+    return last if is_multiple else tree
+
+
 def is_matrix(tree: Formula) -> bool:
     """Whether a side is a printed matrix, perhaps transposed."""
     tree = without_brackets(tree)
@@ -57,8 +64,8 @@ def is_matrix(tree: Formula) -> bool:
 def introduced_by(tree: Formula) -> frozenset[str]:
     r"""Return the letters that a left side may introduce; empty if it is none that does.
 
-    ``W(e^{it})``, ``x^T`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.  So does T, of a
-    column in brackets.
+    ``W(e^{it})``, ``2 W(t)``, ``x^T`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.  So
+    does T, of a column in brackets.
     """
     tree = argument_of(tree)
     if symbol := defined_by(tree)[0]:
@@ -68,6 +75,8 @@ def introduced_by(tree: Formula) -> frozenset[str]:
     if tree.data == "matrix":
         entries = [introduced_by(part) for cell in tree.find_data("cell") for part in cell.children]  # type: ignore[arg-type]
         return frozenset().union(*entries) if all(entries) else frozenset()
+    if (bare := without_numbers(tree)) is not tree:
+        return introduced_by(bare)
     is_map = tree.data == "run" and [each.data for each in trees_in(tree)] == ["symbol", "bracket"]
     if is_map and (columns := [*tree.find_data("matrix")]) and all(map(introduced_by, columns)):
         return introduced_by(trees_in(tree)[0])
@@ -129,6 +138,12 @@ def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:
     )
     named = any(each in scripts or each in conditions for each in parameters)
     return is_one_value(parameters, value) and not named
+
+
+def is_arithmetic(value: Formula) -> bool:
+    """Whether a value is of several numbers, and of no letter."""
+    numbers = [*value.scan_values(lambda each: isinstance(each, Token) and each.type == "NUMBER")]
+    return len(numbers) > 1 and not symbols_in(value)
 
 
 def is_table(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:

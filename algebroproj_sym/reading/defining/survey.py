@@ -11,6 +11,7 @@ from itertools import pairwise
 from lark import Tree
 
 from algebroproj_sym.reading.defining.arguments import lone_arguments
+from algebroproj_sym.reading.defining.components import columns_beside_matrices
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.indices import Indices
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
@@ -115,8 +116,19 @@ class Survey:
         return found
 
     def has_one_argument(self, function: str) -> bool:
-        """Whether a function is taken at one argument in the whole document, and stands nowhere without it."""
-        return len(self._arguments.get(function, ())) == 1 and function not in self.occurring
+        """Whether a function is taken at one argument in the whole document, and stands nowhere without it.
+
+        A derivative is no function of its own.
+        """
+        return (
+            "'" not in function
+            and len(self._arguments.get(function, ())) == 1
+            and function not in self._without_arguments
+        )
+
+    @cached_property
+    def _without_arguments(self) -> frozenset[str]:
+        return frozenset(str(tree.children[0]) for side in _sides(self.formulas) for tree in side.find_data("symbol"))
 
     @cached_property
     def _arguments(self) -> dict[str, set[Formula]]:
@@ -276,6 +288,10 @@ class Survey:
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
             found.define(definition)
+        given = {tie.given for tie in self.dependence.ties}
+        for column in columns_beside_matrices(_sides(self.formulas), self.occurring):
+            if column.symbol not in {*given, *sizes, *properties, *self.given.whole.symbols}:
+                found.define(column)
         return found
 
     @cached_property

@@ -14,16 +14,21 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import entries, over, shape, text
-from algebroproj_sym.reading.defining.dependence import ANY, index_of, letters_in, letters_of_symbol, require_no_value
+from algebroproj_sym.reading.defining.dependence import (
+    ANY,
+    COUNTED,
+    index_of,
+    is_number,
+    letters_in,
+    letters_of_symbol,
+    require_no_value,
+)
 from algebroproj_sym.reading.defining.letters import FREE, WHOLE, base_of
 from algebroproj_sym.reading.defining.parts import MOST_TERMS
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import slope_of
-
-_COUNTED = re.compile(r"\\sum_\{[a-z]=(0(?=.*-1)|[01](?!.*-1))\}\^\{([a-zA-Z](?:_\w)?)(-1)?\}")
-"""From 1 to n, from 0 to n, or from 0 to n - 1: n is a number 0, 1, 2, ..."""
 
 
 class Uncomputed:
@@ -102,18 +107,14 @@ class Uncomputed:
         varying = self._vocabulary.dependence.related(index) | {index, ANY}
         dependent = self._dependent(term, varying)
         outside, inside = term.as_independent(*dependent, as_Add=False) if dependent else (term, sympy.S.One)
-        counted = _COUNTED.fullmatch(name)
-        if inside == 1 and counted and self._is_number(counted[2], varying):
+        counted = COUNTED.fullmatch(name)
+        if inside == 1 and counted and is_number(counted[2], varying, self._vocabulary.definitions):
             more = (counted[1] == "0") - bool(counted[3])
             return outside * (self._vocabulary.plain(counted[2]) + more)
         return outside * self._whole(name, inside)
 
     def _dependent(self, value: Any, varying: frozenset[str]) -> list[Any]:
         return [symbol for symbol in value.free_symbols if not varying.isdisjoint(self._on(symbol))]
-
-    def _is_number(self, limit: str, varying: frozenset[str]) -> bool:
-        """Whether the upper limit of a sum is a letter that nothing gives, and that does not depend on the index."""
-        return limit not in self._vocabulary.definitions and varying.isdisjoint({limit, *letters_of_symbol(limit)})
 
     def _whole(self, name: str, body: Any) -> Any:
         letters = (self._on(body) | letters_in(name)) - {index_of(name)}

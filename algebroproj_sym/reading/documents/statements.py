@@ -121,8 +121,12 @@ def statements(document: Document) -> list[Statement]:
 def _goes_on_behind(pieces: Sequence[Piece], before: Statement, display: Display) -> bool:
     """Whether a display begins with a relation, so that it goes on with the one before it, perhaps behind words."""
     first = _without_idle(pieces)[:1]
-    near = before.display.part == display.part or not display.before.strip()
+    near = before.display.part == display.part and _OTHERWISE.search(display.before) is None
     return bool(before.pieces and not before.condition) and near and begins_with_relation(first)
+
+
+_OTHERWISE = re.compile(r"\b(?:not?|never|nor|rather|instead|unlike|different\w*|than|wrong\w*|but)\b", re.IGNORECASE)
+"""Words between displays by which one is not equal to the other."""
 
 
 def _last_side(pieces: Sequence[Piece]) -> list[Piece]:
@@ -173,14 +177,18 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
 
 
 def _without_brackets(pieces: list[Piece]) -> list[Piece]:
-    """Return an equation without the brackets round the whole of it."""
-    inside = [piece for piece in _without_idle(pieces) if piece.text not in (r"\left", r"\right")]
+    """Return an equation without the brackets, or the braces, round the whole of it."""
+    kept = [place for place, piece in enumerate(pieces) if not piece.text.isspace()]
+    sizes = (r"\left", r"\right", r"\displaystyle")
+    bare = [place for place in kept if pieces[place].text not in sizes]
     depth = 0
-    for place, piece in enumerate(inside):
-        depth += (piece.text in OPENING) - (piece.text in CLOSING)
-        if depth <= 0 and place < len(inside) - 1:
+    for place in bare:
+        text = pieces[place].text
+        depth += (text in OPENING or text == "{") - (text in CLOSING or text == "}")
+        if depth <= 0 and place != bare[-1]:
             return pieces
-    return inside[1:-1] if has_relation(inside[1:-1]) else pieces
+    inside = [piece for piece in pieces[bare[0] + 1 : bare[-1]] if piece.text != r"\right"] if bare else []
+    return inside if has_relation(inside) else pieces
 
 
 def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:

@@ -10,7 +10,8 @@ import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 
-from algebroproj_sym.reading.lexing.commands import CLOSING, FUNCTIONS, MAX_PIECES, OPENING, RELATIONS, SIGNS
+from algebroproj_sym.reading.documents.grouping import grouped
+from algebroproj_sym.reading.lexing.commands import BIG, CLOSING, FUNCTIONS, MAX_PIECES, OPENING, RELATIONS, SIGNS
 from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     UnreadableError,
@@ -52,7 +53,8 @@ _LETTERS = (
     "α#alpha β#beta γ#gamma δ#delta ε#varepsilon ζ#zeta η#eta θ#theta ι#iota κ#kappa λ#lambda μ#mu ν#nu ξ#xi π#pi "
     "ρ#rho σ#sigma τ#tau υ#upsilon φ#varphi ϕ#phi χ#chi ψ#psi ω#omega Γ#Gamma Δ#Delta Θ#Theta Λ#Lambda Ξ#Xi Π#Pi "
     "Σ#Sigma Φ#Phi Ψ#Psi Ω#Omega ϵ#epsilon ×#times ·#cdot ⋅#cdot ≤#le ≥#ge ≠#ne ±#pm ∓#mp ∂#partial ∇#nabla ∞#infty "
-    "≈#approx ≡#equiv ∈#in →#to ⇒#Rightarrow ⇔#Leftrightarrow ∥#| ∑#sum ∫#int ∏#prod ℓ#ell ∝#propto"
+    "≈#approx ≡#equiv ∈#in →#to ⇒#Rightarrow ⇔#Leftrightarrow ∥#| ∑#sum ∫#int ∏#prod ℓ#ell ∝#propto "
+    "⋮#vdots ⋯#cdots …#ldots ∧#wedge ⊗#otimes ⊕#oplus ⊙#odot"
 )
 _SIGNS = {sign: rf"\{name}" for sign, _, name in (pair.partition("#") for pair in _LETTERS.split())}
 _ACCENTS = {
@@ -106,7 +108,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     pairs = _Pairs()
     waiting = _Waiting(
         each
-        for piece in _accented(pieces)
+        for piece in grouped(_accented(pieces))
         for each in (_at(piece, _SIGNS[piece.text]) if piece.text in _SIGNS else (piece,))
     )
     while waiting:
@@ -146,6 +148,9 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             over, base = waiting.group(), waiting.group()
             relation = "".join(each.text for each in base).strip()
             above = "".join(each.text for each in over).strip()
+            if text == r"\underset" and relation in BIG:
+                waiting.put([*base, _as(piece, "_"), *_braced(piece, over)])
+                continue
             if relation == "=" and not _JUSTIFIES.fullmatch(above):
                 relation = r"\equiv" if above == "!" else r"\questeq"
             defines = relation == "=" and re.search(r"def|triangle", above)

@@ -184,6 +184,7 @@ class _Pass:
             where = self.survey.document.line_of(found.place) if found.place is not None else display.where
             reason = f"{where}: {found}"
             return Reading(number, statement.latex, None, reason, (), statement), []
+        found = self._with_new_letter_first(found)
         sides = [self.memory.vocabulary.text(side) for side in found.sides]
         read = sides[0] + "".join(
             f" {relation} {side}" for relation, side in zip(found.relations, sides[1:], strict=True)
@@ -233,6 +234,16 @@ class _Pass:
             self.memory.renew(statement, found)
         self.memory.take(statement, found, defines=definition is not None)
         return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
+
+    def _with_new_letter_first(self, formula: Parsed) -> Parsed:
+        """Return a chain ``a b = s = c`` with s first, if s is a new letter: it says that s is a b, which is c."""
+        if formula.relations[:2] != ("=", "=") or defined_by(formula.sides[0])[0]:
+            return formula
+        first, second, *rest = formula.sides
+        symbol, parameters = defined_by(second)
+        known = {*self.memory.asserted, *self.memory.vocabulary.definitions, *self.memory.given.whole.symbols}
+        known = known.union(*map(symbols_in, (first, *rest)))
+        return formula if parameters or symbol in known | {""} else replace(formula, sides=(second, first, *rest))
 
     def _link(
         self, statement: Statement, formula: Parsed, index: int, place: int, *, gives: bool

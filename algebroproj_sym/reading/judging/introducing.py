@@ -14,6 +14,7 @@ from algebroproj_sym.reading.defining.recognising import (
     defined_by,
     given_by,
     introduced_by,
+    is_arithmetic,
     is_case_of,
     is_circular,
     is_indexed_above,
@@ -21,6 +22,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_named,
     is_one_value,
     is_table,
+    without_numbers,
     without_power,
 )
 from algebroproj_sym.reading.defining.vocabulary import Definition
@@ -154,13 +156,15 @@ def _is_free(memory: Memory, statement: Statement, left: Formula, right: Formula
     counts where wished for: in a chain, whose first side it gives.
     """
     symbols, calls = introduced_by(left), any(each.data == "call" for each in left.iter_subtrees())
-    everywhere = bool(defined_by(left)[1]) and not is_case_of(defined_by(left)[1], right)
+    function, parameters = defined_by(without_numbers(left))
+    alone = bool(parameters) and memory.survey.has_one_argument(function)
+    everywhere = alone or (bool(parameters) and not is_case_of(parameters, right))
     restricted = memory.tied.union(memory.vocabulary.definitions, memory.given.whole.symbols)
     return (
         bool(symbols)
         and (value or everywhere or not calls)
         and not symbols & restricted.union(symbols_in(right))
-        and (bool(symbols_in(right)) or is_matrix(right))
+        and (bool(symbols_in(right)) or is_matrix(right) or is_arithmetic(right) or alone)
         and not any(is_circular(each, right, memory.vocabulary) for each in symbols)
         and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
         and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)

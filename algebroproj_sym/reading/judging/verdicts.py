@@ -14,6 +14,7 @@ Verdict = Literal["definition", "follows", "contradicts", "independent", "not de
 
 
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+_ROUGHLY = ("≈", "≅", "≍", "~", "∝")
 
 
 @dataclass(frozen=True)
@@ -95,9 +96,15 @@ class Reading:
 
     @property
     def verdict(self) -> Verdict:
-        """The verdict: of several links, the one that matters most."""
+        r"""The verdict: of several links, the one that matters most.
+
+        What is only roughly equal, as in ``a = b \approx 3``, is not judged where something else is equal.
+        """
         if self.read is None:
             return "not read"
-        found = {link.verdict for link in self.links}
+        relations = self.formula.relations if self.formula else ()
+        roughly = [place for place, relation in enumerate(relations) if relation in _ROUGHLY]
+        exactly = {link.verdict for place, link in enumerate(self.links) if place not in roughly}
+        found = exactly or {link.verdict for link in self.links}
         order: tuple[Verdict, ...] = ("contradicts", "not decided", "independent", "definition", "follows")
         return next((verdict for verdict in order if verdict in found), "not decided")

@@ -1,0 +1,104 @@
+"""What belongs together though braces or brackets part it: digits of thousands, arguments, and names in brackets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from algebroproj_sym.reading.lexing.pieces import Piece, pieces_of
+
+_NAME = re.compile(
+    r"((?:\\(?:hat|bar|tilde|vec|mathbf|boldsymbol|bm|overline)\s*)*"
+    r"(?:\{?(?:[a-zA-Z]|\\[a-zA-Z]+)\}?))(?:_(\w|\{[^{}]*\}))?"
+)
+_NO_NAMES = frozenset((r"\partial", r"\nabla", r"\left", r"\right", r"\cdot", r"\times"))
+_INDEX = re.compile(r"\w|\{[\w,|+-]*\}")
+
+
+def grouped(pieces: Sequence[Piece]) -> list[Piece]:
+    r"""Return pieces in which ``140{,}000`` is a number, ``f{(x)}`` a value, and ``(x_k)_e`` a letter.
+
+    The comma in ``1{,}000`` may be a decimal one.
+
+    Examples
+    --------
+    >>> [_text(grouped(pieces_of(each))) for each in ("140{,}000", "R_1{(t)}", r"(x_k)_e + (\bar{P})_e", "1{,}000")]
+    ['140000', 'R_1(t)', '{x}_{k,e} + {\\bar{P}}_{e}', '1{,}000']
+    """
+    out = list[Piece]()
+    place = 0
+    while place < len(pieces):
+        text, end = pieces[place].text, _end_of(pieces, place)
+        inside = pieces[place + 1 : end]
+        if text == "{" and _text(inside) == "," and _is_thousand(out, pieces[end + 1 :][:9]):
+            place = end + 1
+        elif text == "{" and _is_in_brackets(inside) and _is_behind_letter(out):
+            out += inside
+            place = end + 1
+        elif text == "(" and not _ends_name(out) and (found := _with_index(inside, pieces[end + 1 :][:MOST_OF_INDEX])):
+            name, behind = found
+            out += [Piece(each.text, pieces[place].place) for each in pieces_of(name)]
+            place = end + 1 + behind
+        else:
+            out.append(pieces[place])
+            place += 1
+    return out
+
+
+MOST_OF_INDEX = 24
+"""In how many pieces the index of a bracket ends."""
+
+
+def _text(pieces: Sequence[Piece]) -> str:
+    return "".join(piece.text for piece in pieces)
+
+
+def _end_of(pieces: Sequence[Piece], place: int) -> int:
+    """Return where the partner of a brace or a bracket is; the end if it has none near."""
+    opening = pieces[place].text
+    closing = {"{": "}", "(": ")"}.get(opening, "")
+    depth = 0
+    for end in range(place, min(len(pieces), place + MOST_WITHIN) if closing else place):
+        depth += (pieces[end].text == opening) - (pieces[end].text == closing)
+        if depth == 0:
+            return end
+    return len(pieces)
+
+
+MOST_WITHIN = 200
+"""How many pieces are searched for the partner of a bracket."""
+
+
+def _is_thousand(before: Sequence[Piece], behind: Sequence[Piece]) -> bool:
+    """Whether a comma parts thousands: 000 follows more than one digit, or more groups do."""
+    digits = len(_text(before[-4:])) - len(_text(before[-4:]).rstrip("0123456789"))
+    several = re.match(r"\d{3}\{,\}\d{3}", _text(behind)) is not None
+    return digits > 0 and (several or (digits > 1 and re.match(r"000(?!\d)", _text(behind)) is not None))
+
+
+def _is_in_brackets(inside: Sequence[Piece]) -> bool:
+    """Whether one pair of brackets holds all."""
+    return bool(inside) and inside[0].text == "(" and _end_of(inside, 0) == len(inside) - 1
+
+
+def _is_behind_letter(out: Sequence[Piece]) -> bool:
+    """Whether a letter with a subscript stands before, and no command that takes an argument."""
+    return re.search(r"(?:^|[^\\a-zA-Z{}])[a-zA-Z](?:_(?:\w|\{[^{}]*\}))$", _text(out[-MOST_OF_INDEX:])) is not None
+
+
+def _ends_name(out: Sequence[Piece]) -> bool:
+    """Whether a letter, or what may be a function, stands right before."""
+    return bool(out) and (out[-1].text[-1].isalnum() or out[-1].text in ("}", ")", "]"))
+
+
+def _with_index(inside: Sequence[Piece], behind: Sequence[Piece]) -> tuple[str, int] | None:
+    """Return a letter in brackets with the index behind them in its own, and how many pieces that takes."""
+    match = _NAME.fullmatch(_text(inside).strip())
+    if match is None or not behind or behind[0].text != "_" or any(each.text in _NO_NAMES for each in inside):
+        return None
+    end = _end_of(behind, 1) + 1 if behind[1:2] and behind[1].text == "{" else 2
+    index = _text(behind[1:end])
+    if not _INDEX.fullmatch(index):
+        return None
+    below = [each.strip("{}") for each in (match[2] or "", index) if each]
+    return f"{{{match[1]}}}_{{{','.join(below)}}}", end

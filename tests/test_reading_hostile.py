@@ -448,3 +448,17 @@ def test_a_condition_serves_its_own_sentence_one_that_goes_on_from_it_and_where_
 )
 def test_a_derivative_is_taken_of_the_letters_that_its_sentence_names_and_of_none_that_change(latex, follows):
     assert (read_document(document_of(latex), seconds=5)[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (r"Find the $t$ for which \[ s = v t. \] For all $t$, \[ s = v t. \]", False),
+        (r"Solve \[ x^2 = 2 x. \] The identity \[ x^2 = 2 x \] holds for all $x$.", False),
+        (r"At the optimum \[ A x = b. \] Away from the optimum \[ A x = b. \]", False),
+        (r"The constraint is \[ g = a. \] With the penalty method it is violated: \[ g = a. \]", False),
+        (r"At the optimum \[ A x = b. \] We recall that \[ A x = b. \]", True),
+    ],
+)
+def test_an_equation_that_is_said_of_more_is_not_the_same_one(latex, follows):
+    assert (read_document(document_of(latex), seconds=5)[-1].verdict == "follows") is follows

@@ -255,7 +255,9 @@ class _Pass:
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
-        if known is not None and known.tree == right and (word := self.memory.beside.amount(known.words)):
+        said = [each.words for each in self.memory.serving if (left, right) in each.both_ways]
+        said += [known.words] if known is not None and known.tree == right else []
+        if said and (word := self.memory.beside.amount(frozenset().union(*said))):
             return Link("not decided", f"the word {word!r} beside it may speak of another amount", rests), None
         if is_reordered(known.tree if known else left, right):
             return Link("not decided", "the order of the factors may matter", rests), None

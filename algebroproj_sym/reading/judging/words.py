@@ -300,7 +300,7 @@ class Beside:
 
     def amount(self, known: Collection[str]) -> str:
         """Return a word of its own sentence that speaks of another amount than words that are known; empty for none."""
-        found = (each.lower() for each in _AMOUNTS.findall(without_formulas(self.sentence)))
+        found = (each.lower() for each in _AMOUNTS.findall(without_formulas(self._whole)))
         return next((each for each in found if each not in known), "")
 
     @property
@@ -461,11 +461,11 @@ _LENGTH = re.compile(
 _SUPPOSES = re.compile(r"\b(?:suppos(?:e|ing)|assum(?:e|ing)|let)\b", re.IGNORECASE)
 _AMOUNTS = re.compile(
     r"\b(per|together|total|altogether|reciprocal|twice|half|double|two|three|four|five|six|ten|both|percent|plain|degrees|"
-    r"radians|mean|average|monthly|daily|yearly|real|gross|net)\b"
+    r"radians|mean|average|monthly|daily|yearly|real|gross|net|all|every|everywhere|always|away|relaxed|violated)\b"
     r"(?! (?:equations?|relations?|sides?|terms?|expressions?|formula\w*|steps?|numbers?$))",
     re.IGNORECASE,
 )
-"""Words by which a formula may be of another amount, or in another unit, than the same formula above it."""
+"""Words by which a formula may be of more, of another amount, or in another unit, than the same formula above it."""
 _VARIABLES = re.compile(
     r"\b(?:functions? of|at (?:fixed|constant)|(?:holding|keeping)) ((?:\$[^$=]*\$(?:, and |, | and )?)+)",
     re.IGNORECASE,

@@ -195,7 +195,8 @@ def letters_of_symbol(symbol: str) -> frozenset[str]:
 
 
 _BOUND = re.compile(r"\\[a-zA-Z]+\*?_\{?([a-zA-Z])(?![a-zA-Z])")
-_WORDS = frozenset({"in", "il", "ml", "nm", "km", "mm", "min", "lin", "kin", "nil", "ink", "mil", "lim"})
+WORDS = frozenset({"in", "min", "kin", "lin", "il", "nm", "ml", "mm", "km", "nil", "ink", "mil", "lim"})
+"""Scripts that look like indices, and are words or units."""
 
 
 def has_index(symbol: str, index: str) -> bool:
@@ -205,7 +206,7 @@ def has_index(symbol: str, index: str) -> bool:
         return False
     _, _, below, above = split_symbol(symbol)
     words = re.findall(r"(?<![a-zA-Z\\])[a-zA-Z]+", f"{below} {above}")
-    return any(index == each or (index in each and _ARE_INDICES.fullmatch(each)) for each in {*words} - _WORDS)
+    return any(index == each or (index in each and _ARE_INDICES.fullmatch(each)) for each in {*words} - WORDS)
 
 
 _ARE_INDICES = re.compile(r"[i-nst]{2,3}")

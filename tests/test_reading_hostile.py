@@ -404,6 +404,8 @@ def test_an_equation_of_what_has_changed_contradicts_nothing(words):
         ("Minimise $f$ subject to \\[ g = 0. \\]", False),
         ("We solve \\[ g = 0 \\] by Newton's method.", False),
         ("The points for which \\[ g = 0 \\] are called critical.", False),
+        (r"The rules are \begin{itemize} \item stop if \[ g = 0 \] \item go on \end{itemize}", False),
+        ("A point is critical if \\[ g = 0. \\] On this sphere \\[ s = 2 a. \\]", False),
         ("A body is in balance if \\[ g = m a. \\] Without balance \\[ d = e - 2 m a. \\]", False),
         ("Suppose that \\[ g = 0. \\]", True),
         ("Hence \\[ g = 0. \\]", True),

@@ -35,7 +35,9 @@ _LATER = re.compile(
 )
 """How a sentence says behind an equation where it holds."""
 _GOES_ON = re.compile(
-    r"\b(?:then|such|if so|(?:in|at|under|for|on) (?:this|that|these|those|which|it))\b", re.IGNORECASE
+    r"\b(?:then|if so|(?:in|at|under|for|on) (?:this|that|these|those|such|which)(?: an?)?"
+    r" (?:cases?|points?|conditions?|situations?|states?|events?))\b",
+    re.IGNORECASE,
 )
 """How a sentence goes on from the condition of the one before it."""
 

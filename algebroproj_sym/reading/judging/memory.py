@@ -97,6 +97,7 @@ class Memory:
         self.beside = beside(statement, self.carried)
         if before is not None and before is not display:
             same = bool(self.carried) and last_sentence(display.before) == display.before.rstrip()
+            same = same and r"\item" not in display.before
             above = {before.place} if same or goes_on(self.beside) else set()
             self.running = above | (self.running if same or self.beside.follows else set())
         if self.beside.supposes:

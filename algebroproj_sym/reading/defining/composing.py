@@ -33,10 +33,8 @@ def composed_in(
     """
     yield from _chained_in(equations)
     yield from _turned_in(side for each in equations for side in each)
-    for one, other in ((one, other) for both in equations for one in both for other in both):
-        for found in (_of_state(lone(one), other), _of_both_sides(one, other), _divided_in(other)):
-            letters = {*found}
-            yield from letters if letters.isdisjoint(numbers) else ()
+    for letters in map(frozenset, _ordered_in(equations)):
+        yield from letters if letters.isdisjoint(numbers) else ()
     if _QUATERNIONS.search(words):
         yield from _multiplied_in(equations)
     if _ALL_CAPITALS.search(words):
@@ -70,6 +68,14 @@ def _turned_in(sides: Iterable[Formula]) -> Iterator[str]:
                     yield from one
 
 
+def _ordered_in(equations: Iterable[Sides]) -> Iterator[Iterator[str]]:
+    """Yield the letters of each equation that is written as one of matrices."""
+    for both in equations:
+        yield from map(_divided_in, both)
+        for one, other in ((one, other) for one in both for other in both if other.data in ("run", "sum")):
+            yield _of_state(lone(one), other) if lone(one) else _of_both_sides(one, other)
+
+
 def _divided_in(side: Formula) -> Iterator[str]:
     """Yield the capitals of a product of capitals with an inverse, as ``T_1^{-1} T_2``: of numbers it is a fraction."""
     for run in side.find_data("run"):
@@ -87,8 +93,9 @@ def _is_capital(factor: Any) -> bool:
 
 def _of_state(letter: str, side: Any) -> Iterator[str]:
     r"""Yield the letters of ``\dot x = A x + B u``, and of ``x_c = C_{cb} x_b``, where the indices chain."""
-    runs = [[*map(lone, trees_in(each))] for each in terms_of(side) if each.data == "run" and _maps(each)]
-    if _SMALL.fullmatch(letter) and (len({first for first, _ in runs}) > 1 or _chains(letter, runs)):
+    terms = terms_of(side) if _SMALL.fullmatch(letter) else []
+    runs = [[*map(lone, trees_in(each))] for each in terms if each.data == "run" and _maps(each)]
+    if runs and (len({first for first, _ in runs}) > 1 or _chains(letter, runs)):
         yield from (letter, *filter(None, (each for run in runs for each in run)))
 
 

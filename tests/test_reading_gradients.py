@@ -113,3 +113,8 @@ def test_an_empty_entry_is_no_derivative():
     function = r"\[ f = \mathbf{x}^T \begin{bmatrix} & 1 \end{bmatrix} \mathbf{x} \] "
     function += r"\[ \nabla_{\mathbf{x}} f = \mathbf{x} \]"
     assert read_document(document_of(function))[-1].verdict == "not decided"
+
+
+def test_powers_of_powers_end_within_bounds():
+    form = "(" * 18 + r"\mathbf{x}^T \mathbf{x}" + " + 1)^2" * 18
+    assert last(rf"\[ f = {form} \] \[ \nabla_{{\mathbf{{x}}}} f = \mathbf{{b}} \]").verdict == "not decided"

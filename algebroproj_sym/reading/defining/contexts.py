@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 _ARTICLE = r"(?:the\s+|an?\s+)"
@@ -13,7 +14,32 @@ _STEP = (
 _ORDINAL = r"(?:old|new|first|second|third|other|another|explicit|implicit|forward|backward|original|modified|exact)"
 _THING = (
     r"(?:method|model|case|experiment|medium|scheme|image|camera|approach|problem|lens|body|stage|phase|euler|setup|"
-    r"system|example|variant|interval|region|version|edition|notation|convention|axis|one)"
+    r"system|example|variant|interval|region|version|edition|notation|convention|axis|branch|frame|run|trial|one)"
+)
+_WORK = (
+    r"(?:the|an?|we|you|it|few|squar|tak|solv|eliminat|regroup|replac|appl|us|perform|add|subtract|factor|evaluat|introduc|"
+    r"complet|renam|transform|set|normali|linear|approxim|neglect|notic|defin|choos|writ|see|show|prov|deriv|discuss|"
+    r"[a-z]+ing\s+(?:the|this|both|out|by|in|these|all|and|with|over))"
+)
+"""How words for a step of a derivation begin, besides those."""
+_WORD_OF_A_TEXT = (
+    r"(?:equations?|eqs?|sections?|sec|chapter|figures?|fig|tables?|theorems?|lemmas?|definitions?|propositions?|steps?|"
+    r"corollary|parts?|lines?|rows?|columns?|pages?|paragraph|appendix|place|terms?|time|times|sum|integral|factors?|"
+    r"order|instance|sight|glance|approximation|inequality|equality|identity|relation|expression|formula|law|derivatives?|"
+    r"moment|components?|entry|argument|kind|sense|derivation|variables?|coordinates?|letter|side|slot|position|hand|"
+    r"words?|two|three|few|at least|at most|remarks?|results?|dimensions?)"
+)
+"""What is numbered in a text, and no thing of which it speaks."""
+_MANNER = (
+    r"(?:form|notation|view|detail|particular|general|fact|summary|addition|contrast|practice|theory|turn|effect|following|"
+    r"meantime|end|way|sequel|reverse|rule|language|principle|average|mean|limit|total|context|proof|text|paper|book|work|"
+    r"article|thesis|tutorial|notebook|exercise|lecture|implementation|code|literature|beginning|moment|basis)"
+)
+"""The words of how something is said."""
+_AIM = (
+    r"(?:simplicity|brevity|convenience|clarity|completeness|comparison|reference|definiteness|illustration|ease|short|"
+    r"all|any|each|every|some|this|that|these|those|which|it|us|now|later|further|more|most|many|our|its|notational|"
+    r"us|use|better|future|later|both|given|fixed|constant|\w+ing|\w+ly|arbitrary|general|instance|example)"
 )
 _KINDS = {
     "condition": (
@@ -28,30 +54,47 @@ _KINDS = {
     r"|at\s+rest|in\s+motion",
     "place": (
         r"at\s+(?:the\s+)?points?\s+\$[^$=]*\$|"
+        r"(?:(?:at|on|in)\s+)?(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+"
+        r"(?:boundary|end|wall|edge|half|side(?! of))|"
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
-        r"|(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+(?:boundary|end|wall|edge|half|side(?! of))"
         r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
     ),
-    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)",
+    "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)|until\b"
+    rf"|(?:before|after)\s+(?!{_STEP}|{_WORK})[a-z]+|(?:as|so)\s+long\s+as\b|while\b",
+    "extent": r"(?:up to|beyond|past|below|above|under|over|within|less than|more than)\s+(?:the|an?|its|this|it|\$)"
+    r"(?!\s+(?:assumptions?|conditions?|hypothes[ie]s|form|constraints?))[^,]*",
     "name": (
         r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
         rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
+        rf"|(?:in|on|for|by|with|at|during)\s+(?:the\s+)?(?!{_WORD_OF_A_TEXT}\b)[a-z]+\s+(?:\d+|one|two|three|ii|iii)\b"
     ),
     "sort": r"for\s+(?:an?|the\s+(?:left|right|first|second|upper|lower|inner|outer|other))\s+"
     r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+"
-    r"|for\s+[a-z-]+\s+(?:flows?|fluids?|gas(?:es)?|media|materials?|particles?|bodies|motions?|light)\b",
+    r"|for\s+[a-z-]+\s+(?:flows?|fluids?|gas(?:es)?|media|materials?|particles?|bodies|motions?|light)\b"
+    rf"|for\s+(?!{_AIM}\b)[a-z]+(?=\s*(?:,|:|$|(?:we|the|it|one|this|is)\b))",
     "presence": r"with(?:out)?\s+(?:the\s+|any\s+|an?\s+)?[a-z]+",
 }
 _BEGINS = re.compile(
-    r"[^a-z$]*(?:(?:textbf|textit|emph|paragraph|and|but|now|then)\W+)*(?:"
+    r"[^a-z$]*(?:(?:textbf|textit|emph|paragraph|and|but|now|then|hence|thus|so|therefore|consequently)\W+)*(?:"
     + "|".join(f"(?P<{kind}>{words})" for kind, words in _KINDS.items())
     + ")",
     re.DOTALL,
 )
+_WHERE = re.compile(
+    r"[^a-z$]*(?:(?:textbf|textit|emph|and|but|now|then|hence|thus|so|therefore|consequently)\W+)*"
+    r"(?P<words>(?:in|on|at|for|near|under|during|along|across)\s+(?:the\s+|an?\s+)?(?:[a-z-]+\s+){1,2}?"
+    rf"(?P<head>(?!(?:{_WORD_OF_A_TEXT}|{_MANNER})\b)[a-z-]+))"
+    r"(?=\s*(?:,|:|$|\$|(?:the|we|it|its|one|this|that|an?|there|is|are|has|holds|hence|thus|then)\b))"
+)
+"""How a sentence begins with a place in a wide sense: one of which the last word is the same is another."""
 _OF_A_THING = re.compile(
     r"[^a-z$]*the\s+[a-z]+\s+(?:in|of|for)\s+(?:the\s+)?((?:frame|model|image|camera|system|case|observer|medium|scenario)"
     r"\s+\$?[a-z0-9]+\b)"
 )
+_LEADS = re.compile(r"(?:(?:in|on|at|for|by|with|during)\s+)?(?:(?:the|an?)\s+)?")
+_WHILE = ("while", "as long as", "so long as", "until")
+_THINGS = ("place", "name", "sort", "state", "time", "extent", "of several")
+"""The kinds of contexts that a sentence of its own may begin."""
 _FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
 _STEPS = re.compile(
     r"\b(?:if|when|once)\s+(?:we|you|one)\s+(?=(?:now\s+|then\s+)?(?:substitut|insert|plug|replac|put|multipl|divid|add|"
@@ -97,7 +140,7 @@ class Context:
         if self.words.startswith(("in general", "generally")):
             return bool(other.kind)
         if self.kind != other.kind:
-            return other.kind == "condition"
+            return other.kind == "condition" or other.words.startswith(_WHILE)
         return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
 
 
@@ -115,18 +158,36 @@ def without_steps(words: str) -> str:
     return _STEPS.sub("", words)
 
 
+def last_context(sentences: Sequence[str], behind: str) -> Context:
+    """Return where an equation holds, by the last sentence before it that says it.
+
+    Only the last one may say it by a condition, or by a range.
+
+    Examples
+    --------
+    >>> last_context(["The right half is free.", "Hence"], "")
+    Context(kind='place', words='right half')
+    """
+    own = context_of(sentences[-1], behind)
+    above = (found for each in sentences[-2::-1] if (found := context_of(each)).kind.endswith(_THINGS))
+    return own if own.kind else next(above, ANYWHERE)
+
+
 def context_of(sentence: str, behind: str = "") -> Context:
     """Return where an equation holds, by the words with which its sentence begins, and perhaps goes on behind it.
 
     Examples
     --------
     >>> context_of("At the top, the speed is"), context_of("After some algebra, we get")
-    (Context(kind='place', words='at the top'), Context(kind='', words=''))
+    (Context(kind='place', words='top'), Context(kind='', words=''))
     """
     step = _STEPS.search(f"{sentence} {behind}")
     bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
     found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
-        thing = _OF_A_THING.match(bare.lower())
+        thing, place = _OF_A_THING.match(bare.lower()), _WHERE.match(bare.lower())
+        if thing is None and place is not None:
+            return Context(f"{place['head']} of several", _LEADS.sub("", " ".join(place["words"].split())))
         return Context("name", " ".join(thing[1].split())) if thing else ANYWHERE
-    return Context(found.lastgroup, " ".join(found[found.lastgroup].split()))
+    words = " ".join(found[found.lastgroup].split())
+    return Context(found.lastgroup, _LEADS.sub("", words) if found.lastgroup in _THINGS else words)

@@ -13,6 +13,7 @@ from functools import cached_property
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.acting import acted_on
 from algebroproj_sym.reading.defining.phrases import called, symbols_in_list
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
@@ -177,6 +178,7 @@ def has_superscripts(words: str) -> bool:
 def dependences(words: str) -> Iterator[tuple[str, str]]:
     """Yield the pairs of letters of which the first is said to be a function of the second; what moves is one of t."""
     yield from ((symbol, "t") for each in _MOVES.findall(words) for symbol in symbols_in_list(each))
+    yield from ((symbol, "t") for symbol in sorted(acted_on(words)))
     for match in _DEPENDS.finditer(words):
         yield from ((one, other) for one in symbols_in_list(match[1]) for other in symbols_in_list(match[2]))
 

@@ -22,7 +22,7 @@ from algebroproj_sym.reading.defining.recognising import defined_by, is_one_valu
 from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions
 
 MOST_PREMISES = 300
@@ -63,6 +63,8 @@ class Premise:
         Whether it is part of a chain.
     context : Context
         Where it holds.
+    ranges : tuple of Parsed
+        What is said beside it of the ranges of letters.
     """
 
     left: Formula
@@ -75,6 +77,7 @@ class Premise:
     words: frozenset[str]
     chained: bool
     context: Context
+    ranges: tuple[Parsed, ...] = ()
 
     @cached_property
     def symbols(self) -> frozenset[str]:
@@ -109,7 +112,7 @@ class Premise:
     def _of(self, symbol: str, parameters: tuple[str, ...], value: Formula) -> Definition:
         role: Role = "case" if self.special else "premise"
         given = symbol, parameters, value, self.where, self.part
-        return Definition(*given, explicit=False, role=role, place=self.place, words=self.words)
+        return Definition(*given, explicit=False, role=role, place=self.place, words=self.words, ranges=self.ranges)
 
     def solved(self, vocabulary: Vocabulary, wanted: Collection[str]) -> Definition | None:
         """Return what it says of a letter in which it is linear, the simplest, or else a wanted one; None for none."""

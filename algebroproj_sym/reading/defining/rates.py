@@ -20,6 +20,7 @@ UNCHANGED = " not change"
 ONE: Formula = Tree("number", [Token("NUMBER", "1")])
 ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
 TWO: Formula = Tree("number", [Token("NUMBER", "2")])
+MOST_COPIES = 20_000
 _LINEAR = ("group", "bracket", "items", "cell")
 
 
@@ -48,6 +49,20 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     >>> text_of(rate_of(side, rate), str)
     '(1/2*m*(v*x + x*v)) + (A*w)'
     """
+    if _copies(tree) > MOST_COPIES:
+        raise UnreadableError("the derivative of something in it has too many terms")
+    return _rate(tree, rates)
+
+
+def _copies(tree: Formula) -> int:
+    """Return about how often the letters of a formula stand in its derivative."""
+    within = max((_copies(each) for each in trees_in(tree)), default=1)
+    if tree.data in ("run", "product", "sum"):
+        return len(trees_in(tree)) * within
+    return 4 * within if tree.data in ("power", "fraction", "quotient", "root", "norm", "inner") else within
+
+
+def _rate(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     if tree.data in ("symbol", "opaque"):
         return rates.get(str(tree.children[0]))
     if tree.data == "call" and (known := rates.get(_written(tree))) is not None:
@@ -58,7 +73,7 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
         return _sum_of(tree, rates)
     if tree.data in ("run", "product"):
         places = [(place, each) for place, each in enumerate(tree.children) if isinstance(each, Tree)]
-        rated = [_with(tree, place, rate_of(each, rates)) for place, each in places]
+        rated = [_with(tree, place, _rate(each, rates)) for place, each in places]
         return _sum([("+", each) for each in rated if each is not None])
     if tree.data == "fraction" or (tree.data == "quotient" and len(tree.children) == 2):
         above, below = trees_in(tree)
@@ -73,11 +88,11 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     if tree.data == "inner" and len(items := _items(tree)) == 2:
         return _sum([("+", each) for place in (0, 1) if (each := _of_item(tree, items, place, rates)) is not None])
     if tree.data == "big" and str(tree.children[0]).startswith(r"\sum"):
-        return _with(tree, 1, rate_of(trees_in(tree)[0], rates))
+        return _with(tree, 1, _rate(trees_in(tree)[0], rates))
     if tree.data == "marked" and tree.children[1] in ("T", "hat", "vee"):
-        return _with(tree, 0, rate_of(trees_in(tree)[0], rates))
+        return _with(tree, 0, _rate(trees_in(tree)[0], rates))
     if tree.data in _LINEAR and len(tree.children) == 1:
-        return _with(tree, 0, rate_of(trees_in(tree)[0], rates))
+        return _with(tree, 0, _rate(trees_in(tree)[0], rates))
     if tree.data in ("matrix", "row") and "vmatrix" not in str(tree.children[0]):
         parts: list[Any] = [each if isinstance(each, Token) else _or_zero(each, rates) for each in tree.children]
         return Tree(tree.data, parts)
@@ -100,7 +115,7 @@ def _or_zero(tree: Formula, rates: Mapping[str, Formula]) -> Formula:
     if tree.data in ("row", "cell"):
         parts: list[Any] = [_or_zero(each, rates) for each in trees_in(tree)]
         return Tree(tree.data, parts)
-    return rate_of(tree, rates) or ZERO
+    return _rate(tree, rates) or ZERO
 
 
 def _sum(terms: list[tuple[str, Formula]]) -> Formula | None:
@@ -110,12 +125,12 @@ def _sum(terms: list[tuple[str, Formula]]) -> Formula | None:
 
 def _sum_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     parts = tree.children if isinstance(tree.children[0], Token) else [Token("SIGN", "+"), *tree.children]
-    pairs = [(str(sign), rate_of(term, rates)) for sign, term in zip(parts[::2], parts[1::2], strict=True)]  # type: ignore[arg-type]  # signs and trees take turns
+    pairs = [(str(sign), _rate(term, rates)) for sign, term in zip(parts[::2], parts[1::2], strict=True)]  # type: ignore[arg-type]  # signs and trees take turns
     return _sum([(sign, rate) for sign, rate in pairs if rate is not None])
 
 
 def _of_fraction(above: Formula, below: Formula, rates: Mapping[str, Formula]) -> Formula | None:
-    first, second = rate_of(above, rates), rate_of(below, rates)
+    first, second = _rate(above, rates), _rate(below, rates)
     terms: list[tuple[str, Formula]] = [] if first is None else [("+", Tree("fraction", [first, below]))]
     if second is not None:
         square: Formula = Tree("run", [below, below])
@@ -131,14 +146,14 @@ def _items(tree: Formula) -> list[Formula]:
 
 def _of_item(tree: Formula, items: Sequence[Formula], place: int, rates: Mapping[str, Formula]) -> Formula | None:
     """Return an inner product with the rate of one vector."""
-    rate = rate_of(items[place], rates)
+    rate = _rate(items[place], rates)
     return None if rate is None else Tree("inner", [Tree("items", [*items[:place], rate, *items[place + 1 :]])])
 
 
 def _of_length(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     """Return the rate of a root, or of the length of a vector."""
     (inside,) = trees_in(tree)
-    rate = rate_of(inside, rates)
+    rate = _rate(inside, rates)
     if rate is None:
         return None
     if tree.data == "norm":
@@ -154,18 +169,18 @@ def _of_power(base: Formula, exponent: Formula, rates: Mapping[str, Formula]) ->
     while exponent.data == "group":
         (exponent,) = trees_in(exponent)
     if base.data == "norm" and exponent == TWO:
-        return rate_of(Tree("inner", [Tree("items", [*trees_in(base), *trees_in(base)])]), rates)
-    if base == E and E.children[0] in rates and (rate := rate_of(exponent, rates)) is not None:
+        return _rate(Tree("inner", [Tree("items", [*trees_in(base), *trees_in(base)])]), rates)
+    if base == E and E.children[0] in rates and (rate := _rate(exponent, rates)) is not None:
         return Tree("run", [Tree("power", [base, exponent]), Tree("group", [rate])])
     times = str(exponent.children[0]) if exponent.data == "number" else ""
     if not (times.isdigit() and 1 < int(times) <= MOST_MATRIX_POWER):
         raise UnreadableError("the derivative of a power in it is not computed")
-    return rate_of(Tree("run", [base] * int(times)), rates)
+    return _rate(Tree("run", [base] * int(times)), rates)
 
 
 def _of_function(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     name, inside = str(tree.children[0]), trees_in(tree)[0]
-    rate = rate_of(inside, rates)
+    rate = _rate(inside, rates)
     if rate is None:
         return None
     if rate.data == "items":

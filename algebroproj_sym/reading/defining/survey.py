@@ -10,6 +10,7 @@ from itertools import pairwise
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.acting import acted_on
 from algebroproj_sym.reading.defining.arguments import lone_arguments
 from algebroproj_sym.reading.defining.components import columns_beside_matrices
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
@@ -211,6 +212,8 @@ class Survey:
                 sides = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
                 ties += ties_of(*defined_by(sides[0]), sides, before)
         ties += (Tie(letter, frozenset((other,)), True) for letter, other in dependences(self._prose))
+        steps = self.indices.counted
+        ties += (Tie(letter, steps, True) for letter in sorted(acted_on(self._prose, stepwise=True)) if steps)
         ties += (
             Tie(letter, frozenset(of), True)
             for each in self.formulas.values()

@@ -21,7 +21,7 @@ from algebroproj_sym.reading.lexing.commands import STYLES
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 from algebroproj_sym.reading.parsing.writing import text_of
 
 MOST_DEFINITIONS = 20_000
@@ -68,6 +68,10 @@ class Definition:
         The words beside it.
     context : Context
         Where it holds.
+    apart : frozenset of str
+        The words beside what was said of the symbol before, and not beside this: where they return, it does not hold.
+    ranges : tuple of Parsed
+        What is said beside it of the ranges of letters.
     """
 
     symbol: str
@@ -81,6 +85,8 @@ class Definition:
     place: int = -1
     words: frozenset[str] = frozenset()
     context: Context = ANYWHERE
+    apart: frozenset[str] = frozenset()
+    ranges: tuple[Parsed, ...] = ()
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:

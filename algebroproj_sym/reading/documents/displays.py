@@ -27,10 +27,17 @@ _ENVIRONMENTS = (
     *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
     "IEEEeqnarray",
 )
+_HEADS = (
+    r"\\(?:part|chapter|(?:sub)*section|paragraph|appendix)\b|\\begin\{frame\}|<h[1-6]\b"
+    r"|(?m:^#+ |^[ ]{0,3}(?:-{3,}|={3,}|\*{3,}|_{3,})[ ]*$)"
+)
+"""Where a section, a slide or what stands behind a rule begins."""
 _BEGIN = re.compile(
     rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[(?!-?[\d.]+(?:em|ex|pt|[cm]m|in|pc)\])|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
-    r"|\\(?:chapter|(?:sub)*section|paragraph)\b|(?m:^#+ )"
+    rf"|(?P<head>{_HEADS})"
 )
+HEADING = "\f"
+"""What stands in the words before a formula where a section begins."""
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 _CODE = re.compile(
     r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment|filecontents)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
@@ -368,10 +375,10 @@ def _formulas(
             groups += mark.startswith(r"\begin")
             group = groups if mark.startswith(r"\begin") else 0
             continue
-        if mark.startswith(("#", r"\chapter", r"\paragraph")) or "section" in mark:
+        if match["head"]:
             part += 1
             title = _TITLE.match(text, place)
-            words += f"\n{title.group()}.\n" if title else "\n"
+            words += f"\n{HEADING}{title.group()}.\n" if title else f"\n{HEADING}\n"
             place = title.end() if title else place
             continue
         name, star = openers.get(mark, match[1] or ""), match[2] or ""
@@ -402,7 +409,7 @@ _PARTNERS = {r"\[": r"\]", "$$": "$$", r"\(": r"\)", "$": "$"}
 
 def _up_to_formula(after: str) -> str:
     match = re.search(
-        r"\$\$|\\\[|\\begin\{(?:equation|align|gather|multline|eqnarray)|\\end\{document\}|\n\s*\n", after
+        rf"\$\$|\\\[|\\begin\{{(?:equation|align|gather|multline|eqnarray)|\\end\{{document\}}|\n\s*\n|{_HEADS}", after
     )
     return after[: match.start()] if match else after
 

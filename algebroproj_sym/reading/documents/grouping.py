@@ -12,6 +12,7 @@ _NAME = re.compile(
     r"(?:\{?(?:[a-zA-Z]|\\[a-zA-Z]+)\}?))(?:_(\w|\{[^{}]*\}))?"
 )
 _NO_NAMES = frozenset((r"\partial", r"\nabla", r"\left", r"\right", r"\cdot", r"\times"))
+_CLOSING = {"{": "}", "(": ")"}
 _INDEX = re.compile(r"\w|\{[\w,|+-]*\}")
 
 
@@ -28,7 +29,8 @@ def grouped(pieces: Sequence[Piece]) -> list[Piece]:
     out = list[Piece]()
     place = 0
     while place < len(pieces):
-        text, end = pieces[place].text, _end_of(pieces, place)
+        text = pieces[place].text
+        end = _end_of(pieces, place) if text in _CLOSING else place
         inside = pieces[place + 1 : end]
         if text == "{" and _text(inside) == "," and _is_thousand(out, pieces[end + 1 :][:9]):
             place = end + 1
@@ -54,18 +56,18 @@ def _text(pieces: Sequence[Piece]) -> str:
 
 
 def _end_of(pieces: Sequence[Piece], place: int) -> int:
-    """Return where the partner of a brace or a bracket is; the end if it has none near."""
+    """Return where the partner of a brace or a bracket is; its own place if it has none near."""
     opening = pieces[place].text
-    closing = {"{": "}", "(": ")"}.get(opening, "")
+    closing = _CLOSING[opening]
     depth = 0
-    for end in range(place, min(len(pieces), place + MOST_WITHIN) if closing else place):
+    for end in range(place, min(len(pieces), place + MOST_WITHIN)):
         depth += (pieces[end].text == opening) - (pieces[end].text == closing)
         if depth == 0:
             return end
-    return len(pieces)
+    return place
 
 
-MOST_WITHIN = 200
+MOST_WITHIN = 60
 """How many pieces are searched for the partner of a bracket."""
 
 

@@ -121,8 +121,8 @@ def statements(document: Document) -> list[Statement]:
 def _goes_on_behind(pieces: Sequence[Piece], before: Statement, display: Display) -> bool:
     """Whether a display begins with a relation, so that it goes on with the one before it, perhaps behind words."""
     first = _without_idle(pieces)[:1]
-    near = before.display.part == display.part and _OTHERWISE.search(display.before) is None
-    return bool(before.pieces and not before.condition) and near and begins_with_relation(first)
+    goes_on = bool(before.pieces and not before.condition) and begins_with_relation(first)
+    return goes_on and before.display.part == display.part and _OTHERWISE.search(display.before) is None
 
 
 _OTHERWISE = re.compile(r"\b(?:not?|never|nor|rather|instead|unlike|different\w*|than|wrong\w*|but)\b", re.IGNORECASE)

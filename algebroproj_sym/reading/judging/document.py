@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
+from algebroproj_sym.reading.defining.domains import range_in, ranges_said
 from algebroproj_sym.reading.defining.meanings import VARIES
 from algebroproj_sym.reading.defining.premises import (
     Premise,
@@ -17,7 +18,7 @@ from algebroproj_sym.reading.defining.recognising import (
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
-from algebroproj_sym.reading.documents.displays import Document
+from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import Asked, decide
 from algebroproj_sym.reading.judging.introducing import (
@@ -38,6 +39,7 @@ from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewh
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
 from algebroproj_sym.reading.judging.words import (
+    ASKS,
     CASES,
     SAYS,
     beside,
@@ -145,6 +147,7 @@ class _Pass:
         number = not any(map(symbols_in, formula.sides[1:]))
         elsewhere = number and leads_elsewhere(statement.display.after)
         says = is_given_within(before, number=number) and not (elsewhere or beside(statement, "").is_denied)
+        says = says and not ASKS.match(sentence)
         self.memory.stand_at(statement.display)
         stated = SAYS.search(before) or is_item(before, statement.display.after)
         if len(formula.sides) == 2 and (says or (stated and not CASES.search(sentence))):
@@ -192,6 +195,7 @@ class _Pass:
         links: list[Link] = []
         asked: list[Asked] = []
         self.memory.listen(statement)
+        self.memory.ranges = tuple(self._ranges_beside(display, found))
         if reason := self.survey.meanings.reason(statement, found):
             self.memory.note(statement, found)
             self.memory.leave_open(found, display.part)
@@ -204,6 +208,7 @@ class _Pass:
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])
         definition = definition_in(self.memory, statement, found, explicit=False)
+        definition = definition and replace(definition, ranges=self.memory.ranges)
         plain = definition is not None and not (definition.explicit or definition.parameters)
         if plain and self.survey.indices.counted:
             repeats = gives_at_other_index(self._standing(statement), found.sides[0], found.sides[1])
@@ -255,10 +260,12 @@ class _Pass:
         if relation not in EQUALITIES:
             return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
         known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
+        if known is not None and known.tree == right and (word := self.memory.beside.amount(known.words)):
+            return Link("not decided", f"the word {word!r} beside it may speak of another amount", rests), None
         said = [each.words for each in self.memory.serving if (left, right) in each.both_ways]
         said += [known.words] if known is not None and known.tree == right else []
-        if said and (word := self.memory.beside.amount(frozenset().union(*said))):
-            return Link("not decided", f"the word {word!r} beside it may speak of another amount", rests), None
+        if said and (word := self.memory.beside.wider(frozenset().union(*said))):
+            return Link("not decided", f"the word {word!r} beside it may say more than was said above it", rests), None
         if is_reordered(known.tree if known else left, right):
             return Link("not decided", "the order of the factors may matter", rests), None
         letters = self.memory.vocabulary.letters_of(left) | self.memory.vocabulary.letters_of(right)
@@ -289,6 +296,19 @@ class _Pass:
         displays = (each.display for each in self.survey.statements[: self.order][::-1])
         above = (each for each in displays if each.environment != "inline" and each is not self.memory.display)
         return next((each.place for each in above), -1)
+
+    def _ranges_beside(self, display: Display, formula: Parsed) -> Iterator[Parsed]:
+        """Yield the ranges that stand in a display, and within the text in its sentence."""
+        before, behind = last_sentence(display.before), display.after.partition(".")[0]
+        parameters = defined_by(formula.sides[0])[1]
+        yield from ranges_said(f"{before} . {behind}", parameters[0] if len(parameters) == 1 else "")
+        for each in self.survey.statements[max(0, self.order - MOST_WITHIN) : self.order + MOST_WITHIN]:
+            within = f"${each.display.latex}$"
+            inline = each.display.environment == "inline" and (within in before or within in behind)
+            if each.display is display or (inline and each.display.part == display.part):
+                found = range_in(each, self.survey.formulas[id(each)])
+                if found is not None:
+                    yield found
 
     def _free(self, statement: Statement) -> list[str]:
         """Return the letters of a statement that nothing gives."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from algebroproj_sym.reading.defining.acting import acted_on, is_acted_on
 from algebroproj_sym.reading.defining.citing import apart_in, cited_in
-from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_of
+from algebroproj_sym.reading.defining.contexts import ANYWHERE, last_context
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
@@ -29,20 +31,26 @@ from algebroproj_sym.reading.defining.recognising import (
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
-from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
 from algebroproj_sym.reading.judging.deciding import agree
+from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.words import (
     Beside,
     beside,
     has_ended,
     last_sentence,
+    sentences_of,
     takes_back,
     words_of,
 )
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+
+_IS = re.compile(r"\b(?:is|are)\W*$")
+_ONLY = re.compile(r"\W*([^.$]*?) only\b")
+"""Words behind an equation that limit it, as in "in the first case only"."""
 
 
 class Memory:
@@ -57,10 +65,11 @@ class Memory:
         self.alone: dict[str, int] = {}
         self.given_at: dict[str, int] = {}
         self.tied = set[str]()
-        self.named = set[tuple[str, str]]()
+        self.named: dict[tuple[str, int], frozenset[str]] = {}
         self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
+        self.ranges: tuple[Parsed, ...] = ()
         self.scopes = Scopes()
         self.supposed = set[int]()
         self.conditions = set[int]()
@@ -90,8 +99,10 @@ class Memory:
             self.leave(display)
         same_part = self.beside.part == display.part
         if display is not self.display:
-            if self.display is not None and takes_back(display.before):
+            if self.display is not None and (takes_back(display.before) or is_acted_on(display.before)):
                 self._retract({self.display.place})
+            for symbol in acted_on(display.before):
+                self.forget(symbol)
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         before, self.display = self.display, display
         self.beside = beside(statement, self.carried)
@@ -106,10 +117,10 @@ class Memory:
         marked = {each for each in self.survey.occurring for mark in self.beside.dropped if mark in each}
         for symbol in self.beside.changed | marked:
             self.forget(symbol)
-        for symbol, noun in self.beside.introduced:
-            if not noun or (symbol, noun) not in self.named:
-                self._forget_from_elsewhere(symbol, noun, display.part)
-            self.named.add((symbol, noun))
+        self._hear_of_letters(display)
+        spoken = {*filter(names_a_thing, words_of(self.beside.sentence))}
+        for symbol in [each.symbol for each in self.vocabulary.definitions.values() if each.apart & spoken]:
+            self.forget(symbol)
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
@@ -126,11 +137,30 @@ class Memory:
             each.symbol for each in self.vocabulary.definitions.values() if symbol in (each.symbol, *each.symbols)
         )
 
-    def _forget_from_elsewhere(self, symbol: str, noun: str, part: int) -> None:
-        """Forget what other sections said of a letter, and with it, if a word that says what it is was not near it."""
+    def _hear_of_letters(self, display: Display) -> None:
+        """Forget what other sections said of a letter, and with it, where words say that it is something else."""
+        sections = display.before.rstrip().split(HEADING)
+        sections[-1] += (f" ${display.latex}$" if _IS.search(display.before) else ". ") + self.beside.behind
+        for part, words in enumerate(sections, display.part + 1 - len(sections)):
+            for symbol, nouns in described(words):
+                self._forget_from_elsewhere(symbol, nouns, part)
+                self.named[symbol, part] = self.named.get((symbol, part), frozenset()) | nouns
+
+    def _named_at(self, symbol: str, part: int) -> frozenset[str]:
+        """Return what words called a letter in a section, or else in the last one above it that called it anything."""
+        above = [each for name, each in self.named if name == symbol and each <= part]
+        return self.named[symbol, max(above)] if above else frozenset()
+
+    def _forget_from_elsewhere(self, symbol: str, nouns: frozenset[str], part: int) -> None:
+        """Forget what other sections said of a letter, and with it, but for what may be called by the same nouns.
+
+        So does a section itself where words called it something else before.
+        """
+        told = bool(nouns and self.named.get((symbol, part)))
 
         def stays(each: Premise | Definition) -> bool:
-            return each.part == part or (bool(noun) and noun in each.words)
+            same = is_same(nouns, each.words | self._named_at(symbol, each.part))
+            return same or (each.part == part and not told)
 
         self.premises = [each for each in self.premises if symbol not in each.symbols or stays(each)]
         known = [each for each in self.vocabulary.definitions.values() if not stays(each)]
@@ -143,8 +173,10 @@ class Memory:
 
     def stand_at(self, display: Display) -> None:
         """Take in where an equation holds: what one before it says goes on, up to the next heading."""
-        behind = display.after if display.environment == "inline" else ""
-        own = context_of(last_sentence(display.before), behind)
+        inline = display.environment == "inline"
+        limited = None if inline else _ONLY.match(display.after)
+        sentences = [limited[1]] if limited else sentences_of(display.before.rpartition(HEADING)[2])
+        own = last_context(sentences, display.after if inline else "")
         self.context = own if own.kind or self.part != display.part else self.context
         self.part = display.part
 
@@ -202,7 +234,9 @@ class Memory:
         if not (statement.condition or self.beside.case() or is_circular(symbol, value, self.vocabulary)):
             where, words = where_of(statement), self.beside.words
             given = symbol, parameters, value, where, part, False
-            made = Definition(*given, place=self.beside.place, words=words, context=self.context)
+            apart = (known.apart | known.words) - words
+            held = self.beside.place, words, self.context, apart, self.ranges
+            made = Definition(*given, True, "definition", *held)
             self.vocabulary.define(replace(made, usable=computes(made, self.vocabulary)))
 
     def tie(self, sides: Collection[Formula]) -> None:
@@ -283,10 +317,12 @@ class Memory:
         """Whether values differ, and one has all letters of the other.
 
         In one display both have the same letters, or none more than one: its rows may be steps, in which letters go.
+        That does not matter where words speak of several things, as in "The bounds are".
         """
         ours, theirs = map(self.vocabulary.letters_of, (one, other))
         if near:
             tied = (bool(ours) and ours == theirs) or all(len([*symbols_in(each)]) < 2 for each in (one, other))
+            tied = tied or self.beside.lists
         else:
             tied = bool(ours and theirs) and (ours <= theirs or theirs <= ours)
         if one == other or not tied:
@@ -301,7 +337,8 @@ class Memory:
         display, special, words = statement.display, bool(self.beside.case()), self.beside.words
         given = where_of(statement), display.part, display.place, names, special, words
         chained = len(formula.sides) > 2
-        return [Premise(left, right, *given, chained=chained, context=self.context) for left, right in pairs]
+        held = self.context, self.ranges
+        return [Premise(left, right, *given, chained, *held) for left, right in pairs]
 
     def _is_over(self, place: int) -> bool:
         """Whether a display was the condition of a sentence that has ended."""

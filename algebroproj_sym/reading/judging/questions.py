@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
@@ -16,16 +16,20 @@ from algebroproj_sym.expressions import TooLargeError, entries, require_bounded,
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
+from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
-from algebroproj_sym.reading.defining.premises import Premise
+from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.values import values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.evaluating import evaluated
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 from algebroproj_sym.replaying.reals.terms import has_functions, written
 
 Sides = tuple[Formula, Formula]
+MOST_CALLS = 6
+"""How deep functions are looked for that others take."""
 
 
 @dataclass(frozen=True)
@@ -181,6 +185,8 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
         return f"{vocabulary.name(other)} of other letters may be another function"
     if hides := _hides_an_index(vocabulary, left, right):
         return hides
+    if other := out_of_range(vocabulary, left, right):
+        return f"{vocabulary.name(other)} is given in another range"
     try:
         return questions_of(vocabulary, left, right)
     except UnreadableError as unread:
@@ -222,6 +228,34 @@ def _hides_an_index(vocabulary: Vocabulary, *trees: Formula) -> str:
     return f"{vocabulary.name(letter)} may depend on {index}, over which a sum or the like runs" if letter else ""
 
 
+def out_of_range(vocabulary: Vocabulary, *trees: Formula) -> str:
+    """Return a letter or a function that is given in a range in which nothing lies that is put in; empty for none."""
+    used = used_by(vocabulary, *trees)
+    if not any(each.ranges for each in used):
+        return ""
+    plain = lambda symbol: vocabulary.value(letter_of(symbol))  # noqa: E731
+    outside = (each.symbol for each in used if not each.parameters and is_outside(each.ranges, plain, plain))
+    given = (each.tree for each in used if not each.parameters)
+    called = (_called_outside(vocabulary, each, plain, MOST_CALLS) for each in (*trees, *given))
+    return next((each for each in (*outside, *called) if each), "")
+
+
+def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str], Any], depth: int) -> str:
+    """Return a function that a formula takes outside of its range, itself or through other functions."""
+    for call in tree.find_data("call") if depth else ():
+        function = vocabulary.definitions.get(str(call.children[0]))
+        arguments = [each for items in call.children[1:] if isinstance(items, Tree) for each in trees_in(items)]
+        if function is None or not function.usable or len(arguments) != len(function.parameters):
+            continue
+        put = dict(zip(function.parameters, arguments, strict=True))
+        own = lambda symbol, put=put: evaluated(put[symbol], names) if symbol in put else names(symbol)  # noqa: E731
+        if is_outside(function.ranges, own, names):
+            return function.symbol
+        if inner := _called_outside(vocabulary, function.tree, own, depth - 1):
+            return inner
+    return ""
+
+
 def _lone(tree: object) -> str:
     """Return the symbol that a formula is; empty if it is more."""
     while isinstance(tree, Tree) and tree.data in ("group", "items", "bracket", "cell") and len(tree.children) == 1:
@@ -241,16 +275,19 @@ def _asked_under(way: Way) -> list[Question] | str:
     """Return the questions of a way, with the equations under which it is to hold as constraints."""
     if not way.under:
         return asked_of(way.vocabulary, *way.sides)
-    if hides := _hides_an_index(
-        way.vocabulary, *way.sides, *(side for each in way.under for side in each.both_ways[0])
-    ):
+    given = [side for each in way.under for side in (each.left, each.right)]
+    if out_of_range(way.vocabulary, *way.sides, *given):
+        return "a letter is given in another range"
+    if hides := _hides_an_index(way.vocabulary, *way.sides, *given):
         return hides
     for known in (way.vocabulary, with_values(way.vocabulary)):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides, by_entries=True)
-            given = [one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)]
-            if all(map(_is_rational, [*questions, *given])):
-                constraints = tuple(f"{one.lhs} = {one.rhs}" for one in given)
+            conditions = [
+                one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)
+            ]
+            if all(map(_is_rational, [*questions, *conditions])):
+                constraints = tuple(f"{one.lhs} = {one.rhs}" for one in conditions)
                 return [replace(question, constraints=constraints) for question in questions]
     with suppress(*_UNASKED):
         if any(map(way.vocabulary.is_matrix, way.vocabulary.letters_of(way.left))):

@@ -45,6 +45,8 @@ _DENIED = re.compile(
     r"(?:find|spot) the \w+|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
     r"on average|in the mean|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
+    r"up to (?:(?:the|its|their) )?(?:scale|scaling|signs?|normali[sz]ation|factors?|constants?|multiples?|units|"
+    r"phases?|permutations?|rotations?|isomorphism|translations?|higher|lower|first|second|rounding|noise|gauge|terms)\b|"
     r"(?:plus|and|with) some noise|"
     r"(?:is|be) (?:enough|sufficient) (?:that|if)|suffices (?:that|if)|we (?:want|wish|demand)(?: that)?(?=\W*$)|"
     r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
@@ -114,6 +116,9 @@ _LETS = re.compile(r"\b(?:let|put|set|defin\w+|denot\w+)\W*$", re.IGNORECASE)
 SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
 """Words before an inline formula by which it is one, if nothing else in the document gives its letter."""
 
+ASKS = re.compile(r"\W*(?:exercises?|problems?|questions?|quiz|tasks?|puzzle|homework)\b", re.IGNORECASE)
+"""How a sentence begins that asks: what it gives holds for its answer alone."""
+
 _NEUTRAL = re.compile(
     r"a|an|the|this|that|these|those|it|its|we|one|us|our|which|whose|what|both|all|each|any|every|and|or|of|to|into|in|"
     r"from|by|on|as|at|with|for|between|is|are|be|been|was|has|have|had|can|may|will|must|do|does|now|also|again|then|"
@@ -121,7 +126,7 @@ _NEUTRAL = re.compile(
     r"gets|obtain\w*|find|finds|found|arriv\w+|giv\w+|yield\w*|becom\w+|equal\w*|substitut\w+|insert\w*|plug\w*|"
     r"combin\w+|rearrang\w+|result\w*|lead\w*|simpl\w+|other words|equivalent\w*|impl(?:y|ies|ying)|differentia\w+|"
     r"expan\w+|rewrit\w+|reduc\w+|turn\w* into|writ\w+|express\w*|form\w*|equations?|eqs?|eqn|eqns|relations?|"
-    r"definitions?|defin\w+|identit(?:y|ies)|formulas?|formulae|terms?|sides?|factors?|left|right|hand|using|use\w*|"
+    r"definitions?|defin\w+|identit(?:y|ies)|formulas?|formulae|terms?|sides?|factors?|hand|using|use\w*|"
     r"appl\w+|recall\w*|not(?:e|ing) that|see|show\w*|comput\w+|calculat\w+|evaluat\w+|perform\w*|tak\w+|"
     r"squaring|multipl\w+|divid\w+|divis\w+|add\w*|subtract\w*|sum\w*|product\w*|collect\w*|factor\w*|"
     r"derivativ\w*|respect|time|compact\w*|explicit\w*|direct\w*|finally|easily|readily|straightforward\w*|immediate\w*|"
@@ -220,6 +225,11 @@ class Beside:
         return _LENGTH.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
 
     @property
+    def lists(self) -> bool:
+        """Whether its own sentence speaks of several things, as in "The bounds are", and not of equations."""
+        return _SEVERAL.search(without_formulas(self.sentence)) is not None and not _EQUATIONS.search(self.sentence)
+
+    @property
     def renews(self) -> bool:
         """Whether its own sentence speaks of another thing than the text before it."""
         return _ANEW.search(without_laws(self.sentence)) is not None
@@ -276,17 +286,6 @@ class Beside:
         return frozenset(symbol for each in found for symbol in symbols_in_list(each))
 
     @property
-    def introduced(self) -> tuple[tuple[str, str], ...]:
-        """The letters of which the words near it say what they are, as in "where $c$ is the speed", and the noun.
-
-        There is none where they are introduced anew: "Let $c$ be".
-        """
-        found = [(letter, "") for letter in _LETS_BE.findall(self.before)]
-        found += _SAYS_WHAT.findall(f"{self.before} {self.behind}")
-        found += [(letter, noun) for noun, letter in _IS_LETTER.findall(self.before)]
-        return tuple((symbol, noun.lower()) for letter, noun in found for symbol in symbols_in_list(letter))
-
-    @property
     def variables(self) -> frozenset[str]:
         """The letters of which its own sentence says that functions depend on them, or that they are held."""
         found = [each for names in _VARIABLES.findall(self.sentence) for each in FORMULA.findall(names)]
@@ -300,7 +299,12 @@ class Beside:
 
     def amount(self, known: Collection[str]) -> str:
         """Return a word of its own sentence that speaks of another amount than words that are known; empty for none."""
-        found = (each.lower() for each in _AMOUNTS.findall(without_formulas(self._whole)))
+        found = (each.lower() for each in _AMOUNTS.findall(without_formulas(self.sentence)))
+        return next((each for each in found if each not in known), "")
+
+    def wider(self, known: Collection[str]) -> str:
+        """Return a word of its own sentence by which it holds where it was not said to hold; empty for none."""
+        found = (each.lower() for each in _WIDER.findall(without_formulas(self._whole)))
         return next((each for each in found if each not in known), "")
 
     @property
@@ -409,7 +413,12 @@ def _case_in(words: str) -> str:
 
 def last_sentence(words: str) -> str:
     """Return the words since the last full stop or the last empty line."""
-    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())[-1]
+    return sentences_of(words)[-1]
+
+
+def sentences_of(words: str) -> list[str]:
+    """Return the sentences of words; what stands behind the last full stop is the last one."""
+    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())
 
 
 def words_of(text: str) -> frozenset[str]:
@@ -425,24 +434,32 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     >>> strange_word("Hence, for the ring, we obtain", {"disc"}), strange_word("This gives $x$ and thus", ())
     ('ring', '')
     """
-    words = (each for each in _WORD.findall(without_formulas(without_laws(sentence))) if not _NEUTRAL.fullmatch(each))
+    words = (each for each in _WORD.findall(without_formulas(without_laws(sentence))) if not is_neutral(each))
     return next((each for each in words if each.lower() not in known), "")
 
 
+def is_neutral(word: str) -> bool:
+    """Whether a word is one of those of a derivation."""
+    return _NEUTRAL.fullmatch(word) is not None
+
+
 def without_laws(text: str) -> str:
-    """Return words without the names of laws, which hold beside what else is said of a letter.
+    """Return words without the names of laws, which hold beside what else is said of a letter, and of both sides.
 
     Examples
     --------
     >>> without_laws("By Newton's second law, it is")
     ', it is'
     """
-    return _LAW.sub("", text)
+    return _SIDE.sub("", _LAW.sub("", text))
 
 
 _LAW = re.compile(
     r"(?:[A-Z][\w-]*(?:['’]s?)?\s+)*(?:(?:[Ff]irst|[Ss]econd|[Tt]hird)\s+)?"
     r"\b[Ll]aws?\b(?: of (?:motion|cosines|sines))?"
+)
+_SIDE = re.compile(
+    r"\b(?:left|right)(?:[ -]?hand)?[ -](?:sides?|terms?|factors?)\b|\b(?:[Oo]n|[Tt]o|[Ff]rom) the (?:left|right)\b"
 )
 _NAMES = re.compile(
     r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
@@ -458,18 +475,25 @@ _LENGTH = re.compile(
     r"(?:square )?roots?)\b",
     re.IGNORECASE,
 )
+_SEVERAL = re.compile(r"\b(?:are|were|have|give|read|become|follow|equal)\b(?![^.]*\b(?:we|you|it)\b)", re.IGNORECASE)
+_EQUATIONS = re.compile(
+    r"\b(?:equations?|relations?|conditions?|expressions?|laws?|balances?|formula\w*|constraints?|identit(?:y|ies)|"
+    r"definitions?|systems?|we|rules?|steps?|results?|facts?|there|same|equal)\b",
+    re.IGNORECASE,
+)
 _SUPPOSES = re.compile(r"\b(?:suppos(?:e|ing)|assum(?:e|ing)|let)\b", re.IGNORECASE)
 _AMOUNTS = re.compile(
     r"\b(per|together|total|altogether|reciprocal|twice|half|double|two|three|four|five|six|ten|both|percent|plain|degrees|"
-    r"radians|mean|average|monthly|daily|yearly|real|gross|net|all|every|everywhere|always|away|relaxed|violated)\b"
+    r"radians|mean|average|monthly|daily|yearly|real|gross|net)\b"
     r"(?! (?:equations?|relations?|sides?|terms?|expressions?|formula\w*|steps?|numbers?$))",
     re.IGNORECASE,
 )
-"""Words by which a formula may be of more, of another amount, or in another unit, than the same formula above it."""
+"""Words by which a formula may be of another amount, or in another unit, than the same formula above it."""
 _VARIABLES = re.compile(
     r"\b(?:functions? of|at (?:fixed|constant)|(?:holding|keeping)) ((?:\$[^$=]*\$(?:, and |, | and )?)+)",
     re.IGNORECASE,
 )
+_WIDER = re.compile(r"\b(all|every|everywhere|always|away|relaxed|violated)\b", re.IGNORECASE)
 _DROPS = re.compile(r"\bdrop(?:ping|ped|s)? (?:the|all) (tilde|hat|bar|overline|prime)s?\b", re.IGNORECASE)
 _ANEW = re.compile(
     r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"
@@ -480,21 +504,14 @@ FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
-_LETS_BE = re.compile(r"\b[Ll]et \$([^$=(]*)\$ (?:now )?(?:be|denote|stand for|represent)\b")
-_SAYS_WHAT = re.compile(
-    r"(?:\b(?:[Ww]here|[Hh]ere|and)|[,:;.]) ?\$([^$=(]*)\$"
-    r"(?: (?:now )?(?:is|denotes?|stands? for|represents?)(?: now)?|:) (?:(?:the|an?|our|its) )?(\w+)"
-)
-_IS_LETTER = re.compile(r"\b[Tt]he (?:\w+ )?(\w+) is \$([^$=(]*)(?:=[^$]*)?\$")
 _CHANGED = re.compile(
     r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
     r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
     r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b"
     r"|\bin this (?:section|chapter|appendix)\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:denotes?|stands? for|is the)\b"
     r"|\$([^$=]*)\$ (?:now )?has (?:an?other|a new|a different|its own) meaning"
-    r"|\b[Ww]rite \$([^$=]*)\$ for \$[^$]*\$"
-    r"|\b(?:re-?defin\w+|re-?us(?:e|ing)) (?:the (?:letter|symbol) )?\$([^$=]*)\$|\bnow let \$([^$=]*)=[^$]*\$"
-    r"|\b(?:measur|count|express|scal)\w* \$([^$=]*)\$ (?:in|by)\b[^.$]*\b(?:from (?:here|now)|henceforth|hereafter)",
+    r"|\b[Ww]rite \$([^$=]*)\$ for (?:\$|the|an?|its)\b"
+    r"|\b(?:re-?defin\w+|re-?us(?:e|ing)) (?:the (?:letter|symbol) )?\$([^$=]*)\$|\bnow let \$([^$=]*)=[^$]*\$",
     re.IGNORECASE,
 )
 """Words by which a letter stands for another thing from there on."""

@@ -153,6 +153,31 @@ JACOBIAN = (
         r"\[ u_{i,j} = u_{ij} \]",
         r"\[ u_{,x} = u_x \]",
         r"\[ a \overset{!}{=} b \] \[ a = b + c - c \] \[ c a = c b + 1 \]",
+        r"\[ A = \begin{bmatrix} 0 & 0 \\ 0 & 0 \end{bmatrix}, \quad A x = b \] Hence \[ x = A^{-1} b. \]",
+        r"\[ A = \begin{bmatrix} 1 & 2 \\ 2 & 4 \end{bmatrix} \] \[ A x = b \] Hence \[ x = A^{-1} b. \]",
+        r"\[ A = \begin{bmatrix} a & b \\ 2 a & 2 b \end{bmatrix} \] \[ A x = c \] Hence \[ x = A^{-1} c. \]",
+        r"\[ \mathbf{P} = \mathbf{I} - \mathbf{n} \mathbf{n}^T, \quad \mathbf{y} = \mathbf{P} \mathbf{x} \] "
+        r"where $\mathbf{n}$ is a unit vector. Hence \[ \mathbf{x} = \mathbf{P}^{-1} \mathbf{y}. \]",
+        r"\[ \mathbf{P} = \mathbf{I} - \mathbf{n} \mathbf{n}^T, \quad \mathbf{n}^T \mathbf{n} = 1 \] "
+        r"\[ \mathbf{y} = \mathbf{P} \mathbf{x} \] Hence \[ \mathbf{x} = \mathbf{P}^{-1} \mathbf{y}. \]",
+        r"\[ u = c x_k \] \[ x_{k+1} = a x_k + u \] Hence \[ x_{k+2} = a x_{k+1} + c x_k. \]",
+        r"\[ x_{k+1} = a x_k + u \] \[ u = -c x_k \] Hence \[ x_{k+2} = a x_{k+1} + u. \]",
+        r"\[ K = \frac{P_k}{P_k + R} \] \[ x_{k+1} = x_k + K (z_k - x_k) \] Hence "
+        r"\[ x_{k+2} = x_{k+1} + K (z_{k+1} - x_{k+1}). \]",
+        r"\[ c = x_k \] Hence \[ \frac1n \sum_{k=1}^n (x_k - c)^2 = 0. \]",
+        r"\[ c = d + 1 \] \[ d = a_i \] Hence \[ \sum_{i=1}^n c x_i = c \sum_{i=1}^n x_i. \]",
+        r"\[ c = a_i \] Hence \[ \prod_{i=1}^n c = \prod_{i=1}^n a_i. \]",
+        r"\[ c = a_i \] Hence \[ \max_i c = \max_i a_i. \]",
+        r"\[ s = \sum_j a_{ij} \] Hence \[ \sum_i \sum_j s = \sum_i \sum_j \sum_j a_{ij}. \]",
+        r"\[ \mathbf{u} = \mathbf{x}_i \] Hence "
+        r"\[ \sum_i \mathbf{u}^T \mathbf{y}_i = \mathbf{u}^T \sum_i \mathbf{y}_i. \]",
+        r"\[ \dot x = A x + B u, \quad u = -K x \] Hence \[ \dot x = A x - K B x. \]",
+        r"\[ x_{k+1} = F x_k + G u_k + w_k \] \[ u_k = -K x_k \] Hence \[ x_{k+1} = F x_k - K G x_k + w_k. \]",
+        r"\[ \dot z = A z + L (y - C z), \quad y = C x \] Hence \[ \dot z = A z + C L (x - z). \]",
+        r"\[ T_{12} = T_1^{-1} T_2 \] Hence \[ T_{12} = T_2 T_1^{-1}. \]",
+        r"\[ A X = X B \] Hence \[ A = B. \]",
+        r"\[ x_b = C_{ba} x_a, \quad x_c = C_{cb} x_b \] Hence \[ x_c = C_{ba} C_{cb} x_a. \]",
+        r"Here $G(s) = C (s I - A)^{-1} B$. \[ G = C F B \] Hence \[ G = B C F. \]",
         r"\[ y = a \] is not the same as \[ = b. \] Hence \[ a = b. \]",
         r"\[ \mathbf{H} = \mathbf{X} (\mathbf{X}^T \mathbf{X})^{-1} \mathbf{X}^T \] Hence "
         r"\[ \mathbf{H} = \mathbf{X} \mathbf{X}^{-1} \mathbf{X}^{-T} \mathbf{X}^T. \]",
@@ -197,6 +222,11 @@ def test_what_does_not_hold_does_not_follow(latex):
         r"Let $\theta = \|\mathbf{a}\|$. "
         r"\[ \exp([\mathbf{a}]_\times) = I_{3\times3} + \frac{\sin\theta}{\theta} [\mathbf{a}]_\times + "
         r"\frac{1 - \cos\theta}{\theta^2} [\mathbf{a}]_\times^2 \]",
+        r"\[ \dot x = A x + B u, \quad u = -K x \] Hence \[ \dot x = (A - B K) x. \]",
+        r"\[ T_{12} = T_1^{-1} T_2 \] Hence \[ T_2 = T_1 T_{12}. \]",
+        r"\[ x_b = C_{ba} x_a, \quad x_c = C_{cb} x_b \] Hence \[ x_c = C_{cb} C_{ba} x_a. \]",
+        r"\[ v = R i + L p \] \[ i = G v \] Hence \[ v = \frac{L p}{1 - G R}. \]",
+        r"\[ y = A c + B s \] Hence \[ y^2 = A^2 c^2 + 2 A B c s + B^2 s^2. \]",
     ],
 )
 def test_what_holds_follows(latex):

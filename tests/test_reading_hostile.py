@@ -389,3 +389,78 @@ def test_a_letter_that_another_section_calls_something_else_is_not_what_it_was(w
 def test_an_equation_of_what_has_changed_contradicts_nothing(words):
     found = read_document(document_of(rf"The momentum is \[ p = m v. \] {words} \[ p = 2 m v. \]"), seconds=5)
     assert found[-1].verdict == "independent"
+
+
+@pytest.mark.parametrize(
+    ("words", "follows"),
+    [
+        ("A point is critical if \\[ g = 0. \\]", False),
+        ("The rays meet unless \\[ g = 0. \\]", False),
+        ("The estimator is unbiased provided that \\[ g = 0. \\]", False),
+        ("Whether or not \\[ g = 0, \\] it is small.", False),
+        ("A harmonic function satisfies \\[ g = 0. \\]", False),
+        ("Balance requires \\[ g = 0. \\]", False),
+        ("The goal of the control is \\[ g = 0. \\]", False),
+        ("Minimise $f$ subject to \\[ g = 0. \\]", False),
+        ("We solve \\[ g = 0 \\] by Newton's method.", False),
+        ("The points for which \\[ g = 0 \\] are called critical.", False),
+        (r"The rules are \begin{itemize} \item stop if \[ g = 0 \] \item go on \end{itemize}", False),
+        ("A point is critical if \\[ g = 0. \\] On this sphere \\[ s = 2 a. \\]", False),
+        ("A body is in balance if \\[ g = m a. \\] Without balance \\[ d = e - 2 m a. \\]", False),
+        ("Suppose that \\[ g = 0. \\]", True),
+        ("Hence \\[ g = 0. \\]", True),
+        ("\\[ g = 0 \\]", True),
+    ],
+)
+def test_an_equation_that_is_the_condition_of_its_sentence_serves_no_later_one(words, follows):
+    found = read_document(document_of(rf"{words} The step is \[ h = 2 g + d. \] Hence \[ h = d. \]"), seconds=5)
+    assert (found[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"The flow is steady if \[ q = 0. \] Then \[ r = q + s. \] Hence \[ r = s. \]",
+        r"If \[ q = 0, \] the balance \[ r = q + s \] becomes \[ r = s. \]",
+        r"The balance is \[ r = q + s. \] The flow is steady if \[ q = 0. \] In this case \[ r = s. \]",
+        r"The balance is \[ r = q + s. \] The flow is steady if \[ q = 0. \tag{3} \] By (3), \[ r = s. \]",
+        r"When the beam is loaded we have \[ w = q l. \] The moment is \[ M = w l/8. \] Hence \[ M = q l^2/8. \]",
+    ],
+)
+def test_a_condition_serves_its_own_sentence_one_that_goes_on_from_it_and_where_it_is_cited(latex):
+    assert read_document(document_of(latex), seconds=5)[-1].verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (
+            r"\[ f = x y, \quad s = x + y \] As a function of $x$ and $s$, \[ \frac{\partial f}{\partial x} = y. \]",
+            False,
+        ),
+        (r"\[ f = x y, \quad s = x + y \] Keeping $s$ fixed, \[ \frac{\partial f}{\partial x} = y. \]", False),
+        (r"\[ x = r \cos\theta \] At fixed $x$, \[ \frac{\partial x}{\partial\theta} = -r \sin\theta. \]", False),
+        (r"On the line $x + y = 1$, \[ f = x y. \] Hence \[ \frac{df}{dx} = y. \]", False),
+        (r"The mass $m$ is constant. \[ p = m v \] Here $m$ grows with time. \[ \dot p = m \dot v \]", False),
+        (r"The mass $m$ is constant. For the rocket it is not. \[ p = m v \] \[ \dot p = m \dot v \]", False),
+        (r"The mass $m$ is constant. \[ p = m v \] \[ \dot p = m \dot v \]", True),
+        (r"\[ f = x y \] As a function of $x$ and $y$, \[ \frac{\partial f}{\partial x} = y. \]", True),
+        (r"\[ f = x y \] At fixed $y$, \[ \frac{\partial f}{\partial x} = y. \]", True),
+    ],
+)
+def test_a_derivative_is_taken_of_the_letters_that_its_sentence_names_and_of_none_that_change(latex, follows):
+    assert (read_document(document_of(latex), seconds=5)[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (r"Find the $t$ for which \[ s = v t. \] For all $t$, \[ s = v t. \]", False),
+        (r"Solve \[ x^2 = 2 x. \] The identity \[ x^2 = 2 x \] holds for all $x$.", False),
+        (r"At the optimum \[ A x = b. \] Away from the optimum \[ A x = b. \]", False),
+        (r"The constraint is \[ g = a. \] With the penalty method it is violated: \[ g = a. \]", False),
+        (r"At the optimum \[ A x = b. \] We recall that \[ A x = b. \]", True),
+    ],
+)
+def test_an_equation_that_is_said_of_more_is_not_the_same_one(latex, follows):
+    assert (read_document(document_of(latex), seconds=5)[-1].verdict == "follows") is follows

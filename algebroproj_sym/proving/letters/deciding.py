@@ -58,6 +58,8 @@ MOST_TERMS = 50_000
 MOST_EVALUATED = 500_000
 """How long a difference may be that is compared with constraints; how many products the points of a search may take."""
 
+NOWHERE = "no exact matrices were found at which both sides are defined and all conditions hold"
+
 _CIRCLE = [(Fraction(a, c), Fraction(b, c)) for a, b, c in ((3, 4, 5), (-4, 3, 5), (5, 12, 13), (-8, 15, 17))]
 _NUMBERS = Field(Fraction)
 _EXPRESSIONS = Field(lambda value: sympy.Rational(value.numerator, value.denominator), over)
@@ -194,7 +196,7 @@ class _Question:
             refuting = self._differing(self._points(MORE_TRIES), MORE_TRIES)
             return self._open(reason) if refuting is None else self._refuted(refuting)
         if self.witness is None and found.verdict == "proved":
-            return self._open("no exact matrices were found at which both sides are defined and all conditions hold")
+            return self._open(NOWHERE)
         return found
 
     def _proof(self) -> tuple[Found | None, str]:

@@ -3,16 +3,17 @@ r"""Letters that keep their order: they are composed, as in ``R_{13} = R_{12} R_
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, lone
+from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, lone, terms_of
 from algebroproj_sym.reading.defining.oblong import is_inverse
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
 
 _THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
+_SMALL = re.compile(r"(?:\\(?:d?dot|hat|bar|tilde)\{)*[a-z]\}*(?:_(?:\{[^{}]*\}|\w))?'*")
 _QUATERNIONS = re.compile(r"\bquaternions?\b", re.IGNORECASE)
 _ALL_CAPITALS = re.compile(
     r"\b(?<!bold )(?<!boldface )(?<!calligraphic )(?:capitals?|upper-?case)(?: (?:latin|roman|letters?))*"
@@ -23,10 +24,17 @@ _ALL_CAPITALS = re.compile(
 """Words by which every capital is a matrix."""
 
 
-def composed_in(equations: Sequence[Sides], occurring: Iterable[str], words: str) -> Iterator[str]:
-    """Yield the letters whose products depend on their order, by how they stand in equations, and by words."""
+def composed_in(
+    equations: Sequence[Sides], occurring: Iterable[str], words: str, numbers: Collection[str]
+) -> Iterator[str]:
+    """Yield the letters whose products depend on their order, by how they stand in equations, and by words.
+
+    Where one of the letters of an equation is a number, it may be one of numbers alone.
+    """
     yield from _chained_in(equations)
     yield from _turned_in(side for each in equations for side in each)
+    for letters in map(frozenset, _ordered_in(equations)):
+        yield from letters if letters.isdisjoint(numbers) else ()
     if _QUATERNIONS.search(words):
         yield from _multiplied_in(equations)
     if _ALL_CAPITALS.search(words):
@@ -58,6 +66,64 @@ def _turned_in(sides: Iterable[Formula]) -> Iterator[str]:
             for one, other in pairwise(runs):
                 if all(one) and one != other and sorted(one) == sorted(other):
                     yield from one
+
+
+def _ordered_in(equations: Iterable[Sides]) -> Iterator[Iterator[str]]:
+    """Yield the letters of each equation that is written as one of matrices."""
+    for both in equations:
+        yield from map(_divided_in, both)
+        for one, other in ((one, other) for one in both for other in both if other.data in ("run", "sum")):
+            yield _of_state(lone(one), other) if lone(one) else _of_both_sides(one, other)
+
+
+def _divided_in(side: Formula) -> Iterator[str]:
+    """Yield the capitals of a product of capitals with an inverse, as ``T_1^{-1} T_2``: of numbers it is a fraction."""
+    for run in side.find_data("run"):
+        factors = trees_in(run)
+        if any(each.data == "power" and is_inverse(each) for each in factors) and all(map(_is_capital, factors)):
+            yield from factors_of(run)
+
+
+def _is_capital(factor: Any) -> bool:
+    """Whether a factor is a capital or its inverse, or the inverse of a sum with a capital."""
+    if factor.data == "power" and is_inverse(factor) and not base_of(factor):
+        return any(map(CAPITAL.match, factors_of(factor)))
+    return CAPITAL.match(base_of(factor)) is not None
+
+
+def _of_state(letter: str, side: Any) -> Iterator[str]:
+    r"""Yield the letters of ``\dot x = A x + B u``, and of ``x_c = C_{cb} x_b``, where the indices chain."""
+    terms = terms_of(side) if _SMALL.fullmatch(letter) else []
+    runs = [[*map(lone, trees_in(each))] for each in terms if each.data == "run" and _maps(each)]
+    if runs and (len({first for first, _ in runs}) > 1 or _chains(letter, runs)):
+        yield from (letter, *filter(None, (each for run in runs for each in run)))
+
+
+def _maps(run: Formula) -> bool:
+    """Whether a product is a capital before a small letter, or before a sum with one that is mapped."""
+    first, *rest = trees_in(run)
+    if _THIN_CAPITAL.fullmatch(lone(first)) is None or len(rest) != 1:
+        return False
+    terms = terms_of(rest[0])
+    letters = [lone(each) for each in terms if not (each.data == "run" and _maps(each))]
+    return all(map(_SMALL.fullmatch, letters)) and len(letters) < max(len(terms), 2)
+
+
+def _chains(letter: str, runs: list[list[str]]) -> bool:
+    start, end = _index(letter), [_index(run[1]) for run in runs]
+    return bool(start) and len(runs) == 1 and split_symbol(runs[0][0])[2] == f"{start}{end[0]}" != start
+
+
+def _index(letter: str) -> str:
+    return split_symbol(letter)[2] if letter else ""
+
+
+def _of_both_sides(one: Any, other: Any) -> Iterator[str]:
+    """Yield the letters of ``A X = X B``: of numbers, nobody prints X."""
+    both = [[*map(lone, trees_in(each))] for each in (one, other) if each.data == "run"]
+    letters = [each for run in both for each in run]
+    if len(both) == 2 and both[0][-1] == both[1][0] and both[0] != both[1]:
+        yield from letters if all(map(_THIN_CAPITAL.fullmatch, letters)) else ()
 
 
 def _multiplied_in(equations: Iterable[Sides]) -> Iterator[str]:

@@ -7,7 +7,7 @@ each letter of the equation may depend on each other one: ``c - k = 1`` gives c 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -192,6 +192,39 @@ def letters_of_symbol(symbol: str) -> frozenset[str]:
         return frozenset((ANY,))
     letter, _, below, above = split_symbol(symbol)
     return frozenset((letter, *re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", f"{below} {above}")))
+
+
+_BOUND = re.compile(r"\\[a-zA-Z]+\*?_\{?([a-zA-Z])(?![a-zA-Z])")
+WORDS = frozenset({"in", "min", "kin", "lin", "il", "nm", "ml", "mm", "km", "nil", "ink", "mil", "lim"})
+"""Scripts that look like indices, and are words or units."""
+
+
+def has_index(symbol: str, index: str) -> bool:
+    r"""Whether a letter stands in the scripts of a symbol as an index, as i in ``a_{ij}`` and not in ``a_{in}``."""
+    symbol = symbol.replace(f"{SUMMED} ", "")
+    if " " in symbol or "/" in symbol:
+        return False
+    _, _, below, above = split_symbol(symbol)
+    words = re.findall(r"(?<![a-zA-Z\\])[a-zA-Z]+", f"{below} {above}")
+    return any(index == each or (index in each and _ARE_INDICES.fullmatch(each)) for each in {*words} - WORDS)
+
+
+_ARE_INDICES = re.compile(r"[i-nst]{2,3}")
+
+
+def captured_in(trees: Iterable[Formula], behind: Callable[[str], Collection[str]]) -> tuple[str, str]:
+    r"""Return a letter under a sum, a product or a maximum that hides its index, and the index; empty if none does.
+
+    With ``c = a_i``, no c stands for itself in ``\sum_i c``.  An integral is over what its functions depend on.
+    """
+    for part in (part for tree in trees for part in tree.find_data("big")):
+        bound = _BOUND.match(str(part.children[0]))
+        for symbol in symbols_in(part) if bound and not str(part.children[0]).startswith(r"\int") else ():
+            index = bound[1] if bound else ""
+            hidden = (each for each in behind(symbol) if has_index(each, index))
+            if symbol != index and not has_index(symbol, index) and any(hidden):
+                return symbol, index
+    return "", ""
 
 
 def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[str]) -> None:

@@ -190,7 +190,7 @@ def _of_factors(
     known = {*vocabulary.behind(variable)} if variable in vocabulary.definitions else set()
     if (
         known & {*constant}
-        or vocabulary.depends(constant, variable)
+        or vocabulary.moves_with(constant, variable)
         or any(" " in each or "/" in each for each in constant)
     ):
         return None

@@ -13,7 +13,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.dependence import index_of
+from algebroproj_sym.reading.defining.dependence import WORDS, index_of
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
@@ -24,7 +24,7 @@ Script = tuple[Item, ...]
 _ITEM = re.compile(r"([a-zA-Z])?(?:([+-]?)(\d{1,4}))?")
 _SMALL = re.compile(r"((?:d|\\delta|\\Delta) |)(.*)", re.DOTALL)
 """A symbol, and the sign of a change before it, as in ``\\delta p_t``."""
-_WORDS = frozenset({"in", "min", "kin", "lin", "il", "nm", "mn", "ml", "kl", "mm", "km", "nil", "ink", "mil"})
+_WORDS = WORDS | {"mn", "kl"}
 _SHIFTED = re.compile(r"(?<![a-zA-Z\\])([a-zA-Z])[+-]\d(?!\w)")
 _LETTERS = frozenset("ijklmnpqrstNT")
 _COUNTED = re.compile(

@@ -95,7 +95,8 @@ def kinds_of(
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns |= frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
-    known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words)}
+    numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
+    known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
@@ -330,6 +331,11 @@ def _numbers_in(side: Formula) -> Iterator[str]:
             inside = trees_in(tree) if named else []
         for each in inside:
             yield from factors_of(each)
+
+
+def _squared_in(side: Formula) -> Iterator[str]:
+    """Yield the small letters of which there is a square: there is none of a column."""
+    yield from filter(_SMALL.fullmatch, (base_of(power) for power in side.find_data("power")))
 
 
 def _above_lines(side: Formula) -> Iterator[str]:

@@ -166,18 +166,28 @@ _CONSTANT_BEHIND = re.compile(
 )
 
 
+_CHANGES_BEHIND = re.compile(
+    r"(?:(?:now|then|also|slowly|may|can|will) )*(?:grow|chang|var[yi]|increas|decreas|shrink|diminish|decay)\w*\b"
+    r"|(?:is|are) (?:not|no longer) (?:constant|fixed)\b|is constant\.[^.$]* (?:it|this) (?:is|does) not\b",
+    re.IGNORECASE,
+)
+"""Words behind a letter by which it changes somewhere, though it is constant elsewhere."""
+
+
 def constants_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that words call constant, as in "with constant $m$ and $k$" and "$m$ is fixed"."""
-    found = set[str]()
+    found, changing = set[str](), set[str]()
     for each in statements:
         if each.display.environment == "inline":
             before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
             sentence = re.split(r"[.;]", f"{before} "[-200:])[-1]
+            if _CHANGES_BEHIND.match(after):
+                changing |= {*symbols_in_list(each.latex)}
             if _DOUBTS.search(sentence) or _NO.search(before):
                 continue
             if _CONSTANT_BEFORE.search(sentence) or _CONSTANT_BEHIND.match(after):
                 found |= {*symbols_in_list(each.latex)}
-    return frozenset(found)
+    return frozenset(found - changing)
 
 
 def called(statements: Iterable[Statement], things: str, *, of_time: bool = False) -> frozenset[str]:

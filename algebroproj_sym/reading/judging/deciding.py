@@ -12,6 +12,7 @@ import sympy
 
 from algebroproj_sym.expressions import entries, evaluate, free_symbols
 from algebroproj_sym.proving import Outcome
+from algebroproj_sym.proving.letters.deciding import NOWHERE
 from algebroproj_sym.proving.reals.prove import may_agree, often_agree
 from algebroproj_sym.reading.defining.letters import FREE
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
@@ -66,7 +67,7 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
     failing: list[tuple[Asked, Way, Outcome]] = []
     for each in asked:
         answered = [found.pop(0) for _ in each.ways]
-        place = next((i for i, (_, answer) in enumerate(answered) if answer.verdict == "proved"), 0)
+        place = _place_of_proof([answer for _, answer in answered])
         question, outcome = answered[place]
         each.link = replace(_link_of(each, outcome, each.ways[place]), sides=question)
         if each.link.verdict != "follows":
@@ -91,6 +92,16 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         if each.gives and each.link.verdict != "follows" and not any(_says(each.link)):
             rests = rests_of(each.ways[0].vocabulary, each.ways[0].right)
             each.link = Link("definition", NOT_DERIVED if each.claimed else "", rests_on=rests)
+
+
+def _place_of_proof(answered: Sequence[Outcome]) -> int:
+    """Return the first way that is proved, or else the first one.
+
+    It is the one that nothing satisfies if what is inverted has no inverse where all is put in that is known of it.
+    """
+    place = next((i for i, answer in enumerate(answered) if answer.verdict == "proved"), 0)
+    inverts = any(each.startswith("det(") for each in answered[place].hypotheses)
+    return next((i for i, answer in enumerate(answered) if inverts and answer.reason == NOWHERE), place)
 
 
 def _says(link: Link) -> tuple[bool, bool]:

@@ -262,6 +262,10 @@ class _Pass:
         known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
         if known is not None and known.tree == right and (word := self.memory.beside.amount(known.words)):
             return Link("not decided", f"the word {word!r} beside it may speak of another amount", rests), None
+        said = [each.words for each in self.memory.serving if (left, right) in each.both_ways]
+        said += [known.words] if known is not None and known.tree == right else []
+        if said and (word := self.memory.beside.wider(frozenset().union(*said))):
+            return Link("not decided", f"the word {word!r} beside it may say more than was said above it", rests), None
         if is_reordered(known.tree if known else left, right):
             return Link("not decided", "the order of the factors may matter", rests), None
         letters = self.memory.vocabulary.letters_of(left) | self.memory.vocabulary.letters_of(right)

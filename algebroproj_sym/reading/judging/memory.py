@@ -33,6 +33,7 @@ from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
 from algebroproj_sym.reading.judging.deciding import agree
 from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
 from algebroproj_sym.reading.judging.scopes import Scopes
@@ -40,6 +41,7 @@ from algebroproj_sym.reading.judging.words import (
     Beside,
     beside,
     has_ended,
+    last_sentence,
     sentences_of,
     takes_back,
     words_of,
@@ -70,6 +72,8 @@ class Memory:
         self.ranges: tuple[Parsed, ...] = ()
         self.scopes = Scopes()
         self.supposed = set[int]()
+        self.conditions = set[int]()
+        self.running = set[int]()
         self.part = 0
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
@@ -100,8 +104,13 @@ class Memory:
             for symbol in acted_on(display.before):
                 self.forget(symbol)
             self.carried = "" if self.ended or not same_part else self.beside.sentence
-        self.display = display
+        before, self.display = self.display, display
         self.beside = beside(statement, self.carried)
+        if before is not None and before is not display:
+            same = bool(self.carried) and last_sentence(display.before) == display.before.rstrip()
+            same = same and r"\item" not in display.before
+            above = {before.place} if same or goes_on(self.beside) else set()
+            self.running = above | (self.running if same or self.beside.follows else set())
         if self.beside.supposes:
             self.supposed.add(display.place)
         self.stand_at(display)
@@ -261,6 +270,8 @@ class Memory:
 
     def take(self, statement: Statement, formula: Parsed, *, defines: bool) -> None:
         """Keep an equation as a premise of what stands behind it."""
+        if is_condition(self.beside, formula):
+            self.conditions.add(statement.display.place)
         if len(formula.relations) > 1 and formula.relations[-1] == "∈":
             formula = replace(formula, sides=formula.sides[:-1], relations=formula.relations[:-1])
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
@@ -329,9 +340,17 @@ class Memory:
         held = self.context, self.ranges
         return [Premise(left, right, *given, chained, *held) for left, right in pairs]
 
+    def _is_over(self, place: int) -> bool:
+        """Whether a display was the condition of a sentence that has ended."""
+        return place in self.conditions - self.running and self.display is not None and place != self.display.place
+
     def forget_elsewhere(self, vocabulary: Vocabulary) -> None:
-        """Drop the definitions that belong to another context, but for those that words cite."""
+        """Drop the definitions that belong to another context or were conditions, but for those that words cite."""
         names = tuple(f"({name})" for name in self.cited)
+        for known in [*vocabulary.definitions.values()]:
+            if self._is_over(known.place) and not known.where.startswith(names):
+                del vocabulary.definitions[known.symbol]
+        vocabulary.forget()
         apart = tuple(f"({name})" for name in self.apart)
         for known in [*vocabulary.definitions.values()]:
             elsewhere = self.context.excludes(known.context) and not known.where.startswith(names)
@@ -355,7 +374,11 @@ class Memory:
         cited = self.cited
         changed = self.beside.exchanged
         premises = (each for each in self.premises if not (changed & each.symbols or self.apart & each.names))
-        return [each for each in premises if each.names & cited or not self.context.excludes(each.context)]
+        return [
+            each
+            for each in premises
+            if each.names & cited or not (self.context.excludes(each.context) or self._is_over(each.place))
+        ]
 
     @property
     def exchanged(self) -> list[str]:

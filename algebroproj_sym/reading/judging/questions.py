@@ -15,7 +15,7 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
-from algebroproj_sym.reading.defining.dependence import require_no_value
+from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
@@ -183,6 +183,8 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
     """Return the questions, or why there are none."""
     if other := _of_other_letters(vocabulary, left, right):
         return f"{vocabulary.name(other)} of other letters may be another function"
+    if hides := _hides_an_index(vocabulary, left, right):
+        return hides
     if other := out_of_range(vocabulary, left, right):
         return f"{vocabulary.name(other)} is given in another range"
     try:
@@ -218,6 +220,12 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
         if letters and len(others) == len(letters) and not {*others, *letters} & {*definition.parameters}:
             return definition.symbol
     return ""
+
+
+def _hides_an_index(vocabulary: Vocabulary, *trees: Formula) -> str:
+    """Return why letters under a sum may not be taken for fixed; empty if they may."""
+    letter, index = captured_in([*trees, *_trees_of(vocabulary, *trees)], vocabulary.behind)
+    return f"{vocabulary.name(letter)} may depend on {index}, over which a sum or the like runs" if letter else ""
 
 
 def out_of_range(vocabulary: Vocabulary, *trees: Formula) -> str:
@@ -267,14 +275,19 @@ def _asked_under(way: Way) -> list[Question] | str:
     """Return the questions of a way, with the equations under which it is to hold as constraints."""
     if not way.under:
         return asked_of(way.vocabulary, *way.sides)
-    if out_of_range(way.vocabulary, *way.sides, *(side for each in way.under for side in (each.left, each.right))):
+    given = [side for each in way.under for side in (each.left, each.right)]
+    if out_of_range(way.vocabulary, *way.sides, *given):
         return "a letter is given in another range"
+    if hides := _hides_an_index(way.vocabulary, *way.sides, *given):
+        return hides
     for known in (way.vocabulary, with_values(way.vocabulary)):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides, by_entries=True)
-            given = [one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)]
-            if all(map(_is_rational, [*questions, *given])):
-                constraints = tuple(f"{one.lhs} = {one.rhs}" for one in given)
+            conditions = [
+                one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)
+            ]
+            if all(map(_is_rational, [*questions, *conditions])):
+                constraints = tuple(f"{one.lhs} = {one.rhs}" for one in conditions)
                 return [replace(question, constraints=constraints) for question in questions]
     with suppress(*_UNASKED):
         if any(map(way.vocabulary.is_matrix, way.vocabulary.letters_of(way.left))):

@@ -367,7 +367,14 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
 def _with_rates(standing: Standing, trees: Sequence[Formula], known: Vocabulary) -> Vocabulary:
     """Return a vocabulary with what the derivatives in some formulas stand for."""
     rates = derivatives_in(trees, known, standing.survey.occurring)
-    return extended(known, [each for each in rates if not _rests_on_what_changes(each, standing.beside)])
+    changing = {each.symbol for each in rates if _rests_on_what_changes(each, standing.beside)}
+    others = {each.symbol for each in rates if standing.beside.variables - known.letters_of(each.tree) - _below(each)}
+    return extended(known, [each for each in rates if each.symbol not in changing | others])
+
+
+def _below(rate: Definition) -> set[str]:
+    """Return the letter by which a derivative is."""
+    return {rate.symbol.rpartition("/")[2].removeprefix(r"\partial").removeprefix("d").strip()}
 
 
 def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
@@ -384,7 +391,8 @@ def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]
         return
     if are_lone(factors_of_zero(premise.left, premise.right)):
         return
-    letters = sorted(each for each in premise.symbols.intersection(wanted) if vocabulary.is_matrix(each))
+    unknown = premise.symbols.intersection(wanted).difference(vocabulary.definitions)
+    letters = sorted(filter(vocabulary.is_matrix, unknown))
     values = {each: solution_of(premise.left, premise.right, each) for each in letters}
     yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
 

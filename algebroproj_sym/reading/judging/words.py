@@ -286,6 +286,12 @@ class Beside:
         return frozenset(symbol for each in found for symbol in symbols_in_list(each))
 
     @property
+    def variables(self) -> frozenset[str]:
+        """The letters of which its own sentence says that functions depend on them, or that they are held."""
+        found = [each for names in _VARIABLES.findall(self.sentence) for each in FORMULA.findall(names)]
+        return frozenset(symbol for each in found for symbol in symbols_in_list(each.strip("$")))
+
+    @property
     def dropped(self) -> frozenset[str]:
         """The marks that letters lose from there on, as in "we drop the tilde": what had none was another letter."""
         found = frozenset(each.lower() for each in _DROPS.findall(self.before))
@@ -294,6 +300,11 @@ class Beside:
     def amount(self, known: Collection[str]) -> str:
         """Return a word of its own sentence that speaks of another amount than words that are known; empty for none."""
         found = (each.lower() for each in _AMOUNTS.findall(without_formulas(self.sentence)))
+        return next((each for each in found if each not in known), "")
+
+    def wider(self, known: Collection[str]) -> str:
+        """Return a word of its own sentence by which it holds where it was not said to hold; empty for none."""
+        found = (each.lower() for each in _WIDER.findall(without_formulas(self._whole)))
         return next((each for each in found if each not in known), "")
 
     @property
@@ -478,6 +489,11 @@ _AMOUNTS = re.compile(
     re.IGNORECASE,
 )
 """Words by which a formula may be of another amount, or in another unit, than the same formula above it."""
+_VARIABLES = re.compile(
+    r"\b(?:functions? of|at (?:fixed|constant)|(?:holding|keeping)) ((?:\$[^$=]*\$(?:, and |, | and )?)+)",
+    re.IGNORECASE,
+)
+_WIDER = re.compile(r"\b(all|every|everywhere|always|away|relaxed|violated)\b", re.IGNORECASE)
 _DROPS = re.compile(r"\bdrop(?:ping|ped|s)? (?:the|all) (tilde|hat|bar|overline|prime)s?\b", re.IGNORECASE)
 _ANEW = re.compile(
     r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"

@@ -35,7 +35,16 @@ def test_a_letter_that_another_section_calls_something_else_is_not_what_it_was(h
     assert _last(rf"{before.replace('pressure', 'momentum')} Hence \[ F - A p = 0. \]") == "follows"
 
 
-@pytest.mark.parametrize("words", ["The momentum is $p$.", "With the total momentum $p$ we go on.", "We know that"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        "The momentum is $p$.",
+        "With the total momentum $p$ we go on.",
+        "We know that",
+        "The caller supplies a fixed $p$.",
+        "We separate the components involving $p$.",
+    ],
+)
 def test_a_letter_that_another_section_calls_the_same_is_what_it_was(words: str) -> None:
     before = rf"\section{{Bodies}} The momentum is \[ p = m v. \] \section{{Floors}} {words} \[ F = A p. \]"
     assert _last(rf"{before} Hence \[ F = A m v. \]") == "follows"
@@ -110,3 +119,14 @@ def test_what_an_equation_gives_may_be_changed_right_behind_it() -> None:
 def test_a_letter_that_something_is_done_to_at_each_step_is_not_the_same_at_the_next(words: str, follows: bool) -> None:
     found = _last(rf"{words} \[ x_{{k+1}} = x_k + h \] Hence \[ x_{{k+2}} = x_k + 2 h. \]")
     assert (found == "follows") is follows
+
+
+def test_the_same_value_printed_twice_is_no_other_value() -> None:
+    value = r"J = m (\|x\|^2 I_{3 \times 3} - x x^T)"
+    inertia = rf"In the frame of the body we define \[ {value.replace('=', ':=')} \] \section{{Frames}} "
+    inertia += rf"A particle has \[ {value} \] "
+    text = (
+        inertia
+        + r"In the frame of the body the radius is \[ K = 2 m. \] Hence \[ J = m \|x\|^2 I_{3 \times 3} - m x x^T. \]"
+    )
+    assert _last(text) == "follows"

@@ -28,6 +28,7 @@ _GENERAL = re.compile(
     re.IGNORECASE,
 )
 """The words that may be of anything."""
+_ADJECTIVE = re.compile(r"(?:[^e]ed|ly)$")
 _DETERMINERS = frozenset(("the", "a", "an", "its", "our", "this", "that", "each", "any", "some", "whose"))
 _ACTORS = frozenset(("we", "you", "one", "i", "they", "to", "can", "may", "will", "must", "us", "let"))
 _CALLS = frozenset(("is", "are", "be", "by", "as", "called", "denoted", "named", "written", "|", "&", ":", "("))
@@ -61,7 +62,7 @@ def described(text: str) -> Iterator[tuple[str, frozenset[str]]]:
         letter = formula[1].partition("=")[0].strip().rstrip(":")
         lets = re.search(r"\b[Ll]et $", before) and re.match(r" (?:now )?(?:be|denote|stand|represent)\b", behind)
         named = (*_named_before(before, behind), *_named_behind(before, behind))
-        nouns = {each for each in named if not _GENERAL.fullmatch(each)}
+        nouns = {each for each in named if not (_GENERAL.fullmatch(each) or _ADJECTIVE.search(each))}
         if (nouns or lets) and letter:
             yield from ((symbol, frozenset(nouns)) for symbol in symbols_in_list(letter))
 
@@ -113,7 +114,7 @@ def _named_before(before: str, behind: str) -> list[str]:
             break
     if stopped in _ACTORS and found:
         found.pop()
-    if stopped not in _DETERMINERS:
+    if stopped not in _DETERMINERS or (len(found) > 1 and _GENERAL.fullmatch(found[1])):
         found = [each for each in found if not re.search(r"(?:ing|ed|ly)$", each)]
     return [] if leads and stopped not in (*_DETERMINERS, "", "|", "&") else found
 

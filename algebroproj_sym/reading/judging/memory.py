@@ -204,7 +204,8 @@ class Memory:
         symbol, parameters = defined_by(left)
         known = self.vocabulary.definitions.get(symbol)
         before = known.part if known else self.alone.get(given_by(left), part)
-        if not given_by(left) or self.is_named(statement, self.given.statements):
+        said = known is not None and (known.parameters, known.tree) == (parameters, value)
+        if not given_by(left) or said or self.is_named(statement, self.given.statements):
             return
         elsewhere = known is not None and (
             self.context.excludes(known.context) or (known.part == part and bool(self.beside.strange(known.words)))

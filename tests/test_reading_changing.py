@@ -580,6 +580,32 @@ CHANGING = {
     ),
 }
 STEADY = {
+    "act: replaced in an equation": (
+        r"\[ a = b + c \] Now, if you replace $a$ from (8) into (9), then \[ d = a - c. \] Hence \[ d = b. \]",
+        True,
+    ),
+    "act: each point": (
+        r"We have each point $x_i$ and $y$. \[ y = \frac{1}{n} \sum_{i=1}^n x_i \] "
+        r"Hence \[ \sum_{i=1}^n (x_i - y) = 0. \]",
+        True,
+    ),
+    "anew: a solution": (
+        r"\section{Law} The law is \[ M a = g. \] \section{Rates} The mathematical solution is \[ a = \frac{g}{M}. \]",
+        True,
+    ),
+    "anew: what surrounds": (
+        r"\section{Grid} The law is \[ u_0 = 4 h. \] \section{Points} The points surrounding $u_0$ obey "
+        r"\[ v = u_0 + h. \] Hence \[ v = 5 h. \]",
+        True,
+    ),
+    "context: two-dimensional": (
+        r"The law is \[ s = a + b. \] For a two-dimensional problem we need a way. Hence \[ s - a = b. \]",
+        True,
+    ),
+    "context: in this example": (
+        r"The law is \[ s = a + b. \] In this example we check it. Hence \[ s - a = b. \]",
+        True,
+    ),
     "anew: same noun": (
         r"\section{Diffusion} The diffusivity is \[ D = \frac{l^2}{t}. \] \section{Mass flow} With the "
         r"diffusivity $D$ the flow is \[ J = D g. \] Thus \[ J = \frac{l^2 g}{t}. \]",

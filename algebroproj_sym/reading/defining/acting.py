@@ -38,7 +38,14 @@ _GOES_ON = re.compile(
     r"and|so|up|down|once|twice|every|each|whenever|while)\b)"
 )
 _TAKES = re.compile(rf" {_MEANWHILE}(?:takes?|assumes?) (?:on )?the values?\b")
-_STEPWISE = re.compile(r"\b(?:each|every|schedules?|scheduled?|adaptive\w*|from \w+ to \w+)\b", re.IGNORECASE)
+_STEPWISE = re.compile(
+    r"\b(?:(?:each|every) (?:\w+ )?"
+    r"(?:steps?|iterations?|iterates?|updates?|epochs?|rounds?|cycles?|time|of (?:them|these|the))|"
+    r"schedules?|scheduled?|adaptive\w*|from \w+ to \w+)\b",
+    re.IGNORECASE,
+)
+_REPLACED = re.compile(r"replac\w*$", re.IGNORECASE)
+_BY_ITSELF = re.compile(r"\s*(?:by|with)\b")
 _SAME = re.compile(r"\b(?:same|constant|fixed|equal|all)\b", re.IGNORECASE)
 _PUT_IN = re.compile(r"(?:put|putting) in(?:to)?\b", re.IGNORECASE)
 _ADDED = re.compile(
@@ -121,6 +128,7 @@ def _is_changed(before: str, behind: str) -> bool:
     does = does or (_LET_DO.match(behind) if before.endswith(("let ", "Let ")) else None)
     order = _ORDERED.search(before) if _GOES_ON.match(behind) else None
     verbs = [each[1] for each in (does, order) if each is not None and not _PUT_IN.match(f"{each[1]}{behind}")]
+    verbs = [each for each in verbs if not _REPLACED.match(each) or _BY_ITSELF.match(behind)]
     changes = any(each == "gets" or _LEAVES.fullmatch(each) is None for each in verbs)
     changes = changes or _TAKES.match(behind) is not None
     changes = changes or _HENCEFORTH.search(f"{before} {behind}") is not None

@@ -33,7 +33,7 @@ _WORD_OF_A_TEXT = (
 _MANNER = (
     r"(?:form|notation|view|detail|particular|general|fact|summary|addition|contrast|practice|theory|turn|effect|following|"
     r"meantime|end|way|sequel|reverse|rule|language|principle|average|mean|limit|total|context|proof|text|paper|book|work|"
-    r"article|thesis|tutorial|notebook|exercise|lecture|implementation|code|literature|beginning|moment|basis)"
+    r"article|thesis|tutorial|notebook|example|exercise|lecture|implementation|code|literature|beginning|moment|basis)"
 )
 """The words of how something is said."""
 _AIM = (
@@ -66,7 +66,7 @@ _KINDS = {
     "name": (
         r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
         rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
-        rf"|(?:in|on|for|by|with|at|during)\s+(?:the\s+)?(?!{_WORD_OF_A_TEXT}\b)[a-z]+\s+(?:\d+|one|two|three|ii|iii)\b"
+        rf"|(?:in|on|for|by|with|at|during)\s+(?:the\s+)?(?!(?:an?|{_WORD_OF_A_TEXT})\b)[a-z]+\s+(?:\d+|one|two|three|ii|iii)\b(?!-)"
     ),
     "sort": r"for\s+(?:an?|the\s+(?:left|right|first|second|upper|lower|inner|outer|other))\s+"
     r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+"

@@ -21,14 +21,17 @@ _MINOR = re.compile(
 """The words at which a name ends, besides those of a derivation."""
 _GENERAL = re.compile(
     r"new|old|given|corresponding|respective|total|unknown|known|particular|certain|first|second|third|last|"
-    r"other|another|single|whole|small|large|general|simple|main|following|same|next|"
+    r"other|another|single|whole|small|large|general|simple|main|following|same|next|different|left|right|"
+    r"solutions?|unknowns?|results?|answers?|mathematical|rows?|columns?|"
     r"constants?|numbers?|coefficients?|parameters?|scalars?|symbols?|functions?|arguments?|inputs?|outputs?|points?|"
     r"data|objects?|items?|elements?|entry|entries|components?|index|indices|values?|quantit(?:y|ies)|letters?|"
     r"variables?|matrix|matrices|vectors?|terms?|factors?|expressions?",
     re.IGNORECASE,
 )
 """The words that may be of anything."""
-_ADJECTIVE = re.compile(r"(?:[^e]ed|ly)$")
+_ADJECTIVE = re.compile(
+    r"(?:[^e]ed|ly)$|^(?:surround|involv|remain|correspond|result|follow|preced|exist|includ|contain)ing$"
+)
 _DETERMINERS = frozenset(("the", "a", "an", "its", "our", "this", "that", "each", "any", "some", "whose"))
 _ACTORS = frozenset(("we", "you", "one", "i", "they", "to", "can", "may", "will", "must", "us", "let"))
 _CALLS = frozenset(("is", "are", "be", "by", "as", "called", "denoted", "named", "written", "|", "&", ":", "("))

@@ -117,6 +117,8 @@ def test_an_equation_that_gives_its_letter_is_a_definition(latex):
         BEFORE + r"The identity is \[ \sin (2 f) = 2 g. \]",
         r"\[ \mathrm{E}(a X) = a \mathrm{E}(X). \]",
         BEFORE + r"If \[ t = b + c, \] it stops.",
+        r"\[ \|x\| = a. \] Hence \[ \|x + y\| = a + b. \]",
+        r"\[ \langle x \rangle = a. \] Hence \[ \langle x y \rangle = a b. \]",
         r"The speed is \[ v = a t. \] It stops if, say, \[ b = a + t. \]",
         r"\[ a = b. \] Rotations keep lengths: \[ \|R x\| = \|x\|. \]",
         r"It is \[ P V = n T. \] Here $P$ is the pressure. \[ PV = 3 E. \]",

@@ -184,7 +184,9 @@ def _is_new_value(memory: Memory, left: Formula, right: Formula) -> bool:
         and bool(symbols_in(right))
         and not (value.data == "norm" and {*symbols_in(value)} & {*symbols_in(right)})
         and not any(value == part for side in (right, *above) for part in side.iter_subtrees())
-        and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)
+        and not (
+            memory.beside.follows or memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged
+        )
     )
 
 

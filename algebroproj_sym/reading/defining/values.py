@@ -23,8 +23,8 @@ from algebroproj_sym.reading.defining.dependence import (
     letters_of_symbol,
     require_no_value,
 )
-from algebroproj_sym.reading.defining.letters import FREE, WHOLE, base_of
 from algebroproj_sym.reading.defining.parts import MOST_TERMS
+from algebroproj_sym.reading.defining.sizing import FREE, WHOLE, base_of
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError

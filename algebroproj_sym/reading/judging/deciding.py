@@ -14,7 +14,7 @@ from algebroproj_sym.expressions import entries, evaluate, free_symbols
 from algebroproj_sym.proving import Outcome
 from algebroproj_sym.proving.letters.deciding import NOWHERE
 from algebroproj_sym.proving.reals.prove import may_agree, often_agree
-from algebroproj_sym.reading.defining.letters import FREE
+from algebroproj_sym.reading.defining.sizing import FREE
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.judging.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
 from algebroproj_sym.reading.judging.questions import (

@@ -1,0 +1,278 @@
+"""Formulas of vectors and matrices as letters, built from the leaves up."""
+
+from __future__ import annotations
+
+import re
+from functools import reduce
+from typing import Any
+
+from lark import Token, v_args
+
+from algebroproj_sym.reading.defining.dependence import index_of, require_no_value
+from algebroproj_sym.reading.defining.factors import MEAN
+from algebroproj_sym.reading.defining.parts import (
+    MOST_TERMS,
+    Part,
+    Shape,
+    Size,
+    column,
+    constant,
+    divided,
+    in_order,
+    joined,
+    number_of,
+    of_blocks,
+    product_terms,
+    refused,
+    scalar,
+    sum_of,
+    times,
+    transposed,
+    without,
+)
+from algebroproj_sym.reading.defining.sizing import TABLE, Reader
+from algebroproj_sym.reading.defining.summing import arranged
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
+from algebroproj_sym.reading.parsing.gathering import _Gathering, wrapped
+from algebroproj_sym.reading.parsing.grammar import Formula
+
+_OF_LETTERS = ("sin", "cos", "norm")
+"""Functions that the prover takes as they are."""
+
+
+def built(tree: Formula, reader: Reader) -> Part:
+    """Return a formula as a part.
+
+    Raises
+    ------
+    VisitError
+        If shapes do not fit, or something is read and not computed.
+    """
+    found: Part = _Parts(reader).transform(wrapped(tree)).children[0]
+    return found
+
+
+@v_args(inline=True)
+class _Parts(_Gathering):
+    """Builds parts from the leaves up."""
+
+    def __init__(self, reader: Reader) -> None:
+        super().__init__()
+        self.reader = reader
+
+    def sum(self, *parts: Any) -> Part:
+        terms = parts if isinstance(parts[0], Token) else (Token("SIGN", "+"), *parts)
+        signs, values = [str(sign) for sign in terms[::2]], list(terms[1::2])
+        if "±" in signs or "∓" in signs:
+            raise UnreadableError("± stands for two statements")
+        if len(values) > 1:
+            kept = [(sign, value) for sign, value in zip(signs, values, strict=True) if not value.is_zero]
+            signs, values = [sign for sign, _ in kept], [value for _, value in kept]
+        if not values:
+            return constant("0")
+        square = next((value.shape for value in values if not value.is_number), None)
+        if square is not None and any(value.is_one for value in values):
+            square[0].unite(square[1])
+            values = [self._identity(square) if value.is_one else value for value in values]
+        return sum_of(list(zip((sign == "-" for sign in signs), values, strict=True)))
+
+    def _identity(self, shape: Shape) -> Part:
+        """Return what 1 stands for beside a square matrix, as in ``1 - K H``."""
+        return Part(shape, lambda: f"eye({self.reader.size(shape[0])})")
+
+    def product(self, first: Part, *rest: Any) -> Part:
+        found = first
+        for sign, other in zip(rest[::2], rest[1::2], strict=True):
+            found = joined(str(sign) if sign.type == "CIRCLED" else sign.type, found, other)
+        return found
+
+    def quotient(self, *parts: Part) -> Part:
+        return reduce(divided, parts)
+
+    def fraction(self, above: Part, below: Part) -> Part:
+        return divided(above, below)
+
+    def run(self, *factors: Part) -> Part:
+        return reduce(times, factors)
+
+    def number(self, token: Token) -> Part:
+        return constant(str(token))
+
+    def symbol(self, token: Token) -> Part:
+        return self.reader.symbol(str(token))
+
+    opaque = symbol
+
+    def shown(self, token: Token) -> Part:
+        raise refused(str(token))
+
+    def call(self, token: Token, arguments: Any) -> Part:
+        name = str(token)
+        if name in self.reader.definitions:
+            return self.reader.applied(name, arguments)
+        columns = (Size(), Size(1)) if self.reader.is_column(name) else (Size(), Size())
+        shape = columns if self.reader.is_letter(name) else (Size(1), Size(1))
+        if MEAN.fullmatch(name) and len(arguments) == 1:
+            shape = arguments[0].shape
+        part = self.reader.whole(name, arguments, shape, is_call=True)
+        part.is_table = TABLE.search(name) is not None
+        part.symbols |= {name}
+        return part
+
+    def power(self, base: Part, exponent: Part) -> Part:
+        text = exponent.text().replace(" ", "").strip("()").lstrip("+")
+        if base.is_number and exponent.is_number and not re.fullmatch(r"-?\d{1,2}", text):
+            return self.reader.whole("power", [base, exponent], base.shape)
+        if not re.fullmatch(r"-?\d{1,2}", text):
+            raise refused(f"the power {text[:20]}")
+        if base.square is not None and int(text) == 2:
+            return base.square()
+        if base.shape[1].value == 1 and base.shape[0].value != 1 and int(text) == 2:
+            return joined("DOT", base, base)
+        if not base.is_number:
+            base.shape[0].unite(base.shape[1])
+            if int(text) < 0 and all(any(each.is_line for each in factors) for _, factors in base.terms):
+                raise UnreadableError("a product of vectors has no inverse")
+            if abs(int(text)) > MOST_MATRIX_POWER:
+                raise refused(f"the power {text}")
+        found = Part(base.shape, lambda: f"({base.text()})**{text}", base)
+        found.terms = (product_terms(base, base) if int(text) == 2 and base.is_number else []) or found.terms
+        return found
+
+    def marked(self, base: Part, mark: Token) -> Part:
+        if mark == "T":
+            if base.is_zero:
+                return base
+            return transposed(base)
+        if mark == "hat" and not base.is_number:
+            column(base, 3)
+            return Part((Size(3), Size(3)), lambda: f"skew({base.text()})", base)
+        if mark == "vee" and not base.is_number:
+            for size in base.shape:
+                size.unite(Size(3))
+            return Part((Size(3), Size(1)), lambda: f"vee({base.text()})", base)
+        raise refused("a mark")
+
+    def slope(self, value: Part, variable: Part) -> Part:
+        raise refused("a derivative")
+
+    def along(self, value: Part, change: Part) -> Part:
+        """Return by how much a value changes along a direction."""
+        return change
+
+    def applied(self, slope: Part, variable: Part) -> Part:
+        """Return a derivative by a vector times the direction in which the vector changes."""
+        if slope.is_zero:
+            return slope
+        direction = self.direction(variable)
+        return joined("DOT", slope, direction) if slope.shape[1].value == 1 else times(slope, direction)
+
+    def direction(self, variable: Part) -> Part:
+        """Return the direction in which a vector changes."""
+        return self.reader.whole("direction", [column(variable)], variable.shape)
+
+    def factorial(self, base: Part) -> Part:
+        return self.reader.whole("factorial", [scalar(base, "a factorial")], base.shape)
+
+    def function(self, name: Token, arguments: list[Part]) -> Part:
+        if name == "diag" and len(arguments) > 1:
+            zero = constant("0")
+            rows = [[each if i == j else zero for j in range(len(arguments))] for i, each in enumerate(arguments)]
+            return self.matrix(Token("BEGIN", "("), *rows)
+        if len(arguments) != 1:
+            return self.reader.whole(str(name), arguments, (Size(1), Size(1)))
+        (argument,) = arguments
+        if name == "diag" and not argument.is_number:
+            raise refused("a diagonal matrix of a vector")
+        if name in ("det", "tr", "Tr", "trace"):
+            argument.shape[0].unite(argument.shape[1])
+            kind = "det" if name == "det" else "trace"
+            return number_of(lambda: f"{kind}({argument.text()})", argument)
+        if name == "exp" and argument.shape[0].value != 1:
+            argument.shape[0].unite(argument.shape[1])
+            return Part(argument.shape, lambda: f"exp({argument.text()})", argument)
+        return self._value(str(name), scalar(argument, str(name)))
+
+    def _value(self, name: str, argument: Part) -> Part:
+        if name in _OF_LETTERS:
+            return number_of(lambda: f"{name}({argument.text()})", argument)
+        return number_of(lambda: self.reader.function(name, argument.text()), argument)
+
+    def raised_function(self, name: Token, exponent: Part, arguments: list[Part]) -> Part:
+        if exponent.text().strip("( )").replace(" ", "") == "-1":
+            raise refused("an inverse function")
+        return self.power(self.function(name, arguments), exponent)
+
+    def root(self, inside: Part) -> Part:
+        return self._value("sqrt", scalar(inside, "a root"))
+
+    def nth_root(self, degree: Part, inside: Part) -> Part:
+        raise refused("a root of another degree than two")
+
+    def big(self, name: Token, body: Part) -> Part:
+        require_no_value(name, body.symbols, self.reader.definitions)
+        index = index_of(name)
+        if not index or len(body.terms) > MOST_TERMS:
+            return self.reader.whole(str(name), [body], body.shape)
+        return sum_of([(minus, self._summed(str(name), index, factors)) for minus, factors in body.terms])
+
+    def _summed(self, name: str, index: str, factors: list[Part]) -> Part:
+        """Return a sum of products: what does not depend on the index stands before or behind it."""
+        if (product := reduce(times, factors)).shape[0].value == 1 and not product.is_number:
+            return transposed(self._summed(name, index, [transposed(each) for each in factors[::-1]]))
+
+        def depends(part: Part) -> bool:
+            return self.reader.depends(part, index)
+
+        found = arranged(factors, depends)
+        within, outer = ([each for each in found.numbers if depends(each) is inside] for inside in (True, False))
+        if not (within or found.within) and (count := self.reader.count(name, index)) is not None:
+            return reduce(times, [*outer, *found.before, count, *found.behind])
+        inner = in_order(within, reduce(times, found.within) if found.within else None)
+        turned = in_order(within, reduce(times, map(transposed, found.within[::-1]))) if found.within else None
+        whole = self.reader.whole(name, [inner], inner.shape, turned=turned)
+        whole.symbols = frozenset().union(*(without(index, each) for each in whole.symbols))
+        return reduce(times, [*outer, *found.before, whole, *found.behind])
+
+    def absolute(self, inside: Part) -> Part:
+        if not inside.is_number and any(map(self.reader.may_be_square, inside.symbols)):
+            raise UnreadableError("what stands between bars may be a determinant, or a length")
+        return self.norm(inside)
+
+    def norm(self, inside: Part) -> Part:
+        if inside.is_number:
+            return self._value("abs", inside)
+        column(inside)
+        number = self._value("norm", inside)
+        number.square = lambda: joined("DOT", inside, inside)
+        return number
+
+    def inner(self, items: list[Part]) -> Part:
+        if len(items) != 2:
+            raise UnreadableError("an inner product is of two vectors")
+        return joined("DOT", *items)
+
+    def bracket(self, items: list[Part]) -> Part:
+        return items[0] if len(items) == 1 else self.matrix(Token("BEGIN", "("), items)
+
+    def matrix(self, begin: Token, *rows: list[Part]) -> Part:
+        if "vmatrix" in begin or len({len(row) for row in rows}) > 1 or not rows[0]:
+            raise refused("a determinant, or a matrix with rows of different lengths,")
+        if max(len(rows), len(rows[0])) > MOST_ROWS:
+            raise refused(f"a matrix with more than {MOST_ROWS} rows or columns")
+        heights, widths = [Size() for _ in rows], [Size() for _ in rows[0]]
+        blocks = any(not cell.is_number for row in rows for cell in row)
+        for row, height in zip(rows, heights, strict=True):
+            for cell, width in zip(row, widths, strict=True):
+                if not (blocks and cell.is_zero):
+                    cell.shape[0].unite(height)
+                    cell.shape[1].unite(width)
+
+        def in_place(cell: Part, height: Size, width: Size) -> Part:
+            is_wide = blocks and cell.is_zero and not (height.value == width.value == 1)
+            zeros = lambda: f"zeros({self.reader.size(height)}, {self.reader.size(width)})"  # noqa: E731
+            return Part((height, width), zeros) if is_wide else cell
+
+        cells = [[*map(in_place, row, [height] * len(row), widths)] for row, height in zip(rows, heights, strict=True)]
+        return of_blocks(cells)

@@ -1,0 +1,256 @@
+"""Letters of vectors and matrices with their sizes, and the question that is asked of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection
+
+from lark.exceptions import VisitError
+
+from algebroproj_sym.proving import Question
+from algebroproj_sym.reading.defining.dependence import ANY, COUNTED, is_number, letters_in, letters_of_symbol
+from algebroproj_sym.reading.defining.parts import Part, Shape, Size, constant, refused, sum_of
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula
+
+_STYLE = r"\\(?:mathbf|vec|overrightarrow)"
+_BARE = re.compile(rf"{_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
+_ZERO = r"\mathbf{0}"
+_SIZES = "nmklpqrstuvwhijabcdgoyz"
+FREE = "free"
+"""How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
+WHOLE = "whole"
+"""How the name of any other value begins."""
+TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
+
+
+class Reader:
+    """What is found of the letters of a relation while it is built.
+
+    Parameters
+    ----------
+    vocabulary : Vocabulary
+        What letters stand for.
+    column : pattern
+        How a column is written.
+    build : callable
+        What builds a formula, with the letters of a reader.
+    of_rotations : Size, optional
+        The size of rotations, if blocks need one.
+    """
+
+    def __init__(
+        self,
+        vocabulary: Vocabulary,
+        column: re.Pattern[str],
+        build: Callable[[Formula, Reader], Part],
+        of_rotations: Size | None = None,
+    ) -> None:
+        self._vocabulary = vocabulary
+        self._column = column
+        self._build = build
+        self._of_rotations = of_rotations
+        self._letters: dict[str, Shape] = {}
+        self._known: dict[str, Part] = {}
+        self._sizes: dict[Size, str] = {}
+        self._names: set[str] = set()
+        self._functions: dict[str, str] = {}
+        self._wholes: dict[str, tuple[str, Shape]] = {}
+        self._symmetric: set[str] = set()
+        self._called: dict[str, str] = {}
+        self._applied: set[str] = set()
+        self._no_numbers: list[tuple[str, Part]] = []
+
+    def part(self, tree: Formula) -> Part:
+        """Return a formula as a part, with all definitions put in."""
+        for definition in self._vocabulary.used_in(tree):
+            if definition.symbol not in self._known and not definition.parameters:
+                self._known[definition.symbol] = found = self._read(definition.tree)
+                if not found.is_number and self._vocabulary.is_no_number(definition.symbol):
+                    self._no_numbers.append((definition.symbol, found))
+        return self._read(tree)
+
+    def _read(self, tree: Formula) -> Part:
+        try:
+            return self._build(tree, self)
+        except VisitError as error:
+            if isinstance(error.orig_exc, UnreadableError):
+                raise error.orig_exc from error
+            raise UnreadableError(str(error.orig_exc).partition("\n")[0]) from error
+
+    def symbol(self, symbol: str) -> Part:
+        """Return what a symbol stands for."""
+        if symbol in self._known:
+            return self._known[symbol]
+        if symbol == _ZERO:
+            return constant("0")
+        vocabulary = self._vocabulary
+        if vocabulary.constant(symbol) is not None:
+            return self.whole(symbol, [], (Size(1), Size(1)))
+        if symbol in vocabulary.given.symbols or symbol == r"\infty" or is_operator(symbol):
+            raise UnreadableError(f"{symbol} stands for no letter")
+        part = self._letter(symbol)
+        part.symbols = vocabulary.behind(symbol)
+        return part
+
+    def _letter(self, symbol: str) -> Part:
+        vocabulary = self._vocabulary
+        name, size, properties = vocabulary.name(symbol), vocabulary.size_of(symbol), vocabulary.properties_of(symbol)
+        self._names.add(name)
+        if vocabulary.is_component(symbol):
+            raise UnreadableError(f"{name} is a component of a letter")
+        if size is None and not properties and not vocabulary.is_matrix(symbol):
+            return constant(name)
+        rows, columns = (Size(), Size()) if size is None else (Size(size[0]), Size(size[1]))
+        if "unit" in properties or (size is None and self.is_column(symbol)):
+            columns.unite(Size(1))
+        elif properties:
+            rows.unite(columns)
+            if self._of_rotations and "rotation" in properties:
+                rows.unite(self._of_rotations)
+        if "identity" in properties:
+            return Part((rows, columns), lambda: f"eye({self.size(rows)})")
+        shape = self._letters.setdefault(symbol, (rows, columns))
+        part = Part(shape, lambda: name)
+        part.is_table = TABLE.search(symbol) is not None
+        return part
+
+    def size(self, size: Size) -> str:
+        """Return a size as text."""
+        if size.value is not None:
+            return str(size.value)
+        if size.root not in self._sizes:
+            free = [name for name in _SIZES if name not in self._names and name not in self._sizes.values()]
+            if not free:
+                raise UnreadableError("there are too many sizes")
+            self._sizes[size.root] = free[0]
+        return self._sizes[size.root]
+
+    def function(self, name: str, argument: str) -> str:
+        """Return the name of the number that is the value of a function."""
+        return self._functions.setdefault(f"{name}({argument})", f"value{len(self._functions) + 1}_")
+
+    @property
+    def definitions(self) -> Collection[str]:
+        """The symbols that have a definition."""
+        return self._vocabulary.definitions
+
+    def depends(self, part: Part, index: str) -> bool:
+        """Whether a part may depend on the index of a sum."""
+        related = self._vocabulary.dependence.related(index)
+        return any(each in related or not {index, ANY}.isdisjoint(letters_of_symbol(each)) for each in part.symbols)
+
+    def count(self, name: str, index: str) -> Part | None:
+        """Return how many terms a sum has, if its upper limit is a number of which nothing else is known."""
+        counted, varying = COUNTED.fullmatch(name), self._vocabulary.dependence.related(index) | {index}
+        if counted is None or not is_number(counted[2], varying, self._vocabulary.definitions):
+            return None
+        more = (counted[1] == "0") - bool(counted[3])
+        number = self.symbol(counted[2])
+        return sum_of([(False, number), (more < 0, constant(str(abs(more))))]) if more else number
+
+    def is_column(self, symbol: str) -> bool:
+        """Whether a symbol is written as a vector; a derivative by a vector may be a row, or a matrix."""
+        above, _, below = symbol.partition("/")
+        written = _BARE.search(above) and not _BARE.search(below) if below else self._column.search(symbol)
+        return bool(written) or symbol in self._vocabulary.kinds.columns
+
+    def _is_jacobian(self, symbol: str) -> bool:
+        """Whether a symbol is the derivative of a vector by a vector."""
+        above, _, below = symbol.partition("/")
+        return _BARE.search(above) is not None and _BARE.search(below) is not None
+
+    def is_letter(self, symbol: str) -> bool:
+        """Whether a symbol is a vector or a matrix."""
+        return self._vocabulary.is_matrix(symbol) or self._vocabulary.size_of(symbol) is not None
+
+    def applied(self, function: str, arguments: list[Part]) -> Part:
+        """Return the value of a function that a definition gives; letters in it are those of the arguments, too."""
+        definition = self._vocabulary.definitions[function]
+        parameters = definition.parameters
+        if not definition.usable or len(arguments) != len(parameters) or function in self._applied:
+            raise refused(f"the value of the function {function}")
+        if hidden := self._vocabulary.hidden_behind(definition):
+            raise UnreadableError(f"{function} depends on {hidden} in a way that is not computed")
+        outside = self._known
+        self._known = {
+            **{each: part for each, part in outside.items() if not {*parameters} & self._vocabulary.behind(each)},
+            **dict(zip(parameters, arguments, strict=True)),
+        }
+        self._applied.add(function)
+        try:
+            return self.part(definition.tree)
+        finally:
+            self._known = outside
+            self._applied.remove(function)
+
+    def may_be_square(self, symbol: str) -> bool:
+        """Whether a letter is a bold capital, or one that is called a matrix, of which nothing says the size."""
+        named = re.match(r"[A-Z]", symbol) is not None and self._vocabulary.is_matrix(symbol)
+        return (named or TABLE.search(symbol) is not None) and self._vocabulary.size_of(symbol) is None
+
+    def whole(
+        self, name: str, arguments: list[Part], shape: Shape, *, is_call: bool = False, turned: Part | None = None
+    ) -> Part:
+        """Return a sum, an integral or a value of a function as a letter of its own, the same for the same text.
+
+        It is symmetric if what is summed is the same when it is turned.
+        """
+        is_open = is_call and None in (shape[0].value, shape[1].value) and self._vocabulary.is_no_number(name)
+
+        def text() -> str:
+            if is_open and shape[0].value == shape[1].value == 1:
+                raise UnreadableError(f"the shapes fit only if {name} is a number")
+            key = f"{name}({', '.join(each.text() for each in arguments)})"
+            kind = FREE if is_call and self._called.setdefault(base_of(name), key) == key else WHOLE
+            own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}_", shape))
+            if [size.root for size in first] != [size.root for size in shape] and any(
+                one.value is None or one.value != other.value for one, other in zip(first, shape, strict=True)
+            ):
+                raise UnreadableError(f"{name} has two sizes")
+            if turned is not None and turned.text() == arguments[0].text():
+                self._symmetric.add(own)
+            return own
+
+        found = Part(shape, text, *arguments)
+        found.symbols |= letters_in(name)
+        return found
+
+    def question(self, sides: list[Part]) -> Question:
+        """Return a question with the letters that occur, and what is known of the values of functions."""
+        texts = [side.text() for side in sides]
+        letters = {}
+        for symbol in (symbol for symbol, part in self._no_numbers if part.is_number):
+            raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is a number")
+        for symbol, shape in self._letters.items():
+            listed = ", ".join(sorted(self._vocabulary.properties_of(symbol)))
+            text = f"{self.size(shape[0])}x{self.size(shape[1])}"
+            if symbol in self._vocabulary.kinds.oblong and shape[0].root is shape[1].root:
+                raise UnreadableError(f"{self._vocabulary.name(symbol)} may not be square")
+            if self._is_jacobian(symbol) and "1" in text.split("x"):
+                raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is no matrix")
+            if text != "1x1":
+                letters[self._vocabulary.name(symbol)] = f"{text} {listed}".strip()
+            elif self._vocabulary.size_of(symbol) is None and self._vocabulary.is_no_number(symbol):
+                raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is a number")
+        for own, shape in self._wholes.values():
+            if (text := f"{self.size(shape[0])}x{self.size(shape[1])}") != "1x1":
+                letters[own] = f"{text} symmetric" if own in self._symmetric else text
+        return Question(texts[0], texts[1], tuple(self._laws()), letters=letters)
+
+    def _laws(self) -> list[str]:
+        found = []
+        for call, name in self._functions.items():
+            kind, _, argument = call.partition("(")
+            if kind == "sqrt":
+                found.append(f"{name}^2 = {argument[:-1]}")
+        return found
+
+
+def base_of(function: str) -> str:
+    r"""Return the letter of a function without accents and scripts: ``q_x`` may be a derivative of ``q``."""
+    letters = re.findall(
+        r"[a-zA-Z]+|\\[a-zA-Z]+", re.sub(r"\\(?:math[a-z]+|d*dot|bar|tilde|hat|vec)(?![a-z])", "", function)
+    )
+    return letters[0] if letters else function

@@ -35,13 +35,13 @@ def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
     above: dict[str, set[str]] = {}
     elsewhere = set[str]()
     frames = {label for side in _every(equations) for label in _labels_of_columns(side)}
-    points = [sides[0] for sides in equations if len(sides) == 1]
-    for side in _every(equations):
+    for is_lone, side in ((len(sides) == 1, side) for sides in equations for side in sides):
         for power in side.find_data("power"):
             base, exponent = power.children
             if isinstance(base, Tree) and base.data == "symbol" and base != E and (label := lone_letter(exponent)):
                 above.setdefault(label, set()).add(str(base.children[0]))
-        elsewhere |= {*_not_raised(side, frames)} if lone_letter(side) not in frames or side not in points else set()
+        if not is_lone or lone_letter(side) not in frames:
+            elsewhere |= {*_not_raised(side, frames)}
     alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
     return iterates_in(equations).union(alone)
 

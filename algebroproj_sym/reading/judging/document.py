@@ -173,10 +173,11 @@ class _Pass:
 
     def _introduces_within(self, formula: Parsed) -> bool:
         r"""Whether an equation within the text says what a new letter is, though not alone: "where $L L^T = K$"."""
-        lone = [*filter(None, (defined_by(side)[0] for side in formula.sides))]
-        others = {*map(self.memory.vocabulary.is_matrix, lone)} == {True}
+        lone = [symbol for side in formula.sides if (symbol := defined_by(side)[0])]
         new = {*symbols_in(formula.sides[0])} - {*self.memory.asserted, *self.memory.vocabulary.definitions}
-        return formula.relations == ("=",) and len(lone) == 1 and others and bool(new) and bool(lone[0] not in new)
+        if formula.relations != ("=",) or len(lone) != 1 or not new:
+            return False
+        return lone[0] not in new and self.memory.vocabulary.is_matrix(lone[0])
 
     def _displayed(
         self, statement: Statement, found: Parsed | UnreadableError, place: int

@@ -118,3 +118,9 @@ def test_an_empty_entry_is_no_derivative():
 def test_powers_of_powers_end_within_bounds():
     form = "(" * 18 + r"\mathbf{x}^T \mathbf{x}" + " + 1)^2" * 18
     assert last(rf"\[ f = {form} \] \[ \nabla_{{\mathbf{{x}}}} f = \mathbf{{b}} \]").verdict == "not decided"
+
+
+def test_powers_of_letters_that_are_powers_end_within_bounds():
+    first = r"\[ a_0 = \mathbf{x}^T \mathbf{x} \]"
+    rest = "".join(rf"\[ a_{{{n}}} = a_{{{n - 1}}}^2 + 1 \]" for n in range(1, 22))
+    assert last(rf"{first} {rest} \[ \nabla_{{\mathbf{{x}}}} a_{{21}} = \mathbf{{b}} \]").verdict == "not decided"

@@ -15,7 +15,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.premises import extended, letter_of
-from algebroproj_sym.reading.defining.rates import ZERO, rate_of
+from algebroproj_sym.reading.defining.rates import ZERO, copies_in, rate_of
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -111,11 +111,13 @@ class _Gradients:
         """Return by how much a formula changes along the direction."""
         rates: dict[str, Formula] = {"e": ZERO} if self._vocabulary.euler else {}
         rates[self.variable or ""] = Tree("direction", [letter_of(self.variable or "")])
+        copies = dict[str, int]()
         try:
             for each in used:
-                if not each.parameters and (rate := rate_of(each.tree, rates)) is not None:
+                if not each.parameters and (rate := rate_of(each.tree, rates, copies)) is not None:
                     rates[each.symbol] = Tree("group", [rate])
-            return Tree("group", [rate_of(tree, rates) or ZERO])
+                    copies[each.symbol] = copies_in(each.tree, copies)
+            return Tree("group", [rate_of(tree, rates, copies) or ZERO])
         except UnreadableError:
             raise _OtherwiseError from None
 

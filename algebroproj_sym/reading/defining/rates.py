@@ -6,6 +6,7 @@ No factor changes its place, so this holds of vectors and matrices as well.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 from lark import Token, Tree
@@ -24,7 +25,9 @@ MOST_COPIES = 20_000
 _LINEAR = ("group", "bracket", "items", "cell")
 
 
-def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
+def rate_of(
+    tree: Formula, rates: Mapping[str, Formula], copies: Mapping[str, int] = MappingProxyType({})
+) -> Formula | None:
     r"""Return the derivative of a formula; None if nothing in it changes.
 
     Parameters
@@ -34,11 +37,13 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     rates : mapping of str to Tree
         The derivatives of the letters that change, and of values such as ``x(t)``; of e as well, where it is Euler's
         number.
+    copies : mapping of str to int
+        How often letters stand in the derivatives of those that are given by others.
 
     Raises
     ------
     UnreadableError
-        If something changes within what has no rule here.
+        If something changes within what has no rule here, or the derivative would have too many terms.
 
     Examples
     --------
@@ -49,14 +54,15 @@ def rate_of(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     >>> text_of(rate_of(side, rate), str)
     '(1/2*m*(v*x + x*v)) + (A*w)'
     """
-    if _copies(tree) > MOST_COPIES:
+    if copies_in(tree, copies) > MOST_COPIES:
         raise UnreadableError("the derivative of something in it has too many terms")
     return _rate(tree, rates)
 
 
-def _copies(tree: Formula) -> int:
-    """Return about how often the letters of a formula stand in its derivative."""
-    within = max((_copies(each) for each in trees_in(tree)), default=1)
+def copies_in(tree: Formula, copies: Mapping[str, int]) -> int:
+    """Return about how often letters stand in the derivative of a formula."""
+    own = copies.get(str(tree.children[0]), 1) if tree.data in ("symbol", "opaque") else 1
+    within = max((copies_in(each, copies) for each in trees_in(tree)), default=own)
     if tree.data in ("run", "product", "sum"):
         return len(trees_in(tree)) * within
     return 4 * within if tree.data in ("power", "fraction", "quotient", "root", "norm", "inner") else within

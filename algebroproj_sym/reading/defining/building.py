@@ -138,6 +138,7 @@ class _Parts(_Gathering):
                 raise refused(f"the power {text}")
         found = Part(base.shape, lambda: f"({base.text()})**{text}", base)
         found.terms = (product_terms(base, base) if int(text) == 2 and base.is_number else []) or found.terms
+        found.is_table = base.is_table
         return found
 
     def marked(self, base: Part, mark: Token) -> Part:

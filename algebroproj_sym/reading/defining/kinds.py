@@ -28,7 +28,7 @@ from algebroproj_sym.reading.defining.factors import (
     lone,
     terms_of,
 )
-from algebroproj_sym.reading.defining.oblong import oblong_in
+from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, symbols_in, trees_in
 
@@ -64,6 +64,8 @@ class Kinds:
         The letters I that words may call another thing than the identity.
     oblong : frozenset of str
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
+    inverted : frozenset of str
+        The capitals that are no numbers, and have an inverse or a determinant somewhere: they are no vectors.
     """
 
     no_numbers: frozenset[str] = frozenset()
@@ -71,6 +73,7 @@ class Kinds:
     open: frozenset[str] = frozenset()
     named: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
+    inverted: frozenset[str] = frozenset()
 
 
 def kinds_of(
@@ -101,7 +104,8 @@ def kinds_of(
     while closure.grows():
         pass
     oblong = oblong_in(equations, occurring, words)
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong=oblong)
+    inverted = frozenset(letter for side in sides for letter in _inverted_in(side)) & closure.known
+    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong=oblong, inverted=inverted)
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:
@@ -331,6 +335,13 @@ def _numbers_in(side: Formula) -> Iterator[str]:
             inside = trees_in(tree) if named else []
         for each in inside:
             yield from factors_of(each)
+
+
+def _inverted_in(side: Formula) -> Iterator[str]:
+    """Yield the capitals that have an inverse or a determinant."""
+    powers = (base_of(each) for each in side.find_data("power") if is_inverse(each))
+    called = (lone(trees_in(each)[0]) for each in side.find_data("function") if each.children[0] == "det")
+    yield from filter(CAPITAL.match, (*powers, *called))
 
 
 def _squared_in(side: Formula) -> Iterator[str]:

@@ -87,7 +87,7 @@ class Part:
     is_zero, is_one : bool
         Whether it is the number 0, or 1.
     is_table : bool
-        Whether it is written as a matrix that is no vector: as a bold capital.
+        Whether it is a matrix and no vector: a bold capital, or one that is inverted somewhere.
     terms : list of (bool, list of Part)
         The products of which it is the sum, each with whether it is taken away.
     symbols : frozenset of str
@@ -199,7 +199,7 @@ def transposed(part: Part) -> Part:
     if part.turned is not None:
         return part.turned
     found = Part(part.shape[::-1], lambda: f"({part.text()}).T", part)
-    found.turned = part
+    found.turned, found.is_table = part, part.is_table
     if part.terms != [(False, [part])]:
         found.terms = [(minus, [*map(_turned, factors[::-1])]) for minus, factors in part.terms]
     return found
@@ -241,6 +241,7 @@ def _product(left: Part, right: Part) -> Part:
         shape = (left.shape[0], right.shape[1])
     found = Part(shape, lambda: f"{left.text()}*{right.text()}", left, right)
     found.terms = product_terms(left, right) or found.terms
+    found.is_table = all(each.is_table or each.turned is not None for each in (left, right))
     return found
 
 
@@ -313,6 +314,7 @@ def joined(kind: str, left: Part, right: Part) -> Part:
         column(right, 3)
         return Part((Size(3), Size(1)), lambda: f"cross({left.text()}, {right.text()})", left, right)
     ends = (left.shape[1].value, right.shape[1].value)
-    if kind == "DOT" and 1 in ends and None in ends and not (left.is_table and ends[1] == 1):
+    maps = left.is_table or left.turned is not None or left.shape[0].value == 1
+    if kind == "DOT" and 1 in ends and None in ends and not (maps and ends[1] == 1):
         raise UnreadableError("the point may be a product of matrices, or of vectors")
     return times(left, right)

@@ -113,7 +113,7 @@ class Reader:
             return Part((rows, columns), lambda: f"eye({self.size(rows)})")
         shape = self._letters.setdefault(symbol, (rows, columns))
         part = Part(shape, lambda: name)
-        part.is_table = TABLE.search(symbol) is not None
+        part.is_table = TABLE.search(symbol) is not None or symbol in vocabulary.kinds.inverted
         return part
 
     def size(self, size: Size) -> str:

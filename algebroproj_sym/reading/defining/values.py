@@ -8,7 +8,7 @@ the same for every index.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import sympy
@@ -34,9 +34,11 @@ from algebroproj_sym.reading.parsing.evaluating import slope_of
 class Uncomputed:
     """The values that have letters of their own, whose names begin with ``free`` or ``whole``."""
 
-    def __init__(self, vocabulary: Vocabulary) -> None:
+    def __init__(self, vocabulary: Vocabulary, functions: Collection[str] = ()) -> None:
         self._vocabulary = vocabulary
+        self._functions = functions
         self._letters: dict[str, frozenset[str]] = {}
+        self._keys: dict[str, str] = {}
         self._first: dict[str, str] = {}
         self._sums: dict[str, tuple[str, Any]] = {}
 
@@ -81,6 +83,16 @@ class Uncomputed:
     def known(self, name: str, arguments: Sequence[Any]) -> Any:
         """Return the value of a function that is known, and not computed."""
         return self._value(name, arguments, WHOLE)
+
+    def takes(self, name: str) -> bool:
+        """Whether each value of a function that is computed elsewhere is a letter here."""
+        return name in self._functions
+
+    def unit_circles(self) -> list[str]:
+        """Return what holds of the sine and the cosine of one angle, if both are letters."""
+        calls = {key: name for name, key in self._keys.items()}
+        pairs = [(name, calls.get(f"cos{key[3:]}")) for key, name in calls.items() if key.startswith("sin(")]
+        return [f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine]
 
     def _value(self, name: str, arguments: Sequence[Any], kind: str) -> Any:
         if any(map(shape, arguments)):
@@ -142,7 +154,7 @@ class Uncomputed:
 
     def _letter(self, key: str, kind: str, letters: frozenset[str]) -> Any:
         name = self._vocabulary.name(f"{kind} {key}")
-        self._letters[name] = letters
+        self._letters[name], self._keys[name] = letters, key
         return sympy.Symbol(name)
 
     def _on(self, *values: Any) -> frozenset[str]:
@@ -163,10 +175,10 @@ def _names(*values: Any) -> set[str]:
     return {symbol.name for value in values for symbol in value.free_symbols}
 
 
-def with_values(vocabulary: Vocabulary) -> Vocabulary:
-    """Return a vocabulary in which values that are not computed are letters."""
+def with_values(vocabulary: Vocabulary, functions: Collection[str] = ()) -> Vocabulary:
+    """Return a vocabulary in which values that are not computed are letters, and those of some functions."""
     found = vocabulary.copied()
-    found.uncomputed = Uncomputed(found)
+    found.uncomputed = Uncomputed(found, functions)
     found.forget()
     return found
 

@@ -12,7 +12,7 @@ from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
-from algebroproj_sym.reading.documents.escapes import escapes_subscripts, unescaped
+from algebroproj_sym.reading.documents.escapes import escapes_rows, escapes_subscripts, unescaped
 from algebroproj_sym.reading.documents.macros import Macro, expanded, macros_in, redefinitions
 from algebroproj_sym.reading.documents.tidying import tidied
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
@@ -63,7 +63,7 @@ _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
-_SPACED = re.compile(r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*)\((\d[\d.]*[a-z]?)\)\s*$")
+_SPACED = re.compile(r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*|\\[lc]?dots\s*)\((\d[\d.]*[a-z]?)\)\s*$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
 
@@ -257,7 +257,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
             _blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, _FRONT_MATTER.sub(_blank, text))))
         )
         plain = _INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain)
-    written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain))
+    written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain), rows=escapes_rows(plain))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:

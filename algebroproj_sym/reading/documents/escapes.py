@@ -1,4 +1,7 @@
-r"""What Markdown escapes within formulas: ``\_`` for a subscript, and ``\\\\`` or ``\\\`` for the end of a row."""
+r"""What Markdown escapes within formulas: ``\_`` for a subscript, and ``\\\\`` or ``\\\`` for the end of a row.
+
+Where rows end so, ``\\;`` is a space, and ``\\{`` a brace.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,9 @@ _ROW_OR_STAR = re.compile(
     r"(?<!\\)\\\\(?=\\\\(?!\\))|(?<=(?<!\\)\\\\)\\(?=[ \t]*\n)|(?<=\^)\\(?=\*)|(?<=\^\{)\\(?=\*\})"
 )
 
+_SIGN = re.compile(r"(?<!\\)\\(\\[,;:!{}|])")
+_OF_ROWS = re.compile(r"(?<!\\)\\{4}(?!\\)")
+
 
 def escapes_subscripts(text: str) -> bool:
     r"""Whether a text of Markdown has ``\_`` for subscripts, and not for underscores in names.
@@ -24,13 +30,20 @@ def escapes_subscripts(text: str) -> bool:
     return _OF_SUBSCRIPTS.search(text) is not None
 
 
-def unescaped(latex: str, *, subscripts: bool) -> str:
+def escapes_rows(text: str) -> bool:
+    r"""Whether a text of Markdown has ``\\\\`` for the end of a row."""
+    return _OF_ROWS.search(text) is not None
+
+
+def unescaped(latex: str, *, subscripts: bool, rows: bool) -> str:
     r"""Return a formula as LaTeX, each character at its place.
 
     Examples
     --------
-    >>> unescaped(r"a\_1 \\\\ b^\*", subscripts=True)
+    >>> unescaped(r"a\_1 \\\\ b^\*", subscripts=True, rows=False)
     'a _1   \\\\ b^ *'
     """
+    if rows:
+        latex = _SIGN.sub(r" \1", latex)
     latex = _ROW_OR_STAR.sub(lambda found: " " * len(found.group()), latex)
     return _SUBSCRIPT.sub(lambda found: found[1] or " _", latex) if subscripts else latex

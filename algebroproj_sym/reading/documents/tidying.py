@@ -28,6 +28,9 @@ _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbra
 _FRAMES = frozenset((*_BRACES, r"\smash", r"\mathclap", r"\textcolor", r"\colorbox"))
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
 _OTHERWISE = {r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\xfrac": r"\frac", r"\space": "\\ ", r"\nobreakspace": "~"}
+_OTHERWISE |= dict.fromkeys((r"\triangledown", r"\bigtriangledown"), r"\nabla")
+_TRIANGLES = frozenset((r"\triangle", r"\vartriangle", r"\bigtriangleup"))
+"""What is a difference before a letter, and a triangle before its corners."""
 _ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{ceil}(", r"\rfloor": ")", r"\rceil": ")"}
 _ROUNDED |= {r"\llbracket": r"\operatorname{jump}(", r"\rrbracket": ")"}
 _JUSTIFIES = re.compile(
@@ -123,6 +126,12 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             waiting.group()
         elif text in _OTHERWISE:
             out.append(_as(piece, _OTHERWISE[text]))
+        elif text in _TRIANGLES and not waiting.has_corners:
+            out.append(_as(piece, r"\Delta"))
+        elif text == r"\prime" and not _is_raised(out):
+            out.append(_as(piece, "'"))
+        elif text == r"\times" and not _is_raised(out) and (closing := waiting.closing()):
+            waiting.put([*closing, _as(piece, "_"), *_braced(piece, [piece])])
         elif text in _ROUNDED:
             out += _at(piece, _ROUNDED[text])
         elif text == "{" and waiting.is_sign and _ends_value(out):
@@ -135,6 +144,9 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             named = (name in FUNCTIONS and waiting.next in ("(", "[", r"\{", r"\left", "^")) or name == "d"
             if called or named or (_WORD.fullmatch(name) and waiting.next == "_"):
                 waiting.put([_as(piece, r"\mathrm"), *_braced(piece, inside)])
+                continue
+            if not name.strip(" .,;:"):
+                out += inside
                 continue
             formulas = _formulas_in(inside)
             waiting.put(_braced(piece, formulas)) if formulas else out.extend(
@@ -288,6 +300,20 @@ class _Waiting(list[Piece]):
         following = [each.text for each in self[-1:-6:-1] if not each.text.isspace()]
         return following[1:2] == ["}"] and (following[0] in SIGNS or following[0] in RELATIONS)
 
+    @property
+    def has_corners(self) -> bool:
+        """Whether two capitals come next, as behind the sign of a triangle."""
+        following = [each.text for each in self[-1:-8:-1] if not each.text.isspace()][:2]
+        return len(following) == 2 and all(each.isalpha() and each.isupper() for each in following)
+
+    def closing(self) -> list[Piece]:
+        r"""Take the bracket that closes next, with its ``\right``; if none does, take nothing."""
+        following = [each.text for each in self[-1:-6:-1] if not each.text.isspace()]
+        sized = following[:1] == [r"\right"]
+        if following[sized : sized + 1] not in (["]"], [")"]):
+            return []
+        return [Piece(self.next, self.pop().place) for _ in range(1 + sized)]
+
     def until(self, opening: str, closing: str) -> list[Piece]:
         """Take all up to the partner of the piece that is next."""
         taken, depth = list[Piece](), 0
@@ -339,6 +365,12 @@ class _Waiting(list[Piece]):
                         return [begin, *reversed(body), end, *behind]
         self[:] = kept
         return None
+
+
+def _is_raised(pieces: Sequence[Piece]) -> bool:
+    """Whether a script begins last, perhaps with primes."""
+    last = next((piece.text for piece in reversed(pieces) if not piece.text.isspace()), "")
+    return last in ("^", "_", "{", "'", r"\prime", "")
 
 
 def _ends_value(pieces: Sequence[Piece]) -> bool:

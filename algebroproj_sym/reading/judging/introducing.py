@@ -127,9 +127,12 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     part = statement.display.part
     if not symbol or not (symbols_in(right) or is_matrix(right) or memory.survey.is_parameter(statement)):
         return False
-    if is_case_of(parameters, right) and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol)):
-        return False
     if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
+        return False
+    is_case = is_case_of(parameters, right) and (
+        symbol in memory.asserted or not memory.survey.has_one_argument(symbol)
+    )
+    if is_case and not memory.beside.defines:
         return False
     known = memory.vocabulary.definitions.get(symbol)
     if square and symbol in memory.asserted:

@@ -19,11 +19,11 @@ from algebroproj_sym.reading.defining.dependence import captured_in, require_no_
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
-from algebroproj_sym.reading.defining.values import values_in, with_values
+from algebroproj_sym.reading.defining.values import Uncomputed, values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.evaluating import evaluated
+from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 from algebroproj_sym.replaying.reals.terms import has_functions, written
 
@@ -280,14 +280,15 @@ def _asked_under(way: Way) -> list[Question] | str:
         return "a letter is given in another range"
     if hides := _hides_an_index(way.vocabulary, *way.sides, *given):
         return hides
-    for known in (way.vocabulary, with_values(way.vocabulary)):
+    for known in (way.vocabulary, with_values(way.vocabulary), with_values(way.vocabulary, FUNCTIONS)):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides, by_entries=True)
             conditions = [
                 one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)
             ]
             if all(map(_is_rational, [*questions, *conditions])):
-                constraints = tuple(f"{one.lhs} = {one.rhs}" for one in conditions)
+                circles = known.uncomputed.unit_circles() if isinstance(known.uncomputed, Uncomputed) else []
+                constraints = (*(f"{one.lhs} = {one.rhs}" for one in conditions), *circles)
                 return [replace(question, constraints=constraints) for question in questions]
     with suppress(*_UNASKED):
         if any(map(way.vocabulary.is_matrix, way.vocabulary.letters_of(way.left))):

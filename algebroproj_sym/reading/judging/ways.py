@@ -26,7 +26,7 @@ from algebroproj_sym.reading.defining.premises import (
     with_given,
 )
 from algebroproj_sym.reading.defining.rates import UNCHANGED
-from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
+from algebroproj_sym.reading.defining.recognising import computes, defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, share_a_sum
@@ -151,6 +151,7 @@ def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[
         if (ids := tuple(map(id, used))) not in seen:
             seen.append(ids)
             yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
+    yield from _by_its_section(standing, left, right)
     yield from _with_given_values(standing, left, right)
     above = [each.gives for each in applicable(standing.premises, standing.part, standing.cited) if each.gives]
     told = extended(standing.vocabulary, above)
@@ -161,16 +162,42 @@ def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[
         yield Way(ours, theirs, extended(_with_rates(standing, (ours, theirs), told), [*made, *more]), A_VALUE)
 
 
+def _by_its_section(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation of vectors and matrices in which only those letters stand for others that its section gives.
+
+    What gives the others may be of another size here.
+    """
+    known = standing.vocabulary.copied()
+    for each in [*known.definitions.values()]:
+        del known.definitions[each.symbol]
+    known.forget()
+    for each in [*standing.vocabulary.definitions.values()]:
+        if each.part == standing.part:
+            known.define(replace(each, usable=each.usable or computes(each, known)))
+    fewer = any(each.part != standing.part for each in used_by(standing.vocabulary, left, right))
+    parts = {part.data for side in (left, right) for part in side.iter_subtrees()}
+    if fewer and not parts & {"big", "call", "slope", "function"} and any(map(known.is_matrix, known.letters_of(left))):
+        above = applicable(standing.premises, standing.part, standing.cited)
+        given = [each.gives for each in above if each.gives and each.part == standing.part]
+        yield Way(left, right, known, A_VALUE)
+        yield Way(left, right, extended(known, given), A_VALUE)
+
+
 def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
-    """Yield a relation in which values that equations above give, such as E(X), stand for what they say."""
+    """Yield a relation in which values that equations above give, such as E(X), stand for what they say.
+
+    What gives one of its sides serves, or does not: ``s^2 = b`` may follow from other equations than ``s^2 = a``.
+    """
     premises = applicable(standing.premises, standing.part, standing.cited)
-    values = given_values(premises, standing.vocabulary, (left, right))
-    if any(each.role != "definition" for each in values.values()):
-        ours, theirs = (with_given(side, values) for side in (left, right))
-        given = [each.gives for each in premises if each.gives is not None]
-        lone = {symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol}
-        for plain in ([], [each for each in given if each.symbol not in lone]):
-            yield Way(ours, theirs, extended(standing.vocabulary, [*plain, *values.values()]), A_VALUE)
+    others = [each for each in premises if {left, right}.isdisjoint(value for value, _ in each.values)]
+    given = [each.gives for each in premises if each.gives is not None]
+    lone = {symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol}
+    for serving in (premises, others)[: 1 + (len(others) < len(premises))]:
+        values = given_values(serving, standing.vocabulary, (left, right))
+        if any(each.role != "definition" for each in values.values()):
+            ours, theirs = (with_given(side, values) for side in (left, right))
+            for plain in ([], [each for each in given if each.symbol not in lone]):
+                yield Way(ours, theirs, extended(standing.vocabulary, [*plain, *values.values()]), A_VALUE)
 
 
 def _under_equations(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

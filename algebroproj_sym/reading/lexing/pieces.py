@@ -172,7 +172,7 @@ def with_blocks(pieces: Sequence[Piece]) -> list[Piece]:
     whole = "".join(each.text for each in pieces)
     offsets = [*accumulate((len(each.text) for each in pieces), initial=0)]
     for start, end in sorted(_square_brackets(pieces), reverse=True):
-        texts = [each.text for each in found[start:end]]
+        texts = [" " if each.text in _SPACES else each.text for each in found[start:end]]
         before = _FACTOR.search(whole, max(0, offsets[start] - MOST_BEFORE_BLOCKS), offsets[start])
         if before is not None and _TWO_BLOCKS.fullmatch("".join(texts[1:])):
             bar = start + next(place for place, text in enumerate(texts) if text in ("|", r"\mid", r"\vert"))
@@ -206,6 +206,7 @@ _FACTOR = re.compile(
     rf"(?:^|[=&+\-(]|\\cdot|{_CAPITAL.replace('[A-Z]', '[KR]')}(?:_\w|_\{{\w+\}}|'|\}})*)\s*(?:\\left)?\s*$"
 )
 """What may stand before a row of blocks."""
+_SPACES = (r"\;", r"\,", r"\:", r"\!", r"\ ", "~", r"\quad")
 _SIZED = re.compile(r"\\[bB]igg?[lrm]?")
 
 

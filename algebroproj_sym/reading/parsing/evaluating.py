@@ -83,6 +83,9 @@ class Values(Protocol):
     def known(self, name: str, arguments: Sequence[Any]) -> Any:
         """Return the value of a function that is known, and not computed."""
 
+    def takes(self, name: str) -> bool:
+        """Whether each value of a function that is computed elsewhere is a letter here."""
+
     def slope(self, value: Any, variable: Any) -> Any:
         """Return a derivative of an expression with such values."""
 
@@ -166,6 +169,8 @@ class _Expressions(_Gathering):
         return _quotient(above, below)
 
     def function(self, name: Token, arguments: list[Any]) -> Any:
+        if self.values is not None and self.values.takes(str(name)):
+            return self.values.known(str(name), arguments)
         try:
             return _applied(str(name), arguments)
         except UnreadableError:

@@ -81,10 +81,72 @@ def test_it_does_not_follow(latex: str) -> None:
     assert last(latex).verdict != "follows"
 
 
-OTHER_SIZE = r"""\section{Introduction} The matrix is \[ H = K \left[R | T\right] \] where $R$ is a rotation, $T$ a vector.
-\section{Lines} Let $C$ be a symmetric matrix. \[ l = C x \] \[ x' = H x \] \[ l' = H^{-T} l \] \[ C' = H^{-T} C H^{-1} \] """
+OTHER_SIZE = r"""\section{Introduction} The matrix is \[ H = K \left[R | T\right] \]
+where $R$ is a rotation and $T$ a vector. \section{Lines} Let $C$ be a symmetric matrix.
+\[ l = C x \] \[ x' = H x \] \[ l' = H^{-T} l \] \[ C' = H^{-T} C H^{-1} \] """
 
 
 def test_a_section_may_use_a_letter_with_another_size() -> None:
     assert last(OTHER_SIZE + r"Hence \[ C' x' = l' \]").verdict == "follows"
     assert last(OTHER_SIZE + r"Hence \[ C' x' = l \]").verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (
+            r"v = \dv{x}{t} + \dv[2]{x}{t} + \pd{f}{x}",
+            r"v = \frac{dx}{dt} + \frac{d^2x}{dt^2} + \frac{\partial f}{\partial x}",
+        ),
+        (r"a = \abs*{b} + \norm*{\vb*{c}} \half", r"a = |b| + \|\mathbf{c}\| \frac12"),
+        (r"x = A\T b + A\inv C^{\T}", r"x = A^T b + A^{-1} C^T"),
+        (r"a = \SI{3.5e-3}{\meter} + \num{2e3}", r"a = 3.5 \cdot 10^{-3} \mathrm{\meter} + 2 \cdot 10^3"),
+        (r"a = \qty(b + c) \vu b", r"a = (b + c) \vu b"),
+        (r"a \mathrel{\mathop:}= \lfloor b \times \rfloor c", r"a := [b]_\times c"),
+        (
+            r"a = \begin{dcases} b & c > 0 \\ d & c \le 0 \end{dcases}",
+            r"a = \begin{cases} b & c > 0 \\ d & c \le 0 \end{cases}",
+        ),
+        (r"a = \begin{bmatrix*}[r] b \\ c \end{bmatrix*}", r"a = \begin{bmatrix} b \\ c \end{bmatrix}"),
+        (r"x = \underset{y}{\operatorname{arg\,min}} f", r"x = \argmin_{y} f"),
+        (r"R = {}^{W}\!R_{B}", r"R = {}^{W} R_{B}"),
+    ],
+)
+def test_a_command_of_a_package_is_read_as_what_it_stands_for(latex: str, expected: str) -> None:
+    one, other = (last(rf"\[ {each} \]").read for each in (latex, expected))
+    assert one is not None
+    assert one == other
+
+
+def test_commands_that_a_document_defines_go_first() -> None:
+    own = (
+        r"\newcommand{\half}{h} \DeclarePairedDelimiter{\size}{\lVert}{\rVert} \NewDocumentCommand\twice{O{2} m}{#1 #2}"
+    )
+    assert last(own + r"\[ a = \half \size*{b} \twice{c} \twice[3]{d} \]").read == "a = h*norm(b)*2*c*3*d"
+
+
+def test_the_size_of_zeros_and_of_an_identity_is_no_other_letter() -> None:
+    turned = r"""Let $\mathbf{R}$ be a rotation matrix.
+    \[ \mathbf T = \begin{bmatrix} \mathbf R & \mathbf t \\ \mathbf 0_{1\times 3} & 1 \end{bmatrix} \] Hence """
+    inverse = r"\begin{bmatrix} \mathbf R^T & %s \mathbf R^T \mathbf t \\ \mathbf 0_{1\times 3} & 1 \end{bmatrix}"
+    assert last(turned + rf"\[ \mathbf T^{{-1}} = {inverse % '-'} \]").verdict == "follows"
+    assert last(turned + rf"\[ \mathbf T^{{-1}} = {inverse % ''} \]").verdict != "follows"
+    assert last(turned + r"\[ \mathbf R \mathbf R^T = \mathbf{I}_3 \]").verdict == "follows"
+
+
+MODEL = r"The point $(x, y)$ lies on the line \[ a x + b y + c = 0 \] "
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (MODEL + r"The measured one is \[ x = \bar x + \Delta x \]", "definition"),
+        (MODEL + r"A scaled one is \[ x = \lambda u \]", "definition"),
+        (MODEL + r"If \[ x = \lambda u \] it is seen.", "independent"),
+        (MODEL + r"It is not true that \[ x = \lambda u \]", "independent"),
+        (MODEL + r"We have \[ x = a b \]", "independent"),
+        (MODEL + r"With \[ x = u \] and \[ x = u^2 \]", "independent"),
+    ],
+)
+def test_an_equation_with_a_new_letter_says_what_it_is(latex: str, verdict: str) -> None:
+    assert last(latex).verdict == verdict

@@ -16,7 +16,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula
 
 _STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 _BARE = re.compile(rf"{_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
-_ZERO = r"\mathbf{0}"
+_ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
 _SIZES = "nmklpqrstuvwhijabcdgoyz"
 FREE = "free"
 """How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
@@ -83,7 +83,7 @@ class Reader:
         """Return what a symbol stands for."""
         if symbol in self._known:
             return self._known[symbol]
-        if symbol == _ZERO:
+        if _ZERO.fullmatch(symbol):
             return constant("0")
         vocabulary = self._vocabulary
         if vocabulary.constant(symbol) is not None:

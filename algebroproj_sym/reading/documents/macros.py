@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from algebroproj_sym.reading.lexing.commands import MAX_PIECES
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
@@ -17,25 +17,46 @@ _COMMAND = re.compile(
 )
 _COUNT = re.compile(r"\s*\[(\d)\]")
 _DEFAULT = re.compile(r"\s*\[([^\[\]]*)\]")
+_PAIRED = re.compile(r"\\DeclarePairedDelimiter\*?\s*\{?\s*(\\[a-zA-Z]+)\s*\}?\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_DOCUMENT_COMMAND = re.compile(
+    r"\\(?:New|Renew|Provide|Declare)DocumentCommand\s*\{?\s*(\\[a-zA-Z]+)\s*\}?\s*\{\s*(O\{[^{}]*\})?([m\s]*)\}\s*\{"
+)
 _DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
 _ALPHABET = re.compile(r"\\DeclareMathAlphabet\s*\{\s*(\\[a-zA-Z]+)\s*\}(?:\s*\{[^{}]*\}){2}\s*\{[a-z]?bx?\}")
 _BOLD_ONES = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*(?:\{\s*)?[a-zA-Z]")
 _FRAMES = (r"\boxed", r"\fbox", r"\mathrel", r"\mathopen", r"\mathclose")
 """Commands that change the looks of their argument only."""
+_SLOPE, _PARTIAL = r"\frac{d#1}{d#2}", r"\frac{\partial#1}{\partial#2}"
 _OF_PACKAGES = {
     r"\abs": (1, r"\left|#1\right|"),
     r"\norm": (1, r"\left\|#1\right\|"),
-    r"\dv": (2, r"\frac{d#1}{d#2}"),
-    r"\pdv": (2, r"\frac{\partial#1}{\partial#2}"),
-    r"\dd": (0, r"\mathrm{d}"),
+    **dict.fromkeys((r"\dv", r"\od", r"\deriv"), (2, _SLOPE)),
+    **dict.fromkeys((r"\pdv", r"\pd", r"\pderiv", r"\diffp"), (2, _PARTIAL)),
+    **dict.fromkeys((r"\dv[", r"\od["), (3, r"\frac{d^{#1}#2}{d#3^{#1}}")),
+    **dict.fromkeys((r"\pdv[", r"\pd["), (3, r"\frac{\partial^{#1}#2}{\partial#3^{#1}}")),
+    **dict.fromkeys((r"\dd", r"\dif"), (0, r"\mathrm{d}")),
     r"\cross": (0, r"\times"),
     r"\vdot": (0, r"\cdot"),
+    r"\grad": (0, r"\nabla"),
+    r"\order": (1, r"\mathcal{O}(#1)"),
+    r"\vb*": (1, r"\mathbf{#1}"),
+    r"\vu": (1, r"\hat{\mathbf{#1}}"),
+    r"\half": (0, r"\frac{1}{2}"),
+    **dict.fromkeys((r"\defeq", r"\eqdef", r"\defn"), (0, r"\coloneqq")),
     r"\num": (1, "#1"),
     r"\SI": (2, r"#1\,\mathrm{#2}"),
+    r"\qty": (2, r"#1\,\mathrm{#2}"),
+    r"\unit[": (2, r"#1\,\mathrm{#2}"),
+    r"\si": (1, r"\mathrm{#1}"),
     r"\ang": (1, r"#1^\circ"),
 }
-"""Commands of packages that documents load, with how many arguments they take."""
+r"""Commands of packages that documents load, with how many arguments they take; with a bracket, if one comes first.
+
+Some have other names in documents whose macros are elsewhere, as ``\pd``.
+"""
+_OF_NUMBERS = (r"\num", r"\SI", r"\qty")
+_TENS = re.compile(r"([\d.]+)[eE]([-+]?\d+)")
 _BOLD_BOX = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")
 _GROUPS = re.compile(
     r"(?P<opens>\\begin\s*\{[^{}]*\}|\\begingroup\b|\\bgroup\b|(?<!\\)\{)|\\end\s*\{[^{}]*\}|\\endgroup\b|\\egroup\b|(?<!\\)\}"
@@ -45,11 +66,15 @@ _PARAMETER = re.compile(r"#([1-9])")
 
 @dataclass(frozen=True)
 class Macro:
-    """A macro: how many arguments it takes, the default of the first one if it is optional, and what it stands for."""
+    """A macro: how many arguments it takes, the default of the first one if it is optional, and what it stands for.
+
+    One that the document does not define is none unless a brace, or a bracket, comes next.
+    """
 
     count: int
     default: str | None
     body: str
+    is_guessed: bool = field(default=False, repr=False)
 
 
 def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
@@ -63,10 +88,18 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
     {'\\half': Macro(count=1, default=None, body='\\frac{#1}{2}')}
     """
     found = {name: Macro(1, None, "#1") for name in _FRAMES if name in text}
-    known = {name: Macro(count, None, body) for name, (count, body) in _OF_PACKAGES.items() if name in text}
+    known = {
+        name: Macro(count, "" if name.endswith("[") else None, body, is_guessed=True)
+        for name, (count, body) in _OF_PACKAGES.items()
+        if name in text
+    }
+    known |= {f"{name}*": known[name] for name in (r"\abs", r"\norm") if name in known}
     spans: list[tuple[int, int]] = []
     if len(bold := {*_ALPHABET.findall(text)}) == 1 and not _BOLD_ONES.search(text):
         known |= dict.fromkeys(bold, Macro(1, None, r"\mathbf{#1}"))
+    for match in _PAIRED.finditer(text):
+        found |= dict.fromkeys((match[1], f"{match[1]}*"), Macro(1, None, rf"\left{match[2]} #1\right{match[3]} "))
+        spans.append(match.span())
     for name, count, default, begin, start in _begun(text):
         end = _closing(text, start)
         if end is not None:
@@ -106,6 +139,9 @@ def _begun(text: str) -> Iterator[tuple[str, int, str | None, int, int]]:
     for match in _DEFINITION.finditer(text):
         if text[match.end() : match.end() + 1] == "{":
             yield match[1], match[2].count("#"), None, match.start(), match.end() + 1
+    for match in _DOCUMENT_COMMAND.finditer(text):
+        default = match[2][2:-1] if match[2] else None
+        yield match[1], match[3].count("m") + (default is not None), default, match.start(), match.end()
     for match in _OPERATOR.finditer(text):
         if body := re.compile(r"\s*\{").match(text, match.end()):
             yield match[1], 0, None, -match.start() or -1, body.end()
@@ -144,12 +180,17 @@ def expanded(pieces: Sequence[Piece], macros: Mapping[str, Macro]) -> list[Piece
     expansions = 0
     while waiting:
         piece = waiting.pop()
-        macro = macros.get(piece.text)
+        following = waiting[-1].text if waiting else ""
+        macro = macros.get(f"{piece.text}[" if following == "[" else "") or macros.get(piece.text)
         if macro is None:
             out.append(piece)
             continue
+        if macro.is_guessed and macro.count and macro.default is None and following != "{":
+            out += [piece] if piece.text != r"\qty" else []
+            continue
         expansions += 1
         body = _BOLD_BOX.sub(r"\\mathbf{\1}", _filled(macro, piece, waiting))
+        body = _TENS.sub(r"\1\\cdot 10^{\2}", body) if piece.text in _OF_NUMBERS else body
         waiting += [Piece(each.text, piece.place) for each in reversed(pieces_of(body))]
         if expansions > MAX_EXPANSIONS or len(waiting) + len(out) > MAX_PIECES:
             raise UnreadableError(f"the macro {piece.text} expands without end", piece.place)

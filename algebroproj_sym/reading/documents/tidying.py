@@ -28,7 +28,11 @@ _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbra
 _FRAMES = frozenset((*_BRACES, r"\smash", r"\mathclap", r"\textcolor", r"\colorbox"))
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
 _OTHERWISE = {r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\xfrac": r"\frac", r"\space": "\\ ", r"\nobreakspace": "~"}
+_OTHERWISE |= dict.fromkeys((r"\begin{dcases}", r"\begin{dcases*}", r"\begin{cases*}"), r"\begin{cases}")
+_OTHERWISE |= dict.fromkeys((r"\end{dcases}", r"\end{dcases*}", r"\end{cases*}"), r"\end{cases}")
 _OTHERWISE |= dict.fromkeys((r"\triangledown", r"\bigtriangledown"), r"\nabla")
+_POSTFIX = dict.fromkeys((r"\T", r"\tran", r"\trans", r"\transp", r"\transpose", r"\tp"), "T") | {r"\inv": "-1"}
+"""What documents call the marks of matrices whose macros are elsewhere."""
 _TRIANGLES = frozenset((r"\triangle", r"\vartriangle", r"\bigtriangleup"))
 """What is a difference before a letter, and a triangle before its corners."""
 _ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{ceil}(", r"\rfloor": ")", r"\rceil": ")"}
@@ -38,6 +42,10 @@ _JUSTIFIES = re.compile(
     re.DOTALL,
 )
 """What stands above = where it is an equality: a citation, a word, a sign of definitions; and no letter or limit."""
+_EXTREMUM = re.compile(
+    r"\\(?:operatorname\*?|mathrm|text|mathop)\{\\?arg(?:\\[,;! ])?\s*\\?(?:min|max)\}|\\arg\s*\\(?:min|max)"
+)
+"""The place of a least or a greatest value, as it is written."""
 _UNSEEN = frozenset((r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _BAR = {
     name: (rf"\l{kind}", rf"\r{kind}")
@@ -124,8 +132,17 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
                 pairs.open(out, waiting, piece) if text == r"\left" else pairs.close(out, waiting, piece)
         elif text in _UNSEEN:
             waiting.group()
+        elif text == r"\!" or (text == r"\mathop" and waiting.next == ":"):
+            continue
+        elif text == r"\%" and _ends_value(out):
+            out += _at(piece, r"\cdot\frac{1}{100}")
+        elif text == r"\lfloor" and waiting.is_cross:
+            out.append(_as(piece, "("))
         elif text in _OTHERWISE:
             out.append(_as(piece, _OTHERWISE[text]))
+        elif text in _POSTFIX and (_is_raised(out) or _ends_value(out)) and waiting.next != "{":
+            mark = _braced(piece, _at(piece, _POSTFIX[text]))
+            out += mark if _is_raised(out) else [_as(piece, "^"), *mark]
         elif text in _TRIANGLES and not waiting.has_corners:
             out.append(_as(piece, r"\Delta"))
         elif text == r"\prime" and not _is_raised(out):
@@ -160,6 +177,9 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             over, base = waiting.group(), waiting.group()
             relation = "".join(each.text for each in base).strip()
             above = "".join(each.text for each in over).strip()
+            if _EXTREMUM.fullmatch(relation):
+                base = _at(piece, r"\argmin" if "min" in relation else r"\argmax")
+                relation = base[0].text
             if text == r"\underset" and relation in BIG:
                 waiting.put([*base, _as(piece, "_"), *_braced(piece, over)])
                 continue
@@ -306,11 +326,17 @@ class _Waiting(list[Piece]):
         following = [each.text for each in self[-1:-8:-1] if not each.text.isspace()][:2]
         return len(following) == 2 and all(each.isalpha() and each.isupper() for each in following)
 
+    @property
+    def is_cross(self) -> bool:
+        r"""Whether brackets of rounding hold the matrix of a cross product, as ``\lfloor a \times \rfloor``."""
+        inside, _, behind = "".join(each.text for each in self[::-1] if not each.text.isspace()).partition(r"\rfloor")
+        return inside.endswith(r"\times") or re.match(r"(?:\{\})?_\{?\\times", behind) is not None
+
     def closing(self) -> list[Piece]:
         r"""Take the bracket that closes next, with its ``\right``; if none does, take nothing."""
         following = [each.text for each in self[-1:-6:-1] if not each.text.isspace()]
         sized = following[:1] == [r"\right"]
-        if following[sized : sized + 1] not in (["]"], [")"]):
+        if following[sized : sized + 1] not in (["]"], [")"], [r"\rfloor"]):
             return []
         return [Piece(self.next, self.pop().place) for _ in range(1 + sized)]
 

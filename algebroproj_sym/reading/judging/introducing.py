@@ -81,6 +81,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         or _is_free(memory, statement, left, right, value=index > 0)
         or _is_new_value(memory, left, right)
         or any(_is_instance(memory, each, right) for each in others)
+        or (index == 0 and _brings(memory, statement, left, right))
     )
 
 
@@ -190,6 +191,25 @@ def _is_new_value(memory: Memory, left: Formula, right: Formula) -> bool:
         and not (
             memory.beside.follows or memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged
         )
+    )
+
+
+def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+    r"""Whether an equation says what new letters are by one that is known, as ``x = \bar x + e``.
+
+    A condition says nothing, nor does a value alone.
+    """
+    known = {*memory.vocabulary.definitions, *memory.given.whole.symbols, *symbols_in(left)}
+    letters = {*symbols_in(right)} - known
+    new = letters - memory.said_before(letters, statement.display.place)
+    above = any(left == side for each in memory.premises for side in (each.left, each.right) if new & each.symbols)
+    return (
+        bool(introduced_by(left))
+        and bool(new)
+        and not above
+        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
+        and not (memory.beside.is_condition or memory.beside.is_denied or memory.beside.exchanged)
+        and not memory.is_named(statement, memory.given.statements)
     )
 
 

@@ -133,10 +133,12 @@ class _Pass:
             if statement.display.environment == "inline":
                 if isinstance(found, Parsed):
                     self._inline(statement, found)
-                continue
-            reading, questions = self._displayed(statement, found, len(readings))
-            readings.append(reading)
-            asked += questions
+            else:
+                reading, questions = self._displayed(statement, found, len(readings))
+                readings.append(reading)
+                asked += questions
+            if isinstance(found, Parsed) and found.relations:
+                self.memory.seen.update(symbol for side in found.sides for symbol in symbols_in(side))
         return readings, asked
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:

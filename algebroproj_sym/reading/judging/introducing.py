@@ -197,16 +197,13 @@ def _is_new_value(memory: Memory, left: Formula, right: Formula) -> bool:
 def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
     r"""Whether an equation says what new letters are by one that is known, as ``x = \bar x + e``.
 
-    A condition says nothing, nor does a value alone.
+    A condition says nothing, nor does one value of a function.
     """
-    known = {*memory.vocabulary.definitions, *memory.given.whole.symbols, *symbols_in(left)}
-    letters = {*symbols_in(right)} - known
-    new = letters - memory.said_before(letters, statement.display.place)
-    above = any(left == side for each in memory.premises for side in (each.left, each.right) if new & each.symbols)
+    new = {*symbols_in(right)} - {*memory.seen, *memory.given.whole.symbols, *symbols_in(left)}
     return (
         bool(introduced_by(left))
         and bool(new)
-        and not above
+        and not is_case_of(defined_by(left)[1], right)
         and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
         and not (memory.beside.is_condition or memory.beside.is_denied or memory.beside.exchanged)
         and not memory.is_named(statement, memory.given.statements)

@@ -61,6 +61,7 @@ class Memory:
         self.given = survey.given
         self.vocabulary = survey.vocabulary()
         self.asserted: dict[str, int] = {}
+        self.seen = set[str]()
         self.premises: list[Premise] = []
         self.alone: dict[str, int] = {}
         self.given_at: dict[str, int] = {}

@@ -73,3 +73,28 @@ SPREAD = r"\[ \mathbf{S} = \sum_i w_i \mathbf{x}_i \mathbf{x}_i^T \] \[ \mathbf{
 )
 def test_what_does_not_depend_on_the_index_stands_outside(latex, follows):
     assert (read_document(document_of(latex), seconds=5)[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (r"\[ c - a_i = 0. \]", False),
+        (r"\[ 2 c = a_i. \]", False),
+        (r"\[ c + g = a_i. \]", False),
+        (r"\[ c - a_i x_i = 0. \]", False),
+        (r"\[ c - g = 0, \] and \[ g = a_i. \]", False),
+        (r"\[ c - g = 0, \quad g - 2 a_i = 0. \]", False),
+        (r"\[ a_i = c x_i. \]", True),
+        (r"\[ c - g = 0. \]", True),
+        (r"\[ y_i - a x_i - c = 0. \]", True),
+        (r"\[ c x_i + g y_i = 0. \]", True),
+    ],
+)
+def test_a_letter_that_an_equation_gives_by_one_with_the_index_does_not_stand_outside(latex, follows):
+    words = r"The sum is \[ S = \sum_{i=1}^n c b_i. \] Hence \[ S = c \sum_{i=1}^n b_i. \]"
+    assert (read_document(document_of(f"We have {latex} {words}"), seconds=5)[-1].verdict == "follows") is follows
+
+
+def test_a_letter_hides_an_index_whatever_its_side():
+    latex = r"\[ x_{k+1} = a x_k + u, \] with \[ u - c w_k = 0. \] It follows that \[ x_{k+2} - a x_{k+1} - u = 0. \]"
+    assert read_document(document_of(latex), seconds=5)[-1].verdict != "follows"

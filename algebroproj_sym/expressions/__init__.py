@@ -1,6 +1,6 @@
 """Rational expressions: what they are, how they are built without losing a divisor, how they are evaluated."""
 
-from algebroproj_sym.expressions.bounds import TooLargeError, require_bounded
+from algebroproj_sym.expressions.bounds import TooLargeError, most_terms, require_bounded
 from algebroproj_sym.expressions.counting import at_most, chosen, floor
 from algebroproj_sym.expressions.differentiation import derivatives, diff, differential, jacobian
 from algebroproj_sym.expressions.evaluation import evaluate
@@ -79,6 +79,7 @@ __all__ = [
     "leading",
     "linear_system",
     "minors_of",
+    "most_terms",
     "names_in",
     "over",
     "parse",

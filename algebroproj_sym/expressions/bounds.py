@@ -155,13 +155,32 @@ def require_bounded(value: Any, argument: str, times: int = 1) -> None:
         _Walk(argument, times).enter(roots)
 
 
+def most_terms(value: Any) -> int:
+    """Return how many terms an expression has at most when it is multiplied out.
+
+    Raises
+    ------
+    TooLargeError
+        If it is larger than a text may be.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y")
+    >>> most_terms((x + y) ** 9 * (x + 1))
+    20
+    """
+    walk = _Walk("the expression", 1)
+    walk.enter([value])
+    return walk.found[value][0].above.terms
+
+
 class _Walk:
     """Looks at each part of an expression after its own parts, without recursion."""
 
     def __init__(self, argument: str, times: int) -> None:
         self._argument = argument
         self._times = times
-        self._found: dict[Any, tuple[Extent, int, int]] = {}
+        self.found: dict[Any, tuple[Extent, int, int]] = {}
         self._names = 0
 
     def enter(self, roots: Sequence[Any]) -> None:
@@ -172,18 +191,18 @@ class _Walk:
             waiting = [root]
             while waiting:
                 node = waiting[-1]
-                missing = [part for part in node.args if part not in self._found]
+                missing = [part for part in node.args if part not in self.found]
                 if missing:
                     waiting += missing
                 else:
-                    self._found[waiting.pop()] = self._measured(node)
-        leaves = sum(self._found[root][2] for root in roots)
+                    self.found[waiting.pop()] = self._measured(node)
+        leaves = sum(self.found[root][2] for root in roots)
         most = self._times * MAX_TOKENS
         self._require(leaves <= most, f"at most {most} symbols and numbers", str(leaves))
 
     def _measured(self, node: Any) -> tuple[Extent, int, int]:
         """Return the extent of a node whose parts are known, its levels, and its leaves."""
-        parts = [self._found[part] for part in node.args]
+        parts = [self.found[part] for part in node.args]
         extents = [part[0] for part in parts]
         levels = 1 + max((part[1] for part in parts), default=0)
         leaves = sum(part[2] for part in parts) or 1

@@ -14,6 +14,7 @@ from itertools import pairwise
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.factors import lone, terms_of
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
@@ -39,12 +40,15 @@ class Tie:
         Whether no equation before it has the letter on the left.
     is_condition : bool
         Whether it is a whole equation with no letter alone on the left.
+    hiding : frozenset of str
+        The letters of such an equation that may depend on an index of the other ones.
     """
 
     given: str
     others: frozenset[str]
     is_first: bool
     is_condition: bool = False
+    hiding: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,14 @@ class Dependence:
         for tie in self.ties:
             if tie.given:
                 found[tie.given] = found.get(tie.given, frozenset()) | tie.others
+        return found
+
+    @cached_property
+    def hidden(self) -> dict[str, frozenset[str]]:
+        """Of each letter that may depend on an index by an equation with no letter alone, the symbols of these."""
+        found: dict[str, frozenset[str]] = {}
+        for tie in self.ties:
+            found |= {each: found.get(each, frozenset()) | tie.others for each in tie.hiding}
         return found
 
     @cached_property
@@ -124,9 +136,27 @@ def ties_of(letter: str, parameters: Sequence[str], sides: Sequence[Formula], be
         The symbols of the equations before it; those of this one are added.
     """
     symbols = [free_symbols(each) - {letter, *parameters} for each in sides]
-    yield Tie(letter, frozenset().union(*symbols), letter not in before, not letter and not any(map(_rates, sides)))
+    is_condition = not letter and not any(map(_rates, sides))
+    hiding = _hiding(sides, frozenset().union(*symbols)) if is_condition else frozenset()
+    yield Tie(letter, frozenset().union(*symbols), letter not in before, is_condition, hiding)
     yield from (Tie("", one | other, True) for one, other in pairwise(symbols[1:]) if one != other)
     before.update({letter}, *symbols)
+
+
+def _hiding(sides: Sequence[Formula], symbols: frozenset[str]) -> frozenset[str]:
+    """Return the letters of an equation that may depend on an index of the others: all, where none has one.
+
+    Where a single letter has it, all others may: ``c - a_i = 0``.  Where several have it, one that is a term may,
+    unless one of those is: ``y_i - a x_i - b = 0`` gives y_i, and ``c - a_i b_i = 0`` gives c.
+    """
+    alone = {lone(term) for side in sides for term in terms_of(side)}
+    found, indices = set[str](), {each for symbol in symbols for each in letters_of_symbol(symbol) if len(each) == 1}
+    indices = {index for index in indices if any(has_index(each, index) for each in symbols)}
+    for index in indices:
+        own = {each for each in symbols if has_index(each, index)}
+        others = symbols - own - {index}
+        found |= others if len(own) == 1 else others & alone if own.isdisjoint(alone) else set()
+    return frozenset(found) if indices else symbols
 
 
 def _rates(tree: Formula) -> bool:

@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import entries, over, shape, text
+from algebroproj_sym.expressions import entries, most_terms, over, shape, text
 from algebroproj_sym.reading.defining.dependence import (
     ANY,
     COUNTED,
@@ -29,6 +29,9 @@ from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import slope_of
+
+MOST_EXPANDED = 500
+"""How many terms a sum may have before like ones are put together."""
 
 
 class Uncomputed:
@@ -108,6 +111,8 @@ class Uncomputed:
         require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
         index = index_of(name)
         if not index:
+            return self._whole(name, body)
+        if most_terms(body) > MOST_EXPANDED:
             return self._whole(name, body)
         terms = sympy.Add.make_args(sympy.expand(body, power_base=False, power_exp=False, log=False))
         if len(terms) > MOST_TERMS:

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import sympy
 from lark import Token, Tree
 
-from algebroproj_sym.expressions import shape
+from algebroproj_sym.expressions import TooLargeError, require_bounded, shape
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
 from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free_symbols, is_among
 from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
@@ -25,6 +25,8 @@ from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in,
 from algebroproj_sym.reading.parsing.writing import text_of
 
 MOST_DEFINITIONS = 20_000
+MOST_PARTS = 5_000
+"""How many parts the values of functions have that are put into one formula, all together."""
 MOST_LETTERS = 60
 """How many letters the name of a symbol has; what has the same name by then gets a number."""
 Role = Literal["definition", "premise", "case"]
@@ -38,6 +40,13 @@ _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a
 
 class UnsizedError(UnreadableError):
     """A vector or matrix is known as a letter only."""
+
+
+class BoundError(UnreadableError):
+    """There is more to put into a formula than there may be."""
+
+
+_UNCOMPUTED = (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError)
 
 
 @dataclass(frozen=True)
@@ -129,6 +138,7 @@ class Vocabulary:
         self._taken: dict[str, str] = {}
         self._values: dict[str, Any] = {}
         self._mentioned: set[str] = set()
+        self._parts = 0
         self._behind: dict[str, frozenset[str]] = {}
 
     def copied(self) -> Vocabulary:
@@ -191,6 +201,14 @@ class Vocabulary:
         known = self.definitions.get(symbol)
         return known is not None and bool(self.letters_of(known.tree))
 
+    def excess_of(self, symbol: str) -> str:
+        """Return which bound keeps the definition of a symbol from being computed; empty for none."""
+        try:
+            self.value(self.definitions[symbol].tree)
+        except _UNCOMPUTED as error:
+            return str(error) if isinstance(error, BoundError) else ""
+        return ""
+
     def is_computed(self, tree: Formula) -> bool:
         """Whether a formula is a number that is computed, and none of vectors, matrices or values as letters."""
         return self._shape_of(tree) == ()
@@ -199,7 +217,7 @@ class Vocabulary:
         """Return the shape of what a formula stands for; None if it has no entries."""
         try:
             return shape(self.value(tree))
-        except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+        except _UNCOMPUTED:
             return None
 
     def forget(self) -> None:
@@ -257,6 +275,15 @@ class Vocabulary:
             found |= more
         self._behind[symbol] = frozenset(found)
         return self._behind[symbol]
+
+    def hidden_in(self, symbol: str) -> frozenset[str]:
+        """Return likewise, also by equations with no letter alone on the left: what has an index may be hidden."""
+        found, waiting = set[str](), [symbol]
+        while waiting:
+            last = waiting.pop()
+            found.add(last)
+            waiting += (self.behind(last) | self.dependence.hidden.get(last, frozenset())) - found
+        return frozenset(found)
 
     def depends(self, symbols: Iterable[str], letter: str) -> bool:
         """Whether some symbols may depend on a letter: by equations, or as ``p(y|x)`` does on x."""
@@ -380,17 +407,27 @@ class Vocabulary:
         Raises
         ------
         UnreadableError
-            If shapes do not fit, a size is not known, or something is read and not computed.
+            If shapes do not fit, a size is not known, or something is read and not computed; or if there is too much
+            to put in.
         """
-        values = self._values
+        values, self._parts = self._values, 0
         for definition in self.used_in(tree):
             if definition.symbol not in values:
                 values[definition.symbol] = (
                     self._function(definition, values)
                     if definition.parameters
-                    else evaluated(definition.tree, self._names_with(values), self.uncomputed)
+                    else self._evaluated(definition.tree, values)
                 )
-        return evaluated(tree, self._names_with(values), self.uncomputed)
+        return self._evaluated(tree, values)
+
+    def _evaluated(self, tree: Formula, values: Mapping[str, Any]) -> Any:
+        """Return the expression that a formula stands for, unless it is too large to compute with."""
+        found = evaluated(tree, self._names_with(values), self.uncomputed)
+        try:
+            require_bounded(found, "the equation, with all definitions put in")
+        except TooLargeError as error:
+            raise BoundError(str(error)) from error
+        return found
 
     def _names_with(self, values: Mapping[str, Any]) -> Callable[[str], Any]:
         def names(symbol: str) -> Any:
@@ -445,18 +482,19 @@ class Vocabulary:
                 raise UnreadableError(f"{definition.symbol} is a function of {len(definition.parameters)} arguments")
             if (hidden := self._hidden_in(definition)) and not self._are(arguments, definition.parameters):
                 raise UnreadableError(f"{definition.symbol} depends on {hidden} in a way that is not computed")
+            self._parts += sum(1 for _ in definition.tree.iter_subtrees())
+            if self._parts > MOST_PARTS:
+                raise BoundError(f"expected at most {MOST_PARTS} parts of values of functions, got more")
             if self.uncomputed and not self._are(arguments, definition.parameters) and self._has_big(definition):
                 raise UnreadableError(f"a sum in {definition.symbol} may depend on {', '.join(definition.parameters)}")
             if definition.tree.data == "slope":
                 letters = [sympy.Dummy(each) for each in definition.parameters]
-                inside = evaluated(
-                    definition.tree,
-                    self._names_with({**values, **dict(zip(definition.parameters, letters, strict=True))}),
-                    self.uncomputed,
+                inside = self._evaluated(
+                    definition.tree, {**values, **dict(zip(definition.parameters, letters, strict=True))}
                 )
                 return inside.xreplace(dict(zip(letters, arguments, strict=True)))
             own = {**values, **dict(zip(definition.parameters, arguments, strict=True))}
-            return evaluated(definition.tree, self._names_with(own), self.uncomputed)
+            return self._evaluated(definition.tree, own)
 
         return function
 

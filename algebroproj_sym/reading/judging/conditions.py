@@ -22,6 +22,13 @@ _WISHED = re.compile(
     re.IGNORECASE,
 )
 """Words of a condition or of a wish, where a letter alone is a number."""
+_CRITERION = re.compile(
+    r"(?:\b(?:criteri(?:on|a)|tests?|requirements?)\b|"
+    r"\bconditions? (?:of|for|that|under which)\b(?![^.]*\b(?:minim|maxim|extrem|optim|station)))"
+    r"[^.]*\b(?:is|are|reads?|becomes?)\W*$",
+    re.IGNORECASE,
+)
+"""Words that name a condition, and what it is one of: "The criterion of rest is"."""
 _SAYS = re.compile(
     r"\b(?:suppos\w+|assum\w+|let|set|setting|tak\w+|choos\w+|put|fix|impos\w+|have|has|hence|thus|therefore|so|then|"
     r"giv\w+|yield\w*|obtain\w*|get|follows|since|because|as|is|are|becomes?|vanish\w*|reads?|equals?|write|denote\w*|"
@@ -49,7 +56,7 @@ def is_condition(beside: Beside, formula: Parsed) -> bool:
     """
     sentence = without_formulas(beside.sentence)
     number = _number_of(formula)
-    if _IF.search(sentence):
+    if _IF.search(sentence) or _CRITERION.search(sentence):
         return True
     if number == "0" and (_LATER.match(beside.behind) or not (_SAYS.search(sentence) or _SUPPOSES.search(sentence))):
         return True

@@ -8,12 +8,13 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
 
-import sympy
+from lark import Token, Tree
 
 from algebroproj_sym.expressions import entries, evaluate, free_symbols
 from algebroproj_sym.proving import Outcome
 from algebroproj_sym.proving.letters.deciding import NOWHERE
 from algebroproj_sym.proving.reals.prove import may_agree, often_agree
+from algebroproj_sym.proving.statements import has_functions
 from algebroproj_sym.reading.defining.sizing import FREE
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.judging.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
@@ -23,7 +24,6 @@ from algebroproj_sym.reading.judging.questions import (
     answers,
     asked_of,
     has_letters,
-    is_elementary,
     is_lettered,
     questions_of,
     rests_of,
@@ -33,8 +33,7 @@ from algebroproj_sym.reading.judging.questions import (
 from algebroproj_sym.reading.judging.repairs import MULTIPLE, STRONG, WITHIN, Repair, repairs
 from algebroproj_sym.reading.judging.verdicts import Link
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import symbols_in
-from algebroproj_sym.replaying.reals.terms import has_functions
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 NOT_DERIVED = "it gives its letter; that it follows was not derived"
 MOST_REPAIRS = 8
@@ -134,7 +133,7 @@ def agree(vocabulary: Vocabulary, sides: Sides) -> bool:
     """Whether two sides agree at some points at which they are defined."""
     try:
         values = [vocabulary.value(side) for side in sides]
-        if any(map(is_elementary, values)):
+        if any(map(has_functions, values)):
             return all(may_agree(each.lhs, each.rhs) for each in questions_of(vocabulary, *sides))
         names = sorted({symbol for value in values for symbol in free_symbols(value)}, key=str)
         for seed in range(len(POINTS)):
@@ -171,8 +170,8 @@ def _are_opposite(way: Way) -> bool:
     """Whether a vector or a matrix is printed on both sides, with the opposite sign in all of its entries."""
     if not all(side.data == "matrix" for side in way.sides):
         return False
-    left, right = (entries(way.vocabulary.value(side)) for side in way.sides)
-    return len(left) > 1 and all(sympy.expand(a + b) == 0 for a, b in zip(left, right, strict=True))
+    opposite: Formula = Tree("sum", [Token("SIGN", "-"), way.right])
+    return len(entries(way.vocabulary.value(way.left))) > 1 and agree(way.vocabulary, (way.left, opposite))
 
 
 def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:

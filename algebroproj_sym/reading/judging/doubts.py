@@ -12,9 +12,10 @@ from collections.abc import Iterable
 from itertools import pairwise
 from typing import Any
 
-import sympy
 from lark import Token, Tree
 
+from algebroproj_sym.expressions import text
+from algebroproj_sym.proving.reals.prove import may_agree
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.judging.questions import used_by
@@ -75,7 +76,8 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
         return formula.chose
     unusable = sorted(s for s in symbols if s in vocabulary.definitions and not vocabulary.definitions[s].usable)
     if unusable:
-        return f"{vocabulary.name(unusable[0])} {NOT_COMPUTED}"
+        excess = vocabulary.excess_of(unusable[0])
+        return f"{excess}{', so ' if excess else ''}{vocabulary.name(unusable[0])} {NOT_COMPUTED}"
     if within:
         return _doubt_of_letters(formula, index, vocabulary, used, chained=len(formula.sides) > 2)
     if used and (word := beside.strange(_operators(formula).union(*(each.words for each in used)))):
@@ -126,12 +128,12 @@ def _terms(tree: Formula) -> int:
 
 
 def _is_turned(left: Formula, right: Formula, vocabulary: Vocabulary) -> bool:
-    """Whether two numbers differ by a multiple of a full turn."""
+    """Whether two numbers are not seen to differ but by full turns."""
     try:
-        turns = (vocabulary.value(left) - vocabulary.value(right)) / (2 * sympy.pi)
+        ours, theirs = (text(vocabulary.value(each)) for each in (left, right))
     except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
         return False
-    return bool(sympy.simplify(turns).is_integer)
+    return may_agree(f"cos(({ours}) - ({theirs}))", "1")
 
 
 def _doubt_of_letters(

@@ -93,7 +93,7 @@ def _at(
     both: Formula = type(tree)("items", [tree, other])
     moved = {letter: item for letter, item in put.items() if item != (letter, 0)}
     fixed = [each for each in symbols_in(both) if each not in moved and not indices_in([each], indices) & {*moved}]
-    hidden = indices_in(frozenset().union(*map(vocabulary.behind, fixed)), indices) & {*moved}
+    hidden = indices_in(frozenset().union(*map(vocabulary.hidden_in, fixed)), indices) & {*moved}
     if hidden or any(vocabulary.depends(fixed, letter) for letter in moved) or not indices.allows(put, both):
         return None
     return indices.at(tree, put)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
@@ -15,6 +15,7 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
+from algebroproj_sym.proving.statements import has_functions
 from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
@@ -25,11 +26,11 @@ from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
-from algebroproj_sym.replaying.reals.terms import has_functions, written
+from algebroproj_sym.replaying.reals.terms import written
 
 Sides = tuple[Formula, Formula]
-MOST_CALLS = 6
-"""How deep functions are looked for that others take."""
+MOST_CALLS = 200
+"""How many values of functions are looked at, to see whether they are taken in their range."""
 
 
 @dataclass(frozen=True)
@@ -127,10 +128,10 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
         return [_of_complex(vocabulary, *pair) for pair in zip(*map(entries, values), strict=True)]
     if any(value.has(sympy.I) for value in values):
         raise UnreadableError("a value is no real number")
-    has_functions = any(map(is_elementary, values))
-    if has_functions and (found := complex_letters_in(vocabulary, left, right)):
+    is_elementary = any(map(has_functions, values))
+    if is_elementary and (found := complex_letters_in(vocabulary, left, right)):
         raise UnreadableError(f"{min(map(vocabulary.name, found))} may be complex, and functions are real")
-    if shape(values[0]) and (has_functions or by_entries):
+    if shape(values[0]) and (is_elementary or by_entries):
         return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
     return [Question(_text(values[0]), _text(values[1]))]
 
@@ -185,8 +186,8 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
         return f"{vocabulary.name(other)} of other letters may be another function"
     if hides := _hides_an_index(vocabulary, left, right):
         return hides
-    if other := out_of_range(vocabulary, left, right):
-        return f"{vocabulary.name(other)} is given in another range"
+    if outside := out_of_range(vocabulary, left, right):
+        return outside
     try:
         return questions_of(vocabulary, left, right)
     except UnreadableError as unread:
@@ -224,34 +225,41 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
 
 def _hides_an_index(vocabulary: Vocabulary, *trees: Formula) -> str:
     """Return why letters under a sum may not be taken for fixed; empty if they may."""
-    letter, index = captured_in([*trees, *_trees_of(vocabulary, *trees)], vocabulary.behind)
+    letter, index = captured_in([*trees, *_trees_of(vocabulary, *trees)], vocabulary.hidden_in)
     return f"{vocabulary.name(letter)} may depend on {index}, over which a sum or the like runs" if letter else ""
 
 
 def out_of_range(vocabulary: Vocabulary, *trees: Formula) -> str:
-    """Return a letter or a function that is given in a range in which nothing lies that is put in; empty for none."""
+    """Return which letter or function is given in a range in which nothing lies that is put in; empty for none."""
     used = used_by(vocabulary, *trees)
     if not any(each.ranges for each in used):
         return ""
     plain = lambda symbol: vocabulary.value(letter_of(symbol))  # noqa: E731
     outside = (each.symbol for each in used if not each.parameters and is_outside(each.ranges, plain, plain))
     given = (each.tree for each in used if not each.parameters)
-    called = (_called_outside(vocabulary, each, plain, MOST_CALLS) for each in (*trees, *given))
-    return next((each for each in (*outside, *called) if each), "")
+    left = iter(range(MOST_CALLS))
+    called = (_called_outside(vocabulary, each, plain, left) for each in (*trees, *given))
+    return next((_in_another_range(vocabulary, each) for each in outside), "") or next(filter(None, called), "")
 
 
-def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str], Any], depth: int) -> str:
-    """Return a function that a formula takes outside of its range, itself or through other functions."""
-    for call in tree.find_data("call") if depth else ():
+def _in_another_range(vocabulary: Vocabulary, symbol: str) -> str:
+    return f"{vocabulary.name(symbol)} is given in another range"
+
+
+def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str], Any], left: Iterator[int]) -> str:
+    """Return which function a formula takes outside of its range, itself or through others, or that they are many."""
+    for call in tree.find_data("call"):
         function = vocabulary.definitions.get(str(call.children[0]))
         arguments = [each for items in call.children[1:] if isinstance(items, Tree) for each in trees_in(items)]
         if function is None or not function.usable or len(arguments) != len(function.parameters):
             continue
         put = dict(zip(function.parameters, arguments, strict=True))
         own = lambda symbol, put=put: evaluated(put[symbol], names) if symbol in put else names(symbol)  # noqa: E731
+        if next(left, None) is None:
+            return f"expected at most {MOST_CALLS} values of functions that are given in a range, got more"
         if is_outside(function.ranges, own, names):
-            return function.symbol
-        if inner := _called_outside(vocabulary, function.tree, own, depth - 1):
+            return _in_another_range(vocabulary, function.symbol)
+        if inner := _called_outside(vocabulary, function.tree, own, left):
             return inner
     return ""
 
@@ -276,8 +284,8 @@ def _asked_under(way: Way) -> list[Question] | str:
     if not way.under:
         return asked_of(way.vocabulary, *way.sides)
     given = [side for each in way.under for side in (each.left, each.right)]
-    if out_of_range(way.vocabulary, *way.sides, *given):
-        return "a letter is given in another range"
+    if outside := out_of_range(way.vocabulary, *way.sides, *given):
+        return outside
     if hides := _hides_an_index(way.vocabulary, *way.sides, *given):
         return hides
     for known in (way.vocabulary, with_values(way.vocabulary), with_values(way.vocabulary, FUNCTIONS)):
@@ -316,11 +324,6 @@ def has_letters(way: Way) -> bool:
 def values_of(questions: Sequence[Question]) -> set[str]:
     """Return the kinds of values in questions that are not computed."""
     return {kind for each in questions for _, written in each.named_texts for kind in values_in(written)}
-
-
-def is_elementary(value: Any) -> bool:
-    """Whether an entry has a real function or number that is not rational."""
-    return any(has_functions(text(entry)) or entry.atoms(sympy.NumberSymbol) for entry in entries(value))
 
 
 def _text(value: Any) -> str:

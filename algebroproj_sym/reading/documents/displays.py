@@ -25,8 +25,10 @@ MAX_INCLUDED = 100
 
 _ENVIRONMENTS = (
     *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
-    "IEEEeqnarray",
+    *("IEEEeqnarray", "empheq"),
 )
+_OPTIONS = re.compile(r"\*?\s*(?:\[(?:[^\[\]]|\[[^\]]*\])*\])?\s*\{[^{}]*\}")
+"""What stands behind the beginning of an environment that says how many columns it has, or of which kind it is."""
 _HEADS = (
     r"\\(?:part|chapter|(?:sub)*section|paragraph|appendix)\b|\\begin\{frame\}|<h[1-6]\b"
     r"|(?m:^#+ |^[ ]{0,3}(?:-{3,}|={3,}|\*{3,}|_{3,})[ ]*$)"
@@ -382,6 +384,8 @@ def _formulas(
             place = title.end() if title else place
             continue
         name, star = openers.get(mark, match[1] or ""), match[2] or ""
+        if name in ("alignat", "IEEEeqnarray", "empheq") and (options := _OPTIONS.match(text, place)):
+            place = options.end()
         endings = [rf"\end{{{name}{star}}}", *closers.get(name, ())] if name else [_PARTNERS[mark]]
         end, ending = min((following(ending, place), ending) for ending in endings)
         inline = mark in ("$", r"\(")

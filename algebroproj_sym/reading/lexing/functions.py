@@ -33,7 +33,7 @@ from algebroproj_sym.reading.lexing.names import (
     take_scripts,
     written,
 )
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, says_more
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, outside_braces, says_more
 
 _SIGNS = (r"\partial", "d", r"\delta")
 r"""How derivatives begin; ``\frac{\delta x}{\delta t}`` is a quotient of small numbers, unless of second order."""
@@ -263,7 +263,9 @@ def _read_argument(cursor: Cursor) -> None:
 
 
 def _has_condition(letter: str, inside: Sequence[Piece]) -> bool:
-    r"""Whether a bracket makes a letter a value with a condition, as in ``\log p(y|x)``."""
+    r"""Whether a bracket makes a letter a value with a condition, or of several letters, as in ``\log p(y|x)``."""
+    if any(piece.text in (",", ";") for piece in outside_braces(inside)):
+        return True
     is_name = re.fullmatch(r"[a-zA-Z]{2,}", letter) is not None
     return says_more(inside) and (is_name or any(piece.text in ("|", r"\mid", r"\vert") for piece in inside))
 

@@ -65,7 +65,9 @@ _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
-_SPACED = re.compile(r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*|\\[lc]?dots\s*)\((\d[\d.]*[a-z]?)\)\s*$")
+_SPACED = re.compile(
+    r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*|\\[lc]?dots\s*|\\l?eqno\s*\{?\s*)\((\d[\d.]*[a-z]?)\)\s*\}?\s*$"
+)
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
 

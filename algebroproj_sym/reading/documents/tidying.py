@@ -153,8 +153,6 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             waiting.put(_formulas_in(inside) or inside)
         elif text == r"\mathbin" and waiting.next == "{":
             waiting.put(waiting.group())
-        elif text in (r"\eqno", r"\leqno"):
-            waiting.put([_as(piece, r"\qquad"), *waiting.number()])
         elif text == r"\!" or (text == r"\mathop" and waiting.next == ":"):
             continue
         elif text == r"\%" and _ends_value(out):
@@ -346,12 +344,6 @@ class _Waiting(list[Piece]):
         """Whether a sign or a relation and a closing brace come next."""
         following = [each.text for each in self[-1:-6:-1] if not each.text.isspace()]
         return following[1:2] == ["}"] and (following[0] in SIGNS or following[0] in RELATIONS)
-
-    def number(self) -> list[Piece]:
-        """Take the number of an equation in brackets, without braces round it; if there is none, take nothing."""
-        braced = self.next == "{"
-        inside = self.group() if braced else (self.until("(", ")") if self.next == "(" else [])
-        return inside
 
     @property
     def has_corners(self) -> bool:

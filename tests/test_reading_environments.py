@@ -76,3 +76,16 @@ def test_a_value_of_a_function_has_one_size() -> None:
     for sign, follows in (("", True), ("-", False)):
         latex = rf"\[ \mathbf d^T \mathbf d = {sign} \frac14 \lambda^T J(\mathbf p) J(\mathbf p)^T \lambda \]"
         assert (read_document(document_of(values + latex))[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"R = I + \sin\theta K", "R = I + sin(theta)*K"),
+        (r"v = -l \sin\theta_1 \dot\theta_1", "v = -l*sin(theta_1)*theta_dot_1"),
+        (r"x = a \cos\omega t", "x = a*cos(omega*t)"),
+        (r"x = a \cos\omega T + \sin 2 \theta", "x = a*cos(omega*T) + sin(2*theta)"),
+    ],
+)
+def test_a_capital_or_a_rate_behind_an_angle_is_a_factor(latex: str, expected: str) -> None:
+    assert read(rf"\[ {latex} \]") == [expected]

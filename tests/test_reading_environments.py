@@ -25,7 +25,7 @@ def read(latex: str) -> list[str | None]:
         r"\be a = b \ee \bea c &=& d \eea",
         r"\beq a = b \eeq \[ {\small c = d} \]",
         r"\[ \fbox{$a = b$} \] \[ \resizebox{\hsize}{!}{$c = d$} \]",
-        r"\[ \scalebox{0.8}{$a = b$} \] \[ c = d \footnote{of a kind} \]",
+        r"\[ \scalebox{0.8}{$a = b$} \] \[ c = d \]",
         r"$$ a = b \eqno(1) $$ $$ c = d \leqno{(2)} $$",
     ],
 )

@@ -71,6 +71,17 @@ def test_a_number_above_a_vector_is_that_of_a_frame(latex: str, follows: bool) -
     assert (read_document(document_of(FRAMES + latex))[-1].verdict == "follows") is follows
 
 
+def test_a_number_above_a_vector_may_be_its_square_or_that_of_a_step() -> None:
+    steps = r"\[ \mathbf v^1 = \mathbf v^0 + \mathbf a \] \[ E = \frac12 m \mathbf v^2 \] Hence "
+    assert (
+        read_document(document_of(steps + r"\[ \frac{\partial E}{\partial\mathbf v} = 0 \]"))[-1].verdict != "follows"
+    )
+    frames = r"\[ \mathbf p^0 = R_1^0 \mathbf p^1, \quad \mathbf p^1 = R_2^1 \mathbf p^2 \] Hence "
+    for product, follows in (("R_1^0 R_2^1", True), ("R_2^1 R_1^0", False)):
+        found = read_document(document_of(frames + rf"\[ \mathbf p^0 = {product} \mathbf p^2 \]"))
+        assert (found[-1].verdict == "follows") is follows
+
+
 def test_a_value_of_a_function_has_one_size() -> None:
     values = r"Here $J(\mathbf p)$ is the Jacobian matrix. \[ \mathbf d = -\frac12 J(\mathbf p)^T \lambda \] Hence "
     for sign, follows in (("", True), ("-", False)):

@@ -75,7 +75,8 @@ def test_it_follows(latex: str) -> None:
         TURNED + r"\[ x = p \cos t + q \sin t \]",
         TURNED + r"\[ x^2 = p^2 + q^2 \]",
         r"\[ a \cos s = p \] \[ a \sin t = q \] Hence \[ a^2 = p^2 + q^2 \]",
-        r"""\section{One} Here $\mathbf u \in \mathbb{R}^3$ and $\mathbf v \in \mathbb{R}^3$. \[ A = \mathbf u \mathbf v^T \]
+        r"""\section{One} Here $\mathbf u \in \mathbb{R}^3$ and $\mathbf v \in \mathbb{R}^3$.
+        \[ A = \mathbf u \mathbf v^T \]
         \section{Two} Let \[ \mathbf y = A \mathbf x \] Hence \[ \mathbf x = A^{-1} \mathbf y \]""",
     ],
 )

@@ -44,10 +44,13 @@ _AIM = (
 _KINDS = {
     "condition": (
         r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) (?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes)\b)"
-        r"|unless\b|otherwise\b|else\b|in general\b|generally\b).*"
+        r"|unless\b|otherwise\b|else\b|in general\b|generally\b|provided\b(?! by)|in case\b|on condition\b|as soon as\b"
+        r"|were (?:the|an?|it|its|this|that|these|we|all|there)\b|had (?:the|it|we|there)\b|should (?:the|an?|it|there)\b"
+        r"|with (?:(?:a|an|the|\w+) )?probability\b(?! (?:density|distribution|mass|measure|function|space|theory|of))"
+        r"|most of the time\b|in most cases\b|sometimes\b|usually\b|typically\b|often\b|mostly\b|occasionally\b).*"
     ),
     "range": r"for\s+(?:very\s+|all\s+|sufficiently\s+)?"
-    r"(?:small|large|low|high|weak|strong|even|odd|positive|negative)\s+[a-z]+|"
+    r"(?:small|large|low|high|weak|strong|even|odd|positive|negative)\s+(?:[a-z]+|\$[^$]*\$)|"
     r"(?:for|at)\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
     "state": r"(?:in|at|out of|away from|far from)\s+(?:thermal\s+)?equilibrium|in\s+(?:winter|summer|spring|autumn)"
     r"|in\s+(?:(?:the|an?)\s+)?(?:steady|stationary|transient|static|dynamic)\s+(?:state|case|regime)|during\s+the\s+transient"
@@ -57,7 +60,7 @@ _KINDS = {
         r"(?:(?:at|on|in)\s+)?(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+"
         r"(?:boundary|end|wall|edge|half|side(?! of))|"
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
-        r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
+        r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b|away\s+from\s+(?:the\s+|an?\s+)?[a-z]+"
     ),
     "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)|until\b"
     rf"|(?:before|after)\s+(?!{_STEP}|{_WORK})[a-z]+|(?:as|so)\s+long\s+as\b|while\b",
@@ -95,6 +98,12 @@ _LEADS = re.compile(r"(?:(?:in|on|at|for|by|with|during)\s+)?(?:(?:the|an?)\s+)?
 _WHILE = ("while", "as long as", "so long as", "until")
 _THINGS = ("place", "name", "sort", "state", "time", "extent", "of several")
 """The kinds of contexts that a sentence of its own may begin."""
+_BEHIND = re.compile(
+    r"[\s,]*((?:(?:but )?only )?(?:if|when|whenever|unless|provided(?! by)|in case|as long as|so long as|until|while|"
+    r"for (?:very |all |sufficiently )?(?:small|large|low|high|weak|strong|even|odd|positive|negative)|"
+    r"with (?:\w+ )?probability)\b[^.;]*)"
+)
+"""How the words behind an equation say where it holds."""
 _FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
 _STEPS = re.compile(
     r"\b(?:if|when|once)\s+(?:we|you|one)\s+(?=(?:now\s+|then\s+)?(?:substitut|insert|plug|replac|put|multipl|divid|add|"
@@ -143,6 +152,11 @@ class Context:
             return other.kind == "condition" or other.words.startswith(_WHILE)
         return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
 
+    @property
+    def is_case(self) -> bool:
+        """Whether it is a condition or a while, which may be over when another thing is spoken of."""
+        return self.kind == "condition" or self.words.startswith(_WHILE)
+
 
 ANYWHERE = Context()
 
@@ -171,6 +185,18 @@ def last_context(sentences: Sequence[str], behind: str) -> Context:
     own = context_of(sentences[-1], behind)
     above = (found for each in sentences[-2::-1] if (found := context_of(each)).kind.endswith(_THINGS))
     return own if own.kind else next(above, ANYWHERE)
+
+
+def context_behind(behind: str) -> Context:
+    """Return where an equation holds by the words right behind it, as in "provided that the lid is shut".
+
+    Examples
+    --------
+    >>> context_behind("for even $n$. For odd"), context_behind("If so,")
+    (Context(kind='range', words='for even $n$'), Context(kind='', words=''))
+    """
+    found = _BEHIND.match(behind)
+    return context_of(re.sub(r"^(?:but )?only ", "", found[1])) if found else ANYWHERE
 
 
 def context_of(sentence: str, behind: str = "") -> Context:

@@ -330,7 +330,8 @@ _HALVES = re.compile(r"symmetr|covarian|correlat|inertia|missing|unknown entr", 
 """Words of matrices of which one half may be printed, or of which not all is known."""
 _SPECIAL = re.compile(
     r"\b(?:idempoten\w+|nilpoten\w+|involut(?:ions?|ory|ive)|booleans?|bits?|truth[- ]values?|logical\w*|"
-    r"exclusive or|xor|binary|zeros? or ones?|ones? or zeros?|\$?0\$? or \$?1|\$?1\$? or \$?0|(?:plus or minus|\$?\\pm\$?) ?(?:one|1)|"
+    r"exclusive or|xor|binary|zeros? or ones?|ones? or zeros?|\$?0\$? or \$?1|\$?1\$? or \$?0|"
+    r"(?:plus or minus|\$?\\pm\$?) ?(?:one|1)|"
     r"bernoulli|indicators?|masks?|masked|kronecker\w*|heaviside|(?:unit |step )(?:step|functions?)|projectors?|"
     r"anti-?commut\w+|grassmann\w*|wedge|exterior|(?:one|two|three|[k1-3])-forms?|clifford|geometric algebra|spinors?|"
     r"spins?|fermion\w*|quaternions?|octonions?|split-complex|dual (?:numbers?|units?)|finite field|galois|"

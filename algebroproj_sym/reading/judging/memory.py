@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from algebroproj_sym.reading.defining.acting import acted_on, is_acted_on
 from algebroproj_sym.reading.defining.citing import apart_in, cited_in
-from algebroproj_sym.reading.defining.contexts import ANYWHERE, last_context
+from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_behind, last_context
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
@@ -43,6 +43,7 @@ from algebroproj_sym.reading.judging.words import (
     has_ended,
     last_sentence,
     sentences_of,
+    strange_word,
     takes_back,
     words_of,
 )
@@ -70,6 +71,9 @@ class Memory:
         self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
+        self.held = ANYWHERE
+        self.cases: dict[int, frozenset[str]] = {}
+        self.over = set[int]()
         self.ranges: tuple[Parsed, ...] = ()
         self.scopes = Scopes()
         self.supposed = set[int]()
@@ -107,6 +111,8 @@ class Memory:
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         before, self.display = self.display, display
         self.beside = beside(statement, self.carried)
+        if before is not display:
+            self._end_cases(display)
         if before is not None and before is not display:
             same = bool(self.carried) and last_sentence(display.before) == display.before.rstrip()
             same = same and r"\item" not in display.before
@@ -125,6 +131,12 @@ class Memory:
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
+
+    def _end_cases(self, display: Display) -> None:
+        """Take notice of the cases that are over: words between two displays speak of another thing."""
+        for place, words in self.cases.items():
+            if strange_word(display.before, words):
+                self.over.add(place)
 
     def _retract(self, places: Collection[int]) -> None:
         """Forget what displays said."""
@@ -178,7 +190,9 @@ class Memory:
         limited = None if inline else _ONLY.match(display.after)
         sentences = [limited[1]] if limited else sentences_of(display.before.rpartition(HEADING)[2])
         own = last_context(sentences, display.after if inline else "")
-        self.context = own if own.kind or self.part != display.part else self.context
+        self.held = own if own.kind or self.part != display.part else self.held
+        behind = ANYWHERE if inline or has_ended(display) else context_behind(display.after)
+        self.context = behind if behind.kind else self.held
         self.part = display.part
 
     def is_named(self, statement: Statement, names: frozenset[str]) -> bool:
@@ -274,6 +288,8 @@ class Memory:
         """Keep an equation as a premise of what stands behind it."""
         if is_condition(self.beside, formula):
             self.conditions.add(statement.display.place)
+        if self.context.is_case:
+            self.cases.setdefault(statement.display.place, self.beside.words | words_of(self.context.words))
         if len(formula.relations) > 1 and formula.relations[-1] == "∈":
             formula = replace(formula, sides=formula.sides[:-1], relations=formula.relations[:-1])
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
@@ -343,8 +359,13 @@ class Memory:
         return [Premise(left, right, *given, chained, *held) for left, right in pairs]
 
     def _is_over(self, place: int) -> bool:
-        """Whether a display was the condition of a sentence that has ended."""
-        return place in self.conditions - self.running and self.display is not None and place != self.display.place
+        """Whether a display was the condition of a sentence that has ended, or of a case that has."""
+        return (
+            place in self.over
+            or place in self.conditions - self.running
+            and self.display is not None
+            and place != self.display.place
+        )
 
     def forget_elsewhere(self, vocabulary: Vocabulary) -> None:
         """Drop the definitions that belong to another context or were conditions, but for those that words cite."""

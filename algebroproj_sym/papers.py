@@ -41,7 +41,11 @@ def module_files(paper: str) -> tuple[Path, ...]:
 
 def makes_section(path: Path) -> bool:
     """Whether a file is a derivation module: whether it assigns ``section = Section(...)``."""
-    source = path.read_text(encoding="utf-8", errors="replace")
+    return _assigns_section(path.read_text(encoding="utf-8", errors="replace"))
+
+
+@cache
+def _assigns_section(source: str) -> bool:
     if not _SECTION.search(source):
         return False
     try:

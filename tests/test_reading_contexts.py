@@ -4,6 +4,8 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
+pytestmark = pytest.mark.usefixtures("decided_here")
+
 
 def verdicts(text, *, latex=True):
     return [each.verdict for each in read_document(document_of(text, latex=latex), seconds=5)]

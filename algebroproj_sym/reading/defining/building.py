@@ -111,8 +111,7 @@ class _Parts(_Gathering):
         name = str(token)
         if name in self.reader.definitions:
             return self.reader.applied(name, arguments)
-        columns = (Size(), Size(1)) if self.reader.is_column(name) else (Size(), Size())
-        shape = columns if self.reader.is_letter(name) else (Size(1), Size(1))
+        shape = self.reader.shape_of_value(name, arguments) if self.reader.is_letter(name) else (Size(1), Size(1))
         if MEAN.fullmatch(name) and len(arguments) == 1:
             shape = arguments[0].shape
         part = self.reader.whole(name, arguments, shape, is_call=True)

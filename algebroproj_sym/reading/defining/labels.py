@@ -43,7 +43,33 @@ def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
         if not is_lone or lone_letter(side) not in frames:
             elsewhere |= {*_not_raised(side, frames)}
     alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
-    return iterates_in(equations).union(alone)
+    return iterates_in(equations).union(alone, _frames_with_numbers(equations))
+
+
+def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
+    r"""Return the vectors and matrices with a number of a frame above them, as in ``\mathbf p^0 = R_1^0 \mathbf q^1``.
+
+    No vector has a power, least of all 0 or 1.
+    """
+    raised = [
+        (str(base.children[0]), number)
+        for side in _every(equations)
+        for power in side.find_data("power")
+        if isinstance(base := power.children[0], Tree)
+        and base.data == "symbol"
+        and (number := "".join(map(str, power.children[1].scan_values(lambda _: True)))).isdigit()  # type: ignore[union-attr]
+    ]
+    small = {symbol for symbol, _ in raised if _VECTOR.match(symbol)}
+    framed = {split_symbol(symbol)[0] for symbol, number in raised if number in ("0", "1")}
+    if not framed & {split_symbol(each)[0] for each in small}:
+        return set()
+    turned = {symbol for symbol, _ in raised if _MATRIX.match(symbol) and split_symbol(symbol)[0] in framed}
+    return {_with_above(symbol, number) for symbol, number in raised if symbol in small | turned}
+
+
+_VECTOR = re.compile(r"\\(?:mathbf|vec)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}|\\(?:d*dot|bar|hat|tilde)\{\\mathbf[a-z]")
+_MATRIX = re.compile(r"[A-Z]_|\\d*dot\{[A-Z]\}_")
+"""A vector by its style, and a capital with a subscript."""
 
 
 def iterates_in(equations: Sequence[Sides]) -> frozenset[str]:

@@ -65,9 +65,13 @@ def introduced_by(tree: Formula) -> frozenset[str]:
     r"""Return the letters that a left side may introduce; empty if it is none that does.
 
     ``W(e^{it})``, ``2 W(t)``, ``x^T`` and ``\ln L`` introduce W, x and L, and a printed column all of its entries.  So
-    does T, of a column in brackets.
+    do ``(a, b)``, and T, of a column in brackets.
     """
     tree = argument_of(tree)
+    items = trees_in(trees_in(tree)[0]) if tree.data == "bracket" and trees_in(tree) else []
+    if len(items) > 1:
+        inside = [*map(introduced_by, items)]
+        return frozenset().union(*inside) if all(inside) else frozenset()
     if symbol := defined_by(tree)[0]:
         return frozenset((symbol,))
     if tree.data == "call":

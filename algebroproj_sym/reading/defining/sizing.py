@@ -61,6 +61,7 @@ class Reader:
         self._called: dict[str, str] = {}
         self._applied: set[str] = set()
         self._no_numbers: list[tuple[str, Part]] = []
+        self._values: dict[tuple[str, ...], Shape] = {}
 
     def part(self, tree: Formula) -> Part:
         """Return a formula as a part, with all definitions put in."""
@@ -184,6 +185,13 @@ class Reader:
         finally:
             self._known = outside
             self._applied.remove(function)
+
+    def shape_of_value(self, function: str, arguments: list[Part]) -> Shape:
+        """Return the shape of a vector or a matrix that is the value of a function: the same for the same letters."""
+        shape = (Size(), Size(1)) if self.is_column(function) else (Size(), Size())
+        if any(each.weight > 1 for each in arguments):
+            return shape
+        return self._values.setdefault((function, *(each.text() for each in arguments)), shape)
 
     def may_be_square(self, symbol: str) -> bool:
         """Whether a letter is a bold capital, or one that is called a matrix, of which nothing says the size."""

@@ -25,8 +25,10 @@ MAX_INCLUDED = 100
 
 _ENVIRONMENTS = (
     *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
-    "IEEEeqnarray",
+    *("IEEEeqnarray", "empheq"),
 )
+_OPTIONS = re.compile(r"\*?\s*(?:\[(?:[^\[\]]|\[[^\]]*\])*\])?\s*\{[^{}]*\}")
+"""What stands behind the beginning of an environment that says how many columns it has, or of which kind it is."""
 _HEADS = (
     r"\\(?:part|chapter|(?:sub)*section|paragraph|appendix)\b|\\begin\{frame\}|<h[1-6]\b"
     r"|(?m:^#+ |^[ ]{0,3}(?:-{3,}|={3,}|\*{3,}|_{3,})[ ]*$)"
@@ -63,7 +65,9 @@ _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
-_SPACED = re.compile(r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*|\\[lc]?dots\s*)\((\d[\d.]*[a-z]?)\)\s*$")
+_SPACED = re.compile(
+    r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*|\\[lc]?dots\s*|\\l?eqno\s*\{?\s*)\((\d[\d.]*[a-z]?)\)\s*\}?\s*$"
+)
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
 
@@ -382,6 +386,8 @@ def _formulas(
             place = title.end() if title else place
             continue
         name, star = openers.get(mark, match[1] or ""), match[2] or ""
+        if name in ("alignat", "IEEEeqnarray", "empheq") and (options := _OPTIONS.match(text, place)):
+            place = options.end()
         endings = [rf"\end{{{name}{star}}}", *closers.get(name, ())] if name else [_PARTNERS[mark]]
         end, ending = min((following(ending, place), ending) for ending in endings)
         inline = mark in ("$", r"\(")

@@ -25,7 +25,7 @@ _DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
 _ALPHABET = re.compile(r"\\DeclareMathAlphabet\s*\{\s*(\\[a-zA-Z]+)\s*\}(?:\s*\{[^{}]*\}){2}\s*\{[a-z]?bx?\}")
 _BOLD_ONES = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*(?:\{\s*)?[a-zA-Z]")
-_FRAMES = (r"\boxed", r"\fbox", r"\mathrel", r"\mathopen", r"\mathclose")
+_FRAMES = (r"\boxed", r"\mathrel", r"\mathopen", r"\mathclose")
 """Commands that change the looks of their argument only."""
 _SLOPE, _PARTIAL = r"\frac{d#1}{d#2}", r"\frac{\partial#1}{\partial#2}"
 _OF_PACKAGES = {
@@ -55,6 +55,13 @@ r"""Commands of packages that documents load, with how many arguments they take;
 
 Some have other names in documents whose macros are elsewhere, as ``\pd``.
 """
+_OF_DISPLAYS = (
+    (r"\be", r"\ee", "equation"),
+    (r"\beq", r"\eeq", "equation"),
+    (r"\bea", r"\eea", "eqnarray"),
+    (r"\beqa", r"\eeqa", "eqnarray"),
+)
+"""Commands that begin and end displays in documents whose macros are elsewhere."""
 _OF_NUMBERS = (r"\num", r"\SI", r"\qty")
 _TENS = re.compile(r"([\d.]+)[eE]([-+]?\d+)")
 _BOLD_BOX = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")
@@ -94,6 +101,9 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
         if name in text
     }
     known |= {f"{name}*": known[name] for name in (r"\abs", r"\norm") if name in known}
+    for opens, closes, name in _OF_DISPLAYS:
+        if all(re.search(rf"{re.escape(each)}(?![a-zA-Z])", text) for each in (opens, closes)):
+            known |= {opens: Macro(0, None, rf"\begin{{{name}}}"), closes: Macro(0, None, rf"\end{{{name}}}")}
     spans: list[tuple[int, int]] = []
     if len(bold := {*_ALPHABET.findall(text)}) == 1 and not _BOLD_ONES.search(text):
         known |= dict.fromkeys(bold, Macro(1, None, r"\mathbf{#1}"))

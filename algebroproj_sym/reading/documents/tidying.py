@@ -25,7 +25,7 @@ from algebroproj_sym.reading.lexing.pieces import (
 _BOXES = frozenset((r"\mbox", r"\hbox", r"\textnormal", r"\textup", r"\textsf", r"\text", r"\textrm"))
 _OVER = frozenset((r"\overset", r"\stackrel", r"\underset"))
 _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbracket"))
-_FRAMES = frozenset((*_BRACES, r"\smash", r"\mathclap", r"\textcolor", r"\colorbox"))
+_FRAMES = frozenset((*_BRACES, r"\smash", r"\mathclap", r"\textcolor", r"\colorbox", r"\fbox", r"\raisebox"))
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
 _OTHERWISE = {r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\xfrac": r"\frac", r"\space": "\\ ", r"\nobreakspace": "~"}
 _OTHERWISE |= dict.fromkeys((r"\begin{dcases}", r"\begin{dcases*}", r"\begin{cases*}"), r"\begin{cases}")
@@ -46,7 +46,19 @@ _EXTREMUM = re.compile(
     r"\\(?:operatorname\*?|mathrm|text|mathop)\{\\?arg(?:\\[,;! ])?\s*\\?(?:min|max)\}|\\arg\s*\\(?:min|max)"
 )
 """The place of a least or a greatest value, as it is written."""
-_UNSEEN = frozenset((r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
+_UNSEEN = frozenset((r"\phantom", r"\hphantom", r"\vphantom", r"\noalign", r"\footnote"))
+_SIZES = frozenset(
+    rf"\{name}"
+    for name in ("tiny", "scriptsize", "footnotesize", "small", "normalsize", "large", "Large", "IEEEnonumber")
+)
+"""Commands that change the looks of all behind them."""
+_ACCENTS_ABOVE = {
+    r"\circ": r"\mathring",
+    r"\frown": r"\overline",
+    r"\leftrightarrow": r"\overline",
+    r"\rightharpoonup": r"\vec",
+}
+"""What is an accent where it is written above a letter."""
 _BAR = {
     name: (rf"\l{kind}", rf"\r{kind}")
     for kind, names in (("vert", r"| \vert \lvert \rvert"), ("Vert", r"\| \Vert \lVert \rVert"))
@@ -132,6 +144,15 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
                 pairs.open(out, waiting, piece) if text == r"\left" else pairs.close(out, waiting, piece)
         elif text in _UNSEEN:
             waiting.group()
+        elif text in _SIZES:
+            continue
+        elif text in (r"\resizebox", r"\scalebox"):
+            for _ in range(2 if text == r"\resizebox" else 1):
+                waiting.group()
+            inside = waiting.group()
+            waiting.put(_formulas_in(inside) or inside)
+        elif text == r"\mathbin" and waiting.next == "{":
+            waiting.put(waiting.group())
         elif text == r"\!" or (text == r"\mathop" and waiting.next == ":"):
             continue
         elif text == r"\%" and _ends_value(out):
@@ -183,15 +204,19 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             if text == r"\underset" and relation in BIG:
                 waiting.put([*base, _as(piece, "_"), *_braced(piece, over)])
                 continue
+            if above in _ACCENTS_ABOVE:
+                waiting.put([_as(piece, _ACCENTS_ABOVE[above]), *_braced(piece, base)])
+                continue
             if relation == "=" and not _JUSTIFIES.fullmatch(above):
                 relation = r"\equiv" if above == "!" else r"\questeq"
             defines = relation == "=" and re.search(r"def|triangle", above)
             plain = [piece, *_braced(piece, over), *_braced(piece, base)]
             out += _at(piece, ":=" if defines else relation) if relation in RELATIONS else plain
         elif text in _FRAMES:
-            if text in (r"\textcolor", r"\colorbox"):
+            if text in (r"\textcolor", r"\colorbox", r"\raisebox"):
                 waiting.group()
             inside = waiting.group()
+            inside = _formulas_in(inside) or inside
             if text in _BRACES and waiting.next in ("_", "^"):
                 waiting.group()
                 waiting.group()

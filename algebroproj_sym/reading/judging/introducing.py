@@ -179,6 +179,8 @@ def _is_free(memory: Memory, statement: Statement, left: Formula, right: Formula
 def _is_new_value(memory: Memory, left: Formula, right: Formula) -> bool:
     r"""Whether the length or the mean of something is given the first time, as in ``\langle x \rangle = x_1 + x_2``."""
     value = without_power(left)
+    weighted = value.data == "marked" and str(value.children[1]).startswith("_")
+    value = value.children[0] if weighted else value  # type: ignore[assignment]
     is_value = value.data == "norm" or (
         value.data == "inner" and all(len(each.children) == 1 for each in trees_in(value))
     )
@@ -186,7 +188,7 @@ def _is_new_value(memory: Memory, left: Formula, right: Formula) -> bool:
     return (
         is_value
         and bool(symbols_in(right))
-        and not (value.data == "norm" and {*symbols_in(value)} & {*symbols_in(right)})
+        and not (value.data == "norm" and not weighted and {*symbols_in(value)} & {*symbols_in(right)})
         and not any(value == part for side in (right, *above) for part in side.iter_subtrees())
         and not (
             memory.beside.follows or memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged

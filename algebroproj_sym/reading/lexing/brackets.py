@@ -155,9 +155,8 @@ def read_environment(cursor: Cursor) -> None:
         return
     if not MATRIX.match(name):
         raise UnreadableError(f"the environment {name} is not known inside a formula", cursor.pieces[start].place)
-    if "array" in name or "*" in name:
-        cursor.option()
     if "array" in name:
+        cursor.option()
         cursor.group()
     inner = cursor.within(_take_environment(cursor, name, start))
     inner.until_end()

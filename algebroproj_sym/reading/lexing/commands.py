@@ -78,7 +78,7 @@ RELATIONS = dict(
             r"\sim#~ \propto#∝ \in#∈ \notin#∉ \ni#∋ \lesssim#≲ \gtrsim#≳ \hookrightarrow#→ \supset#⊃ \subseteq#⊆ "
             r"\supseteq#⊇ \asymp#≍ \prec#≺ \succ#≻ \parallel#∥ \longmapsto#↦ \Longleftrightarrow#⇔ \Leftarrow#⇐ \to#→ "
             r"\rightarrow#→ \longrightarrow#→ \leadsto#→ \leftarrow#← \mapsto#↦ \Rightarrow#⇒ \Longrightarrow#⇒ "
-            r"\implies#⇒ \questeq#≟ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
+            r"\implies#⇒ \gets#← \questeq#≟ \Leftrightarrow#⇔ \iff#⇔ \leftrightarrow#↔ \perp#⟂ \bot#⟂ \subset#⊂"
         )
     )
 )

@@ -33,7 +33,7 @@ from algebroproj_sym.reading.lexing.names import (
     take_scripts,
     written,
 )
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, says_more
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, outside_braces, says_more
 
 _SIGNS = (r"\partial", "d", r"\delta")
 r"""How derivatives begin; ``\frac{\delta x}{\delta t}`` is a quotient of small numbers, unless of second order."""
@@ -223,7 +223,7 @@ def _read_argument(cursor: Cursor) -> None:
     if cursor.text in ("(", "[", r"\{", "{") or cursor.text in CLOSING_BARS or MATRIX.match(cursor.text):
         cursor.inner(_take_bracket(cursor))
         return
-    values = 0
+    values, last = 0, ""
     while cursor.index < len(cursor.pieces):
         here = cursor.index
         if cursor.text.isspace():
@@ -234,7 +234,7 @@ def _read_argument(cursor: Cursor) -> None:
             if cursor.index > start and cursor.peek() in ("(", "["):
                 cursor.chose = ARGUMENT
             break
-        if values and (not cursor.wide or cursor.text in _VECTORS):
+        if values and (not cursor.wide or cursor.text in _VECTORS or _is_factor(cursor, last)):
             cursor.chose = ARGUMENT
             break
         if values:
@@ -244,7 +244,7 @@ def _read_argument(cursor: Cursor) -> None:
             take_scripts(cursor) if cursor.text == "^" else None
             _take_factorial(cursor)
             continue
-        letter = ""
+        letter, last = "", cursor.text
         if cursor.text in FRACTIONS or cursor.text == r"\sqrt":
             cursor.single()
         else:
@@ -262,8 +262,21 @@ def _read_argument(cursor: Cursor) -> None:
     cursor.inner(cursor.pieces[start : cursor.index])
 
 
+_ANGLES = frozenset(
+    rf"\{name}" for name in ("theta", "phi", "varphi", "psi", "alpha", "beta", "gamma", "delta", "vartheta", "lambda")
+)
+_RATES = frozenset((r"\dot", r"\ddot"))
+
+
+def _is_factor(cursor: Cursor, last: str) -> bool:
+    r"""Whether the next letter is no part of an angle, as in ``\sin\theta K`` and ``\cos\theta \dot\theta``."""
+    return last in _ANGLES and (cursor.text in _RATES or (cursor.text.isalpha() and cursor.text.isupper()))
+
+
 def _has_condition(letter: str, inside: Sequence[Piece]) -> bool:
-    r"""Whether a bracket makes a letter a value with a condition, as in ``\log p(y|x)``."""
+    r"""Whether a bracket makes a letter a value with a condition, or of several letters, as in ``\log p(y|x)``."""
+    if any(piece.text in (",", ";") for piece in outside_braces(inside)):
+        return True
     is_name = re.fullmatch(r"[a-zA-Z]{2,}", letter) is not None
     return says_more(inside) and (is_name or any(piece.text in ("|", r"\mid", r"\vert") for piece in inside))
 

@@ -54,9 +54,15 @@ def _with_environments(pieces: Sequence[Piece]) -> list[Piece]:
             if closing is not None and pieces[opening].text == "{":
                 text += "".join(piece.text for piece in pieces[opening : closing + 1])
                 index = closing
+                index += 3 * _is_placed("".join(piece.text for piece in pieces[closing + 1 : closing + 4]))
         joined.append(Piece(text, place))
         index += 1
     return joined
+
+
+def _is_placed(text: str) -> bool:
+    r"""Whether a text says where an environment stands, or its columns, as in ``\begin{aligned}[t]``."""
+    return re.fullmatch(r"\[[tbclr]\]", text) is not None
 
 
 def split_pieces(pieces: Sequence[Piece], marks: Collection[str], brackets: bool = True) -> list[list[Piece]]:

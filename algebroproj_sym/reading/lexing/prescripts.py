@@ -34,9 +34,27 @@ def read_braces(cursor: Cursor) -> None:
         return
     if cursor.peek() in ("_", "^", "'") and inside and is_lone_letter(inner):
         read_scripted(cursor, take_letter(inner), start)
+    elif cursor.functions is not None and cursor.peek() == "_" and (parts := _with_subscript(inner)):
+        letter, primes, below = parts
+        behind = take_scripts(cursor)
+        emit_name(cursor, written(letter, primes + behind[0], f"{below},{behind[1]}", ""), start)
+        emit_power(cursor, behind[2], cursor.raised)
+        read_after(cursor)
     elif any(not piece.text.isspace() for piece in inside):
         cursor.inner(inside)
         read_after(cursor)
+
+
+def _with_subscript(cursor: Cursor) -> tuple[str, int, str] | None:
+    r"""Return a letter that has a subscript and stands alone, as in ``{J_P}_i``, in its parts; None for none."""
+    cursor.skip()
+    if not at_symbol(cursor):
+        return None
+    letter = take_letter(cursor)
+    primes, below, above = take_scripts(cursor)
+    cursor.skip()
+    alone, cursor.index = cursor.index == len(cursor.pieces) and bool(below) and not above, 0
+    return (letter, primes, below) if alone else None
 
 
 def _keeps_room(cursor: Cursor) -> bool:

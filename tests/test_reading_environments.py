@@ -1,0 +1,91 @@
+"""Environments and commands that only set a formula: what they say of its looks is no factor of it."""
+
+from __future__ import annotations
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+
+def read(latex: str) -> list[str | None]:
+    return [each.read for each in read_document(document_of(latex))]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\begin{IEEEeqnarray}{rCl} a &=& b \IEEEnonumber \\ c &=& d \end{IEEEeqnarray}",
+        r"\begin{IEEEeqnarray*}{rCl'l} a &=& b \\ c &=& d \end{IEEEeqnarray*}",
+        r"\begin{alignat}{2} a &= b &\quad c &= d \end{alignat}",
+        r"\begin{alignat*}{2} a &= b \\ c &= d \end{alignat*}",
+        r"\begin{empheq}[left=\empheqlbrace, box={\fbox}]{align} a &= b \\ c &= d \end{empheq}",
+        r"\begin{equation}\begin{aligned}[t] a &= b \\ c &= d \end{aligned}\end{equation}",
+        r"\be a = b \ee \bea c &=& d \eea",
+        r"\beq a = b \eeq \[ {\small c = d} \]",
+        r"\[ \fbox{$a = b$} \] \[ \resizebox{\hsize}{!}{$c = d$} \]",
+        r"\[ \scalebox{0.8}{$a = b$} \] \[ c = d \footnote{of a kind} \]",
+        r"$$ a = b \eqno(1) $$ $$ c = d \leqno{(2)} $$",
+    ],
+)
+def test_what_sets_a_formula_is_no_factor(latex: str) -> None:
+    assert read(latex) == ["a = b", "c = d"]
+
+
+def test_a_number_behind_a_formula_is_its_number() -> None:
+    found = read_document(document_of(r"$$ s = a + b \eqno(4.2) $$ By (4.2) \[ s - a = b \ldots(7) \]"))
+    assert [each.number for each in found] == ["4.2", "7"]
+    assert found[1].links[0].rests_on == ("(4.2), line 1",)
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"l = \log p(x, z) - \ln q(x; a)", "l = log(p(x, z)) - log(q(x, a))"),
+        (r"a = \overset{\circ}{b} + \overset{\frown}{AB}", "a = mathringb + AB_overline"),
+        (r"a = b \mathbin{/} c", "a = b/c"),
+        (r"a = \textcolor{red}{b} \raisebox{1pt}{$c$}", "a = b*c"),
+        (r"\|\mathbf v\|_W^2 = \mathbf v^T W \mathbf v", "(norm(v))_W**2 = v.T*W*v"),
+        (r"{J_P}_i = {z'_a}_b^2", "J_P_i = z_a_bp**2"),
+    ],
+)
+def test_a_formula_is_read(latex: str, expected: str) -> None:
+    assert read(rf"\[ {latex} \]") == [expected]
+
+
+FRAMES = r"The point is \[ \mathbf{p}^0 = \mathbf{o}_1^0 + R_1^0 \mathbf{q}^1 \] Hence "
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (r"\[ \mathbf{p}^0 - \mathbf{o}_1^0 = R_1^0 \mathbf{q}^1 \]", True),
+        (r"\[ \dot{\mathbf{p}}^0 = \dot{\mathbf{o}}_1^0 + R_1^0 \dot{\mathbf{q}}^1 + \dot R_1^0 \mathbf{q}^1 \]", True),
+        (r"\[ \dot{\mathbf{p}}^0 = \dot{\mathbf{o}}_1^0 + R_1^0 \dot{\mathbf{q}}^1 \]", False),
+        (r"\[ \mathbf{p}^0 - \mathbf{o}_1^0 = \mathbf{q}^1 R_1^0 \]", False),
+        (r"\[ \mathbf{p} - \mathbf{o}_1 = R_1 \mathbf{q} \]", False),
+    ],
+)
+def test_a_number_above_a_vector_is_that_of_a_frame(latex: str, follows: bool) -> None:
+    assert (read_document(document_of(FRAMES + latex))[-1].verdict == "follows") is follows
+
+
+def test_a_value_of_a_function_has_one_size() -> None:
+    values = r"Here $J(\mathbf p)$ is the Jacobian matrix. \[ \mathbf d = -\frac12 J(\mathbf p)^T \lambda \] Hence "
+    for sign, follows in (("", True), ("-", False)):
+        latex = rf"\[ \mathbf d^T \mathbf d = {sign} \frac14 \lambda^T J(\mathbf p) J(\mathbf p)^T \lambda \]"
+        assert (read_document(document_of(values + latex))[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"R = I + \sin\theta K", "R = I + sin(theta)*K"),
+        (r"v = -l \sin\theta_1 \dot\theta_1", "v = -l*sin(theta_1)*theta_dot_1"),
+        (r"x = a \cos\omega t", "x = a*cos(omega*t)"),
+        (r"x = a \cos\omega T + \sin 2 \theta", "x = a*cos(omega*T) + sin(2*theta)"),
+    ],
+)
+def test_a_capital_or_a_rate_behind_an_angle_is_a_factor(latex: str, expected: str) -> None:
+    assert read(rf"\[ {latex} \]") == [expected]

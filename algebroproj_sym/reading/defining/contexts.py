@@ -45,7 +45,7 @@ _KINDS = {
     "condition": (
         r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) (?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes)\b)"
         r"|unless\b|otherwise\b|else\b|in general\b|generally\b|provided\b(?! by)|in case\b|on condition\b|as soon as\b"
-        r"|were (?:the|an?|it|its|this|that|these|we|all|there)\b|had (?:the|it|we|there)\b|should (?:the|an?|it|there)\b"
+        r"|should (?:the|an?|it|there)\b"
         r"|with (?:(?:a|an|the|\w+) )?probability\b(?! (?:density|distribution|mass|measure|function|space|theory|of))"
         r"|most of the time\b|in most cases\b|sometimes\b|usually\b|typically\b|often\b|mostly\b|occasionally\b).*"
     ),

@@ -42,6 +42,7 @@ from algebroproj_sym.reading.judging.words import (
     beside,
     has_ended,
     last_sentence,
+    main_clause,
     sentences_of,
     strange_word,
     takes_back,
@@ -133,10 +134,11 @@ class Memory:
         self.ended = has_ended(display)
 
     def _end_cases(self, display: Display) -> None:
-        """Take notice of the cases that are over: words between two displays speak of another thing."""
-        for place, words in self.cases.items():
-            if strange_word(display.before, words):
-                self.over.add(place)
+        """Take notice of the cases that are over: whole sentences, or clauses before the main one, speak of others."""
+        *whole, last = sentences_of(display.before)
+        lead = "" if self.carried and display.before.lstrip()[:1].islower() else last.removesuffix(main_clause(last))
+        spoken = ". ".join([*whole, lead])
+        self.over |= {place for place, words in self.cases.items() if strange_word(spoken, words)}
 
     def _retract(self, places: Collection[int]) -> None:
         """Forget what displays said."""
@@ -289,7 +291,8 @@ class Memory:
         if is_condition(self.beside, formula):
             self.conditions.add(statement.display.place)
         if self.context.is_case:
-            self.cases.setdefault(statement.display.place, self.beside.words | words_of(self.context.words))
+            words = f"{self.beside.before} {self.beside.sentence} {self.context.words}"
+            self.cases.setdefault(statement.display.place, words_of(words))
         if len(formula.relations) > 1 and formula.relations[-1] == "∈":
             formula = replace(formula, sides=formula.sides[:-1], relations=formula.relations[:-1])
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
@@ -360,12 +363,8 @@ class Memory:
 
     def _is_over(self, place: int) -> bool:
         """Whether a display was the condition of a sentence that has ended, or of a case that has."""
-        return (
-            place in self.over
-            or place in self.conditions - self.running
-            and self.display is not None
-            and place != self.display.place
-        )
+        here = None if self.display is None else self.display.place
+        return place in self.over or (place in self.conditions - self.running and here not in (None, place))
 
     def forget_elsewhere(self, vocabulary: Vocabulary) -> None:
         """Drop the definitions that belong to another context or were conditions, but for those that words cite."""

@@ -40,7 +40,8 @@ _REJECTED = re.compile(
 )
 """Words by which an equation in their sentence is said not to hold."""
 _DENIED = re.compile(
-    _REJECTED.pattern + r"|\b(?:(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
+    _REJECTED.pattern + r"|\A\W*(?:were|had) (?:the|an?|its?|this|that|we|all|there)\b|\b(?:"
+    r"(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
     r"conjectur\w*|alleg\w+|nobody|no one|students|beginners|jok(?:e|es|ing)|imagine|pretend|ideally|folk\w*|"
     r"(?:find|spot) the \w+|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
@@ -193,7 +194,7 @@ class Beside:
         a clause of its own: "If the orbit is closed, its period is".
         """
         behind = "" if _begins_anew(self.behind) else self.behind
-        clause = _main_clause(self.sentence)
+        clause = main_clause(self.sentence)
         found = _NOT_QUITE.search(f"{self.sentence} {self.condition} {behind}")
         found = found or _ONLY_SOMETIMES.search(f"{'' if _FORM.search(clause) else clause} {self.condition} {behind}")
         return found.group() if found else ""
@@ -201,7 +202,7 @@ class Beside:
     @property
     def is_condition(self) -> bool:
         """Whether the equation is the condition itself of which its sentence speaks: "If" stands in its own clause."""
-        return _ONLY_SOMETIMES.search(_main_clause(self.sentence)) is not None
+        return _ONLY_SOMETIMES.search(main_clause(self.sentence)) is not None
 
     @property
     def is_supposed(self) -> bool:
@@ -217,7 +218,7 @@ class Beside:
     @property
     def defines(self) -> bool:
         """Whether its last clause says that it is a definition, whatever was said of its letter before."""
-        return _DEFINED.search(_main_clause(self.sentence)) is not None and not self.case_of_sentence
+        return _DEFINED.search(main_clause(self.sentence)) is not None and not self.case_of_sentence
 
     @property
     def speaks_of_a_length(self) -> bool:
@@ -391,12 +392,12 @@ def _begins_anew(behind: str) -> bool:
     return _NEW_SENTENCE.match(behind) is not None and re.search(r",\s*[a-z]|\bthen\b", behind) is not None
 
 
-def _main_clause(sentence: str) -> str:
+def main_clause(sentence: str) -> str:
     """Return the last clause of a sentence, if it asserts something; else the whole sentence.
 
     Examples
     --------
-    >>> _main_clause("If the orbit is closed, its period is:"), _main_clause("If $a$ is real, and $b$ is")
+    >>> main_clause("If the orbit is closed, its period is:"), main_clause("If $a$ is real, and $b$ is")
     (' its period is', 'If $a$ is real, and $b$ is')
     """
     bare = FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)

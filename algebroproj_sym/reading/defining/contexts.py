@@ -36,6 +36,12 @@ _MANNER = (
     r"article|thesis|tutorial|notebook|example|exercise|lecture|implementation|code|literature|beginning|moment|basis)"
 )
 """The words of how something is said."""
+_ARISES = (
+    r"(?:case|terms|absence|presence|course|spite|instead|front|favou?r|need|lack|light|means|virtue|use|help|sake|sum|"
+    r"product|number|set|choice|definition|linearity|symmetry|conservation|analogy|because|each|all|any|most|some|both|one|"
+    r"either|none|rest|basis|center|centre|middle|top|bottom|level|value|values|purpose|purposes|range|function)"
+)
+"""The words of what is said or done, and of no thing that another one has as well."""
 _AIM = (
     r"(?:simplicity|brevity|convenience|clarity|completeness|comparison|reference|definiteness|illustration|ease|short|"
     r"all|any|each|every|some|this|that|these|those|which|it|us|now|later|further|more|most|many|our|its|notational|"
@@ -90,6 +96,17 @@ _WHERE = re.compile(
     r"(?=\s*(?:,|:|$|\$|(?:the|we|it|its|one|this|that|an?|there|is|are|has|holds|hence|thus|then)\b))"
 )
 """How a sentence begins with a place in a wide sense: one of which the last word is the same is another."""
+_OF_ANOTHER = re.compile(
+    r"[^a-z$]*(?:in|on|at|for|by|under|within|according to)\s+(?:the\s+|an?\s+)?"
+    rf"(?P<words>(?P<head>(?!(?:{_WORD_OF_A_TEXT}|{_MANNER}|{_ARISES})\b)[a-z-]+)\s+of\s+(?:the\s+|an?\s+)?[a-z-]+)"
+)
+"""How a sentence begins with a thing of somebody: "In the model of Smith"."""
+_PROPER = re.compile(
+    r"\W*(?:And\s+|But\s+)?(?:[Ii]n|[Oo]n|[Aa]t|[Nn]ear)\s+(?:the\s+)?(?P<words>[A-Z][a-z]{2,})(?=\s*(?:,|:|$|(?:the|we|it|its|one|this|an?)\b))"
+)
+_NO_PLACE = re.compile(
+    rf"(?:{_WORD_OF_A_TEXT}|{_MANNER}|eqn|fig|cref|autoref|lemma|python|matlab|latex)", re.IGNORECASE
+)
 _OF_A_THING = re.compile(
     r"[^a-z$]*the\s+[a-z]+\s+(?:in|of|for)\s+(?:the\s+)?((?:frame|model|image|camera|system|case|observer|medium|scenario)"
     r"\s+\$?[a-z0-9]+\b)"
@@ -211,7 +228,11 @@ def context_of(sentence: str, behind: str = "") -> Context:
     bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
     found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
-        thing, place = _OF_A_THING.match(bare.lower()), _WHERE.match(bare.lower())
+        proper = _PROPER.match(bare)
+        if proper is not None and not _NO_PLACE.fullmatch(proper["words"]):
+            return Context("place", proper["words"].lower())
+        thing = _OF_A_THING.match(bare.lower())
+        place = _OF_ANOTHER.match(bare.lower()) or _WHERE.match(bare.lower())
         if thing is None and place is not None:
             return Context(f"{place['head']} of several", _LEADS.sub("", " ".join(place["words"].split())))
         return Context("name", " ".join(thing[1].split())) if thing else ANYWHERE

@@ -36,6 +36,7 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
 from algebroproj_sym.reading.judging.deciding import agree
 from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
+from algebroproj_sym.reading.judging.renaming import gives_its_name_away, renamed_in
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.words import (
     Beside,
@@ -51,6 +52,7 @@ from algebroproj_sym.reading.judging.words import (
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 _IS = re.compile(r"\b(?:is|are)\W*$")
+_IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")
 _ONLY = re.compile(r"\W*([^.$]*?) only\b")
 """Words behind an equation that limit it, as in "in the first case only"."""
 
@@ -105,7 +107,8 @@ class Memory:
             self.leave(display)
         same_part = self.beside.part == display.part
         if display is not self.display:
-            if self.display is not None and (takes_back(display.before) or is_acted_on(display.before)):
+            taken = takes_back(display.before) or is_acted_on(display.before) or gives_its_name_away(display.before)
+            if self.display is not None and taken:
                 self._retract({self.display.place})
             for symbol in acted_on(display.before):
                 self.forget(symbol)
@@ -123,7 +126,7 @@ class Memory:
             self.supposed.add(display.place)
         self.stand_at(display)
         marked = {each for each in self.survey.occurring for mark in self.beside.dropped if mark in each}
-        for symbol in self.beside.changed | marked:
+        for symbol in renamed_in(self.beside.before) | marked:
             self.forget(symbol)
         self._hear_of_letters(display)
         spoken = {*filter(names_a_thing, words_of(self.beside.sentence))}
@@ -155,11 +158,15 @@ class Memory:
     def _hear_of_letters(self, display: Display) -> None:
         """Forget what other sections said of a letter, and with it, where words say that it is something else."""
         sections = display.before.rstrip().split(HEADING)
-        sections[-1] += (f" ${display.latex}$" if _IS.search(display.before) else ". ") + self.beside.behind
+        sections[-1] += (f" ${display.latex}$" if self._is_called(display) else ". ") + self.beside.behind
         for part, words in enumerate(sections, display.part + 1 - len(sections)):
             for symbol, nouns in described(words):
                 self._forget_from_elsewhere(symbol, nouns, part)
                 self.named[symbol, part] = self.named.get((symbol, part), frozenset()) | nouns
+
+    def _is_called(self, display: Display) -> bool:
+        """Whether words right beside a display say what its letter is: "is", or "is the mass" behind it."""
+        return _IS.search(display.before) is not None or _IS_THE.match(self.beside.behind) is not None
 
     def _named_at(self, symbol: str, part: int) -> frozenset[str]:
         """Return what words called a letter in a section, or else in the last one above it that called it anything."""

@@ -281,12 +281,6 @@ class Beside:
         return frozenset(re.sub(r"[{}\s]", "", each) for each in _RENAMED.findall(self.before))
 
     @property
-    def changed(self) -> frozenset[str]:
-        """The letters that the words before give another meaning, as in "from here on $b$ is half of it"."""
-        found = [each for match in _CHANGED.finditer(self.before) for each in match.groups() if each]
-        return frozenset(symbol for each in found for symbol in symbols_in_list(each))
-
-    @property
     def variables(self) -> frozenset[str]:
         """The letters of which its own sentence says that functions depend on them, or that they are held."""
         found = [each for names in _VARIABLES.findall(self.sentence) for each in FORMULA.findall(names)]
@@ -505,17 +499,6 @@ FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
-_CHANGED = re.compile(
-    r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
-    r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
-    r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b"
-    r"|\bin this (?:section|chapter|appendix)\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:denotes?|stands? for|is the)\b"
-    r"|\$([^$=]*)\$ (?:now )?has (?:an?other|a new|a different|its own) meaning"
-    r"|\b[Ww]rite \$([^$=]*)\$ for (?:\$|the|an?|its)\b"
-    r"|\b(?:re-?defin\w+|re-?us(?:e|ing)) (?:the (?:letter|symbol) )?\$([^$=]*)\$|\bnow let \$([^$=]*)=[^$]*\$",
-    re.IGNORECASE,
-)
-"""Words by which a letter stands for another thing from there on."""
 _REVERSES = re.compile(
     r"\b(?:doubl|halv|tripl|negat|revers|flipp|invert|rescal|mirror)ing (?:the \w+ )?\$([^$=]*)\$", re.IGNORECASE
 )

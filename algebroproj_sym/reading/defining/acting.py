@@ -37,7 +37,10 @@ _GOES_ON = re.compile(
     r"\s*(?:$|[.,;]|(?:by|to|with|into|onto|in|from|for|until|at|again|back|around|about|over|off|out|away|after|before|"
     r"and|so|up|down|once|twice|every|each|whenever|while)\b)"
 )
-_TAKES = re.compile(rf" {_MEANWHILE}(?:takes?|assumes?) (?:on )?the values?\b")
+_TAKES = re.compile(
+    rf" {_MEANWHILE}(?:(?:takes?|assumes?) (?:on )?the values?\b"
+    r"|(?:keeps?|retains?) the values? (?:it|they|of|from|that)\b)"
+)
 _STEPWISE = re.compile(
     r"\b(?:(?:each|every) (?:\w+ )?"
     r"(?:steps?|iterations?|iterates?|updates?|epochs?|rounds?|cycles?|time|of (?:them|these|the))|"
@@ -49,7 +52,7 @@ _BY_ITSELF = re.compile(r"\s*(?:by|with)\b")
 _SAME = re.compile(r"\b(?:same|constant|fixed|equal|all)\b", re.IGNORECASE)
 _PUT_IN = re.compile(r"(?:put|putting) in(?:to)?\b", re.IGNORECASE)
 _ADDED = re.compile(
-    r"\b(?:[Aa]dd|[Ss]ubtract|[Tt]ake)s? (?:one|two|three|\$\d+\$|\d+|an? \w+) (?:to|from) (?:the \w+ )?$"
+    r"\b(?:[Aa]dd|[Ss]ubtract|[Tt]ake)s? (?:one|two|three|\$\d+\$|\d+|(?:an? |some )?\w+) (?:to|from) (?:the \w+ )?$"
     r"|\b(?:is|are|was|were|gets?) (?:\w+ )?(?:applied|added|assigned|copied|written) (?:to|into|onto) (?:the \w+ )?$"
 )
 _HENCEFORTH = re.compile(

@@ -36,6 +36,12 @@ _MANNER = (
     r"article|thesis|tutorial|notebook|example|exercise|lecture|implementation|code|literature|beginning|moment|basis)"
 )
 """The words of how something is said."""
+_ARISES = (
+    r"(?:case|terms|absence|presence|course|spite|instead|front|favou?r|need|lack|light|means|virtue|use|help|sake|sum|"
+    r"product|number|set|choice|definition|linearity|symmetry|conservation|analogy|because|each|all|any|most|some|both|one|"
+    r"either|none|rest|basis|center|centre|middle|top|bottom|level|value|values|purpose|purposes|range|function)"
+)
+"""The words of what is said or done, and of no thing that another one has as well."""
 _AIM = (
     r"(?:simplicity|brevity|convenience|clarity|completeness|comparison|reference|definiteness|illustration|ease|short|"
     r"all|any|each|every|some|this|that|these|those|which|it|us|now|later|further|more|most|many|our|its|notational|"
@@ -44,10 +50,13 @@ _AIM = (
 _KINDS = {
     "condition": (
         r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) (?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes)\b)"
-        r"|unless\b|otherwise\b|else\b|in general\b|generally\b).*"
+        r"|unless\b|otherwise\b|else\b|in general\b|generally\b|provided\b(?! by)|in case\b|on condition\b|as soon as\b"
+        r"|should (?:the|an?|it|there)\b"
+        r"|with (?:(?:a|an|the|\w+) )?probability\b(?! (?:density|distribution|mass|measure|function|space|theory|of))"
+        r"|most of the time\b|in most cases\b|sometimes\b|usually\b|typically\b|often\b|mostly\b|occasionally\b).*"
     ),
     "range": r"for\s+(?:very\s+|all\s+|sufficiently\s+)?"
-    r"(?:small|large|low|high|weak|strong|even|odd|positive|negative)\s+[a-z]+|"
+    r"(?:small|large|low|high|weak|strong|even|odd|positive|negative)\s+(?:[a-z]+|\$[^$]*\$)|"
     r"(?:for|at)\s+\$[^$]*(?:=|<|>|\\[lg]eq?\b)[^$]*\$|in the limit\b.*",
     "state": r"(?:in|at|out of|away from|far from)\s+(?:thermal\s+)?equilibrium|in\s+(?:winter|summer|spring|autumn)"
     r"|in\s+(?:(?:the|an?)\s+)?(?:steady|stationary|transient|static|dynamic)\s+(?:state|case|regime)|during\s+the\s+transient"
@@ -57,7 +66,7 @@ _KINDS = {
         r"(?:(?:at|on|in)\s+)?(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+"
         r"(?:boundary|end|wall|edge|half|side(?! of))|"
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
-        r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b"
+        r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b|away\s+from\s+(?:the\s+|an?\s+)?[a-z]+"
     ),
     "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)|until\b"
     rf"|(?:before|after)\s+(?!{_STEP}|{_WORK})[a-z]+|(?:as|so)\s+long\s+as\b|while\b",
@@ -87,6 +96,17 @@ _WHERE = re.compile(
     r"(?=\s*(?:,|:|$|\$|(?:the|we|it|its|one|this|that|an?|there|is|are|has|holds|hence|thus|then)\b))"
 )
 """How a sentence begins with a place in a wide sense: one of which the last word is the same is another."""
+_OF_ANOTHER = re.compile(
+    r"[^a-z$]*(?:in|on|at|for|by|under|within|according to)\s+(?:the\s+|an?\s+)?"
+    rf"(?P<words>(?P<head>(?!(?:{_WORD_OF_A_TEXT}|{_MANNER}|{_ARISES})\b)[a-z-]+)\s+of\s+(?:the\s+|an?\s+)?[a-z-]+)"
+)
+"""How a sentence begins with a thing of somebody: "In the model of Smith"."""
+_PROPER = re.compile(
+    r"\W*(?:And\s+|But\s+)?(?:[Ii]n|[Oo]n|[Aa]t|[Nn]ear)\s+(?:the\s+)?(?P<words>[A-Z][a-z]{2,})(?=\s*(?:,|:|$|(?:the|we|it|its|one|this|an?)\b))"
+)
+_NO_PLACE = re.compile(
+    rf"(?:{_WORD_OF_A_TEXT}|{_MANNER}|eqn|fig|cref|autoref|lemma|python|matlab|latex)", re.IGNORECASE
+)
 _OF_A_THING = re.compile(
     r"[^a-z$]*the\s+[a-z]+\s+(?:in|of|for)\s+(?:the\s+)?((?:frame|model|image|camera|system|case|observer|medium|scenario)"
     r"\s+\$?[a-z0-9]+\b)"
@@ -95,6 +115,12 @@ _LEADS = re.compile(r"(?:(?:in|on|at|for|by|with|during)\s+)?(?:(?:the|an?)\s+)?
 _WHILE = ("while", "as long as", "so long as", "until")
 _THINGS = ("place", "name", "sort", "state", "time", "extent", "of several")
 """The kinds of contexts that a sentence of its own may begin."""
+_BEHIND = re.compile(
+    r"[\s,]*((?:(?:but )?only )?(?:if|when|whenever|unless|provided(?! by)|in case|as long as|so long as|until|while|"
+    r"for (?:very |all |sufficiently )?(?:small|large|low|high|weak|strong|even|odd|positive|negative)|"
+    r"with (?:\w+ )?probability)\b[^.;]*)"
+)
+"""How the words behind an equation say where it holds."""
 _FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
 _STEPS = re.compile(
     r"\b(?:if|when|once)\s+(?:we|you|one)\s+(?=(?:now\s+|then\s+)?(?:substitut|insert|plug|replac|put|multipl|divid|add|"
@@ -143,6 +169,11 @@ class Context:
             return other.kind == "condition" or other.words.startswith(_WHILE)
         return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
 
+    @property
+    def is_case(self) -> bool:
+        """Whether it is a condition or a while, which may be over when another thing is spoken of."""
+        return self.kind == "condition" or self.words.startswith(_WHILE)
+
 
 ANYWHERE = Context()
 
@@ -173,6 +204,18 @@ def last_context(sentences: Sequence[str], behind: str) -> Context:
     return own if own.kind else next(above, ANYWHERE)
 
 
+def context_behind(behind: str) -> Context:
+    """Return where an equation holds by the words right behind it, as in "provided that the lid is shut".
+
+    Examples
+    --------
+    >>> context_behind("for even $n$. For odd"), context_behind("If so,")
+    (Context(kind='range', words='for even $n$'), Context(kind='', words=''))
+    """
+    found = _BEHIND.match(behind)
+    return context_of(re.sub(r"^(?:but )?only ", "", found[1])) if found else ANYWHERE
+
+
 def context_of(sentence: str, behind: str = "") -> Context:
     """Return where an equation holds, by the words with which its sentence begins, and perhaps goes on behind it.
 
@@ -185,7 +228,11 @@ def context_of(sentence: str, behind: str = "") -> Context:
     bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
     found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
-        thing, place = _OF_A_THING.match(bare.lower()), _WHERE.match(bare.lower())
+        proper = _PROPER.match(bare)
+        if proper is not None and not _NO_PLACE.fullmatch(proper["words"]):
+            return Context("place", proper["words"].lower())
+        thing = _OF_A_THING.match(bare.lower())
+        place = _OF_ANOTHER.match(bare.lower()) or _WHERE.match(bare.lower())
         if thing is None and place is not None:
             return Context(f"{place['head']} of several", _LEADS.sub("", " ".join(place["words"].split())))
         return Context("name", " ".join(thing[1].split())) if thing else ANYWHERE

@@ -79,6 +79,12 @@ _SIGNS = (
         r"(?<!\\partial)(?<!\\partial )(?<!d)(?<!d )\\(?:mathbf|boldsymbol|vec|bm)\s*\{\s*[a-z]\s*\}\s*\^\s*\{?\s*2",
         "the square of a vector may be that of each entry",
     ),
+    (
+        r"\b(?:carry|carries|bear|bears|marked (?:by|with)|denoted (?:by|with)) (?:an? )?primes?\b"
+        r"|\bprimes? (?:denotes?|means?|marks?|indicates?|stands? for|is|are)\b(?![^.]*\b(?:deriv|different|transpos))",
+        r"'\s*\(",
+        "a prime may be no derivative",
+    ),
     (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
 )
 """What the text says, which LaTeX it concerns, and why an equation with it is not decided."""
@@ -275,14 +281,30 @@ class Meanings:
                 found.add((_text(side.children[0]), True))
         for each in self.statements:
             match = _NAMED.fullmatch(each.latex.strip())
+            first = each.display.environment == "inline" and _OF_ORDER.match(each.display.after)
+            if first and (coordinate := _SQUARE.fullmatch(each.latex.strip())):
+                found |= {(symbol, True) for symbol in symbols_in_list(coordinate[1])}
             power = re.search(r"\b(?:powers?|exponential|monomials?|square\w*|varianc\w+)\b", each.display.after[:60])
             if match and each.display.environment == "inline" and _CALLED.match(each.display.after) and not power:
                 numbers = (not match[1], _IN_ORDER.search(each.display.after[:30]) is not None)
                 found |= {(symbol, flag) for symbol in symbols_in_list(match[1] or match[2]) for flag in numbers}
         return frozenset(found)
 
+    @cached_property
+    def _primes(self) -> frozenset[str]:
+        """The letters by which words say that a prime is the derivative."""
+        return frozenset(symbol for each in _PRIME.findall(self.words) for symbol in symbols_in_list(each))
+
+    def _by_another(self, formula: Parsed) -> bool:
+        """Whether a prime is the derivative by another letter than the argument of its function."""
+        calls = [each for side in formula.sides for each in side.find_data("call") if "'" in str(each.children[0])]
+        arguments = [{letter for part in trees_in(each) for letter in symbols_in(part)} for each in calls]
+        return bool(self._primes) and any(letters and not letters & self._primes for letters in arguments)
+
     def reason(self, statement: Statement, formula: Parsed) -> str:
         """Return why an equation may say something else than it looks like; empty for no reason."""
+        if self._by_another(formula):
+            return "a prime is the derivative by another letter"
         latex = "".join(piece.text for piece in statement.pieces)
         for pattern, reason in self._signs:
             match = pattern.search(latex)
@@ -340,6 +362,7 @@ class Meanings:
         return ""
 
 
+_PRIME = re.compile(r"\bprimes?\b[^.$]*\b(?:derivatives?|differentiation)\b[^.$]*\$([^$]*)\$", re.IGNORECASE)
 _MICRO = re.compile(r"=\s*[\d.]+\s*(?:\\[,;: ]|~)?\s*(\\mu\s*(?:\\[,;:])?\s*[mgsAVFHJWN])\s*[.,]?\s*$")
 _TRANSFORM = re.compile(r"\\(?:mathcal|mathscr|mathfrak)\s*\{?\s*[A-Z]\s*\}?\s*(?:\\left\s*)?(?:\\\{|\\lbrace)")
 _INDEX = re.compile(r"(?<![a-zA-Z\\])(?:[i-n]|\\(?:mu|nu|rho|sigma|alpha|beta|lambda|kappa))(?![a-zA-Z])")
@@ -408,6 +431,12 @@ _NAMED = re.compile(
 )
 
 
+_SQUARE = re.compile(r"([a-zA-Z]|\\[a-z]+)\s*\^\s*\{?\s*\d\s*\}?")
+_OF_ORDER = re.compile(
+    r"\s*(?:is|be|denotes?) (?:the |its )?(?:first|second|third|\w+th|\$\d\$-\w+) "
+    r"(?:coordinate|component|entry|element)\b"
+)
+"""How words say that what stands above a letter is the number of a coordinate."""
 _IN_ORDER = re.compile(r"^\s*(?:is|be|denotes?) (?:the|an?) \$\w+\$ ?-?th\b")
 """How words number what has an index: "$x^k$ is the $k$-th iterate"."""
 

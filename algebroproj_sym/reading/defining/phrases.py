@@ -85,6 +85,24 @@ _VECTOR_SPACE = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathbb|mathbf|Bbb)\s*\{?\s*[RC]\s*\}?|\\R(?![a-zA-Z]))\s*\^\s*\{?\s*(?:[a-zA-Z]|[2-9]|\d+\s*\\times|\d\d)"
 )
 _COMPLEX = re.compile(r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*C\b")
+_OF_SUMS = ("symmetric", "positive definite", "diagonal")
+"""The properties that covariances may have."""
+_IS_CALLED = re.compile(
+    r"^\$?\s*(?:now |here |then )?(?:is|be|denotes|represents|stands for|means)\s+(?:now |here )?"
+    r"(?:the|an?|our|its)\s+([^.,;$]*)"
+)
+_HAS_PROPERTIES = re.compile(
+    r"rotat|orient|attitud|matri|orthogon|pose|transform|direction|map|frame|basis|unit|normal|vector|axis|identity|"
+    r"symmetric|diagonal|skew|positive|tensor|inertia|metric|hessian|same|versor|cross",
+    re.IGNORECASE,
+)
+"""Words for what may have one of the properties."""
+_OF_NOISE = re.compile(r"\b(?:noise|(?:co)?variance|resistance|radius|gas constant|range)\s*$", re.IGNORECASE)
+_LISTED_BEFORE = re.compile(r"(?:^|[:,;(]|\band)\s*$")
+_LISTED_BEHIND = re.compile(
+    r"^ ?(?:(?!of|in|the|an?|and|with|for|times|is|as|by)[a-z-]+ ){0,2}(?:matrix|vector|tensor)\s*(?:[.,;)]|$)"
+)
+"""How a list calls a letter: "$M$ mass matrix,"."""
 _ROTATIONS = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathrm|mathbf|text|operatorname|mathbb)\s*)?\{?\s*SO\s*\}?\s*\(\s*([23])\s*\)\s*$"
 )
@@ -97,9 +115,24 @@ def sizes_in(statements: Iterable[Statement]) -> dict[str, tuple[int, int]]:
 
 def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]:
     """Return symbols with what they are; without those of which a document says two things."""
-    said = [*_properties(statements)]
-    strong = {symbol for symbol, (kind,) in said if kind in ("positive definite", "diagonal")}
-    return _agreed((symbol, kinds) for symbol, kinds in said if kinds != ("symmetric",) or symbol not in strong)
+    every = tuple(statements)
+    parts = [(pair, each.display.part) for each in every for pair in _properties((each,))]
+    strong = {symbol for (symbol, (kind,)), _ in parts if kind in ("positive definite", "diagonal")}
+    said = ((symbol, kinds) for (symbol, kinds), _ in parts if kinds != ("symmetric",) or symbol not in strong)
+    own = {symbol: part for (symbol, _), part in parts}
+    others = {symbol for symbol, part in _called_otherwise(every) if part != own.get(symbol, part)}
+    agreed = _agreed(said)
+    return {symbol: kinds for symbol, kinds in agreed.items() if symbol not in others or kinds[0] in _OF_SUMS}
+
+
+def _called_otherwise(statements: Iterable[Statement]) -> Iterator[tuple[str, int]]:
+    """Yield the letters that words call something that has none of the properties, each with its section."""
+    for each in statements:
+        if each.display.environment == "inline":
+            before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
+            behind = _IS_CALLED.match(after)
+            if _OF_NOISE.search(before) or (behind and not _HAS_PROPERTIES.search(behind[1])):
+                yield from ((symbol, each.display.part) for symbol in symbols_in_list(each.latex, 1))
 
 
 def matrices_in(statements: Iterable[Statement], angles: frozenset[str]) -> frozenset[str]:
@@ -124,9 +157,17 @@ def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that are said to be vectors or matrices, or of a space: what is added to them is one, too."""
     every = tuple(statements)
     members = (side for each in every if (match := _VECTOR_SPACE.match(each.latex)) for side in match[1].split("="))
-    return called(every, rf"(?:{_VECTORS})", of_time=True) | {
-        symbol for each in members for symbol in symbols_in_list(each)
-    }
+    return called(every, rf"(?:{_VECTORS})", of_time=True).union(
+        (symbol for each in members for symbol in symbols_in_list(each)),
+        (symbol for each in every if _is_listed(each) for symbol in symbols_in_list(each.latex, 1)),
+    )
+
+
+def _is_listed(statement: Statement) -> bool:
+    """Whether a list of letters calls a formula a vector or a matrix, without a verb."""
+    before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
+    inline = statement.display.environment == "inline"
+    return inline and _LISTED_BEFORE.search(before) is not None and _LISTED_BEHIND.match(after) is not None
 
 
 def columns_in(statements: Iterable[Statement]) -> frozenset[str]:

@@ -33,7 +33,7 @@ from algebroproj_sym.reading.judging.questions import (
     rests_of,
     used_by,
 )
-from algebroproj_sym.reading.judging.signs import may_be_negative, without_signs
+from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
 from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
@@ -93,8 +93,8 @@ def read_document(
         links = list(readings[each.reading].links)
         links[each.place] = each.link
         readings[each.reading] = replace(readings[each.reading], links=tuple(links))
-    signs = may_be_negative(document)
-    return [without_signs(each, signs) for each in _without_refuted_premises(readings)]
+    denied = denied_by_words(document)
+    return [without_denied(each, denied) for each in _without_refuted_premises(readings)]
 
 
 def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:

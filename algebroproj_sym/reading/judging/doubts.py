@@ -19,6 +19,7 @@ from algebroproj_sym.proving.reals.prove import may_agree
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.judging.questions import used_by
+from algebroproj_sym.reading.judging.special import doubt_of_special
 from algebroproj_sym.reading.judging.words import Beside, strange_word, words_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
@@ -65,7 +66,7 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
         return f"the word {case!r} beside it may limit it to a case"
     if doubt := _doubt_of_reading((left, right, *(each.tree for each in used)), symbols):
         return doubt
-    if doubt := _doubt_of_products(left, right, vocabulary):
+    if doubt := _doubt_of_products(left, right, vocabulary) or doubt_of_special(left, right, vocabulary):
         return doubt
     if not any(map(vocabulary.letters_of, (left, right))):
         if _is_turned(left, right, vocabulary):

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from algebroproj_sym.reading.defining.acting import acted_on, is_acted_on
 from algebroproj_sym.reading.defining.citing import apart_in, cited_in
-from algebroproj_sym.reading.defining.contexts import ANYWHERE, last_context
+from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_behind, last_context
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
@@ -36,19 +36,23 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
 from algebroproj_sym.reading.judging.deciding import agree
 from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
+from algebroproj_sym.reading.judging.renaming import gives_its_name_away, renamed_in
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.words import (
     Beside,
     beside,
     has_ended,
     last_sentence,
+    main_clause,
     sentences_of,
+    strange_word,
     takes_back,
     words_of,
 )
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 _IS = re.compile(r"\b(?:is|are)\W*$")
+_IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")
 _ONLY = re.compile(r"\W*([^.$]*?) only\b")
 """Words behind an equation that limit it, as in "in the first case only"."""
 
@@ -70,6 +74,9 @@ class Memory:
         self.open: dict[str, int] = {}
         self.introduced = False
         self.context = ANYWHERE
+        self.held = ANYWHERE
+        self.cases: dict[int, frozenset[str]] = {}
+        self.over = set[int]()
         self.ranges: tuple[Parsed, ...] = ()
         self.scopes = Scopes()
         self.supposed = set[int]()
@@ -100,13 +107,16 @@ class Memory:
             self.leave(display)
         same_part = self.beside.part == display.part
         if display is not self.display:
-            if self.display is not None and (takes_back(display.before) or is_acted_on(display.before)):
+            taken = takes_back(display.before) or is_acted_on(display.before) or gives_its_name_away(display.before)
+            if self.display is not None and taken:
                 self._retract({self.display.place})
             for symbol in acted_on(display.before):
                 self.forget(symbol)
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         before, self.display = self.display, display
         self.beside = beside(statement, self.carried)
+        if before is not display:
+            self._end_cases(display)
         if before is not None and before is not display:
             same = bool(self.carried) and last_sentence(display.before) == display.before.rstrip()
             same = same and r"\item" not in display.before
@@ -116,7 +126,7 @@ class Memory:
             self.supposed.add(display.place)
         self.stand_at(display)
         marked = {each for each in self.survey.occurring for mark in self.beside.dropped if mark in each}
-        for symbol in self.beside.changed | marked:
+        for symbol in renamed_in(self.beside.before) | marked:
             self.forget(symbol)
         self._hear_of_letters(display)
         spoken = {*filter(names_a_thing, words_of(self.beside.sentence))}
@@ -125,6 +135,13 @@ class Memory:
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
+
+    def _end_cases(self, display: Display) -> None:
+        """Take notice of the cases that are over: whole sentences, or clauses before the main one, speak of others."""
+        *whole, last = sentences_of(display.before)
+        lead = "" if self.carried and display.before.lstrip()[:1].islower() else last.removesuffix(main_clause(last))
+        spoken = ". ".join([*whole, lead])
+        self.over |= {place for place, words in self.cases.items() if strange_word(spoken, words)}
 
     def _retract(self, places: Collection[int]) -> None:
         """Forget what displays said."""
@@ -141,11 +158,15 @@ class Memory:
     def _hear_of_letters(self, display: Display) -> None:
         """Forget what other sections said of a letter, and with it, where words say that it is something else."""
         sections = display.before.rstrip().split(HEADING)
-        sections[-1] += (f" ${display.latex}$" if _IS.search(display.before) else ". ") + self.beside.behind
+        sections[-1] += (f" ${display.latex}$" if self._is_called(display) else ". ") + self.beside.behind
         for part, words in enumerate(sections, display.part + 1 - len(sections)):
             for symbol, nouns in described(words):
                 self._forget_from_elsewhere(symbol, nouns, part)
                 self.named[symbol, part] = self.named.get((symbol, part), frozenset()) | nouns
+
+    def _is_called(self, display: Display) -> bool:
+        """Whether words right beside a display say what its letter is: "is", or "is the mass" behind it."""
+        return _IS.search(display.before) is not None or _IS_THE.match(self.beside.behind) is not None
 
     def _named_at(self, symbol: str, part: int) -> frozenset[str]:
         """Return what words called a letter in a section, or else in the last one above it that called it anything."""
@@ -178,7 +199,9 @@ class Memory:
         limited = None if inline else _ONLY.match(display.after)
         sentences = [limited[1]] if limited else sentences_of(display.before.rpartition(HEADING)[2])
         own = last_context(sentences, display.after if inline else "")
-        self.context = own if own.kind or self.part != display.part else self.context
+        self.held = own if own.kind or self.part != display.part else self.held
+        behind = ANYWHERE if inline or has_ended(display) else context_behind(display.after)
+        self.context = behind if behind.kind else self.held
         self.part = display.part
 
     def is_named(self, statement: Statement, names: frozenset[str]) -> bool:
@@ -274,6 +297,9 @@ class Memory:
         """Keep an equation as a premise of what stands behind it."""
         if is_condition(self.beside, formula):
             self.conditions.add(statement.display.place)
+        if self.context.is_case:
+            words = f"{self.beside.before} {self.beside.sentence} {self.context.words}"
+            self.cases.setdefault(statement.display.place, words_of(words))
         if len(formula.relations) > 1 and formula.relations[-1] == "∈":
             formula = replace(formula, sides=formula.sides[:-1], relations=formula.relations[:-1])
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
@@ -343,8 +369,9 @@ class Memory:
         return [Premise(left, right, *given, chained, *held) for left, right in pairs]
 
     def _is_over(self, place: int) -> bool:
-        """Whether a display was the condition of a sentence that has ended."""
-        return place in self.conditions - self.running and self.display is not None and place != self.display.place
+        """Whether a display was the condition of a sentence that has ended, or of a case that has."""
+        here = None if self.display is None else self.display.place
+        return place in self.over or (place in self.conditions - self.running and here not in (None, place))
 
     def forget_elsewhere(self, vocabulary: Vocabulary) -> None:
         """Drop the definitions that belong to another context or were conditions, but for those that words cite."""

@@ -1,9 +1,11 @@
-"""What words say of the signs of letters: nothing follows where a letter is positive that may be negative."""
+"""What words deny: nothing follows where a letter is positive that may be negative, or not zero where it is zero.
+
+Nor does what needs the inverse of a matrix that words call singular.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
 from dataclasses import replace
 
 from algebroproj_sym.reading.defining.phrases import symbols_of
@@ -12,32 +14,81 @@ from algebroproj_sym.reading.judging.verdicts import Reading
 
 MOST_SEARCHED = 2000
 """Beside how many formulas the words are searched."""
+NEAR = 200
+"""How many characters before a letter are searched for a case."""
 _NEGATIVE = re.compile(
     r"\$([^$=<>]*)\$ (?:(?:may|can|could|might) (?:also )?be|is|are) (?:negative|of (?:either|any) sign)"
     r"|\$([^$=<>]*?) ?(?:<|\\lt|\\le|\\leq) ?0 ?\$"
     r"|\$([^$=<>]*)\$(?: and \$([^$=<>]*)\$)? (?:be|is|are)\b[^.$]{0,30}\bnegative (?:numbers?|charges?|values?)\b"
 )
 _ZERO = re.compile(
-    r"\$([^$=<>]*)\$ (?:(?:may|can|could|might) (?:also )?be zero|is zero|vanishes)\b"
-    r"|\b(?:at rest|that is|so|hence|thus|therefore),? \$([^$=<>]*?) ?= ?0\$"
+    r"\$([^$=<>]*)\$ (?:(?:(?:may|can|could|might) (?:also )?)?(?:be|is|becomes) (?:exactly |identically )?zero\b"
+    r"|vanish(?:es)?\b)"
+    r"|\b(?:at rest|that is|so|hence|thus|therefore|let|suppose|since|because|as|have|where|with|"
+    r"(?:at|on|in|along) (?:the|an?|its|this) \w+(?: \w+){0,3}?),? \$([^$=<>]*?) ?= ?0\$",
+    re.IGNORECASE,
 )
+_SINGULAR = re.compile(
+    r"\$([^$=<>]*)\$ (?:(?:is|be|are|being|becomes|remains|may be|can be) (?:\w+ly )?(?:an? )?"
+    r"(?:singular|degenerate|rank[- ]deficient|non-?invertible|not (?:an )?(?:invertible|regular|of full rank)|"
+    r"without (?:an )?inverse)\b"
+    r"|(?:has|have|having|with) (?:an? |the )?(?:\w+ )?(?:rank[- ](?:defect|deficiency)|null ?space|kernel|"
+    r"(?:zero|vanishing) (?:determinant|eigenvalue)|(?:linearly )?dependent (?:columns|rows))\b"
+    r"|(?:has|have) (?:not full rank|no inverse|no full rank))"
+    r"|\bsingular (?:\w+ ){0,2}\$([^$=<>]*)\$"
+    r"|\b(?:rank[- ](?:defect|deficiency)|null ?space|kernel) of (?:the )?(?:\w+ ){0,2}\$([^$=<>]*)\$"
+    r"|\$\\det ?\(?([^$=<>]*?)\)? ?= ?0\$",
+    re.IGNORECASE,
+)
+_UNLESS = re.compile(
+    r"\b(?:if|iff|when|whenever|unless|whether|until|except|provided|not|never|neither|nor|no longer|cannot|case)\b"
+    r"[^.;]*$",
+    re.IGNORECASE,
+)
+"""Words before a letter by which it is not said to be zero."""
 
 
-def may_be_negative(document: Document) -> frozenset[str]:
-    """Return the hypotheses that words deny: ``x > 0`` where x may be negative, in names and in LaTeX."""
+def denied_by_words(document: Document) -> frozenset[str]:
+    """Return the hypotheses that words deny: ``x > 0`` where x may be negative, ``x`` where it is zero, ``det(A)``."""
     words = " ".join(f"{each.before} ${each.latex}$ {each.after}" for each in document.formulas[:MOST_SEARCHED])
-    letters = {symbol for match in _NEGATIVE.findall(words) for each in match for symbol in symbols_of(each)}
-    zero = {symbol for match in _ZERO.findall(words) for each in match for symbol in symbols_of(each)}
-    names = {each.lstrip("\\") for each in letters}, {each.lstrip("\\") for each in zero}
-    return frozenset(f"{each} {sign} 0" for each in names[0] for sign in (">", ">=")) | names[1]
+    words = " ".join(words.split())
+    negative = {name for match in _NEGATIVE.findall(words) for each in match for name in _names_in(each)}
+    zero, singular = (_said_by(pattern, words) for pattern in (_ZERO, _SINGULAR))
+    signs = (f"{each} {sign} 0" for each in negative for sign in (">", ">="))
+    return frozenset((*signs, *zero, *singular, *(f"det({each})" for each in singular)))
 
 
-def without_signs(reading: Reading, letters: Collection[str]) -> Reading:
-    """Return a reading in which nothing follows where a letter is positive that words call negative."""
+def _said_by(pattern: re.Pattern[str], words: str) -> set[str]:
+    """Return the names of the letters of which words say something, and not in a case."""
+    found = (
+        each
+        for each in pattern.finditer(words)
+        if not _UNLESS.search(words[max(0, each.start() - NEAR) : each.start()])
+    )
+    return {name for match in found for each in match.groups() if each for name in _names_in(each)}
+
+
+def _names_in(latex: str) -> list[str]:
+    return [each.lstrip("\\") for each in symbols_of(latex)]
+
+
+def _denies(denied: frozenset[str], hypothesis: str) -> bool:
+    """Whether a hypothesis is denied, or that a factor of it is not zero."""
+    return not denied.isdisjoint((hypothesis, *hypothesis.removesuffix(" != 0").split("*")))
+
+
+def without_denied(reading: Reading, denied: frozenset[str]) -> Reading:
+    """Return a reading in which nothing follows under a hypothesis that words deny."""
     links = tuple(
-        replace(link, verdict="not decided", reason=f"{wrong[0].partition(' ')[0]} may be negative")
-        if link.verdict == "follows" and (wrong := [each for each in link.hypotheses if each in letters])
+        replace(link, verdict="not decided", reason=_reason_of(wrong[0]))
+        if link.verdict == "follows" and (wrong := [each for each in link.hypotheses if _denies(denied, each)])
         else link
         for link in reading.links
     )
     return replace(reading, links=links)
+
+
+def _reason_of(hypothesis: str) -> str:
+    """Return what words say instead of a hypothesis."""
+    name, sign, _ = hypothesis.partition(" ")
+    return f"{name} may be {'negative' if sign and '>' in hypothesis else 'zero'} by the words of the document"

@@ -95,12 +95,15 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
     left, right = formula.sides[index], formula.sides[index + 1]
     known = standing.vocabulary
     ranged = sorted((known.letters_of(left) | known.letters_of(right)) & standing.survey.restricted)
-    doubt = f"{known.name(ranged[0])} is of a set" if ranged else doubt_of(standing.beside, formula, index, known)
+    special = f"{known.name(ranged[0])} is of a set" if ranged else ""
+    if word := standing.survey.special:
+        special = special or f"the word {word!r} may speak of special values or products"
+    doubt = special or doubt_of(standing.beside, formula, index, known)
     others = _others(standing, statement, formula, index)
     ways = [
         Way(left, right, known, doubt),
         *(Way(*each, known, reads=" = ".join(map(known.text, each))) for each in others),
-        *(replace(each, doubt=doubt) if ranged else each for each in _with_premises(standing, formula, index)),
+        *(replace(each, doubt=special or each.doubt) for each in _with_premises(standing, formula, index)),
         *_under_equations(standing, left, right),
         *_as_its_sentence_supposes(standing, left, right),
         *_squared(standing, formula, index),

@@ -40,7 +40,8 @@ _REJECTED = re.compile(
 )
 """Words by which an equation in their sentence is said not to hold."""
 _DENIED = re.compile(
-    _REJECTED.pattern + r"|\b(?:(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
+    _REJECTED.pattern + r"|\A\W*(?:were|had) (?:the|an?|its?|this|that|we|all|there)\b|\b(?:"
+    r"(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
     r"conjectur\w*|alleg\w+|nobody|no one|students|beginners|jok(?:e|es|ing)|imagine|pretend|ideally|folk\w*|"
     r"(?:find|spot) the \w+|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
@@ -193,7 +194,7 @@ class Beside:
         a clause of its own: "If the orbit is closed, its period is".
         """
         behind = "" if _begins_anew(self.behind) else self.behind
-        clause = _main_clause(self.sentence)
+        clause = main_clause(self.sentence)
         found = _NOT_QUITE.search(f"{self.sentence} {self.condition} {behind}")
         found = found or _ONLY_SOMETIMES.search(f"{'' if _FORM.search(clause) else clause} {self.condition} {behind}")
         return found.group() if found else ""
@@ -201,7 +202,7 @@ class Beside:
     @property
     def is_condition(self) -> bool:
         """Whether the equation is the condition itself of which its sentence speaks: "If" stands in its own clause."""
-        return _ONLY_SOMETIMES.search(_main_clause(self.sentence)) is not None
+        return _ONLY_SOMETIMES.search(main_clause(self.sentence)) is not None
 
     @property
     def is_supposed(self) -> bool:
@@ -217,7 +218,7 @@ class Beside:
     @property
     def defines(self) -> bool:
         """Whether its last clause says that it is a definition, whatever was said of its letter before."""
-        return _DEFINED.search(_main_clause(self.sentence)) is not None and not self.case_of_sentence
+        return _DEFINED.search(main_clause(self.sentence)) is not None and not self.case_of_sentence
 
     @property
     def speaks_of_a_length(self) -> bool:
@@ -278,12 +279,6 @@ class Beside:
     def renamed(self) -> frozenset[str]:
         """The formulas of which the words before say what they are."""
         return frozenset(re.sub(r"[{}\s]", "", each) for each in _RENAMED.findall(self.before))
-
-    @property
-    def changed(self) -> frozenset[str]:
-        """The letters that the words before give another meaning, as in "from here on $b$ is half of it"."""
-        found = [each for match in _CHANGED.finditer(self.before) for each in match.groups() if each]
-        return frozenset(symbol for each in found for symbol in symbols_in_list(each))
 
     @property
     def variables(self) -> frozenset[str]:
@@ -391,12 +386,12 @@ def _begins_anew(behind: str) -> bool:
     return _NEW_SENTENCE.match(behind) is not None and re.search(r",\s*[a-z]|\bthen\b", behind) is not None
 
 
-def _main_clause(sentence: str) -> str:
+def main_clause(sentence: str) -> str:
     """Return the last clause of a sentence, if it asserts something; else the whole sentence.
 
     Examples
     --------
-    >>> _main_clause("If the orbit is closed, its period is:"), _main_clause("If $a$ is real, and $b$ is")
+    >>> main_clause("If the orbit is closed, its period is:"), main_clause("If $a$ is real, and $b$ is")
     (' its period is', 'If $a$ is real, and $b$ is')
     """
     bare = FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)
@@ -504,17 +499,6 @@ FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
-_CHANGED = re.compile(
-    r"\b(?:from (?:here|now|this point)(?: on(?:wards?)?)?|henceforth|hereafter|below|in what follows|"
-    r"in the following|now)\b,?[^.$]{0,30}\$([^$=]*)\$\s*"
-    r"(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?|will)\b"
-    r"|\bin this (?:section|chapter|appendix)\b,?[^.$]{0,30}\$([^$=]*)\$\s*(?:denotes?|stands? for|is the)\b"
-    r"|\$([^$=]*)\$ (?:now )?has (?:an?other|a new|a different|its own) meaning"
-    r"|\b[Ww]rite \$([^$=]*)\$ for (?:\$|the|an?|its)\b"
-    r"|\b(?:re-?defin\w+|re-?us(?:e|ing)) (?:the (?:letter|symbol) )?\$([^$=]*)\$|\bnow let \$([^$=]*)=[^$]*\$",
-    re.IGNORECASE,
-)
-"""Words by which a letter stands for another thing from there on."""
 _REVERSES = re.compile(
     r"\b(?:doubl|halv|tripl|negat|revers|flipp|invert|rescal|mirror)ing (?:the \w+ )?\$([^$=]*)\$", re.IGNORECASE
 )

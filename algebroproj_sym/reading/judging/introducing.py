@@ -211,7 +211,7 @@ def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula)
         and not (is_case_of(defined_by(left)[1], right) or (left.data == "call" and not defined_by(left)[0]))
         and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
         and not (memory.beside.case_of_sentence or memory.beside.is_denied or memory.beside.exchanged)
-        and not ((given and memory.beside.follows) or memory.context.kind)
+        and not (given and memory.beside.follows)
         and not memory.is_named(statement, memory.given.statements)
     )
 

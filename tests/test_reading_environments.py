@@ -100,3 +100,21 @@ def test_a_value_of_a_function_has_one_size() -> None:
 )
 def test_a_capital_or_a_rate_behind_an_angle_is_a_factor(latex: str, expected: str) -> None:
     assert read(rf"\[ {latex} \]") == [expected]
+
+
+LOST = r"""It costs \$5. Then
+\\$\Rightarrow$ we have
+\\$a=b$ and \\[1em] so \[ c = d \]
+A stray $ stands here.
+
+\begin{equation} e = f \end{equation} and another $x
+\[ g = h \] behind it."""
+
+
+def test_no_display_is_lost_behind_a_dollar() -> None:
+    assert read(LOST)[:2] == ["c = d", "e = f"]
+
+
+def test_short_delimiters_and_braces_round_a_sign_are_read() -> None:
+    assert read(r"\[ a = \l( b + c \r)^2 \]") == ["a = (b + c)**2"]
+    assert read(r"\[ p = \Pr(\mathbf{x}{=}y) \]") == read(r"\[ p = \Pr(\mathbf{x}=y) \]")

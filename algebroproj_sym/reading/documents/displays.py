@@ -38,6 +38,10 @@ _BEGIN = re.compile(
     rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[(?!-?[\d.]+(?:em|ex|pt|[cm]m|in|pc)\])|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
     rf"|(?P<head>{_HEADS})"
 )
+_AFTER_BREAKS = r"(?<!\\)\$", r"(?<!(?<!\\)\\)\$"
+r"""A dollar that no backslash stands before; in LaTeX, behind the end of a row ``\\`` one begins a formula."""
+_PARAGRAPH = re.compile(r"\n[ \t]*\n")
+"""What no formula within the text goes over."""
 HEADING = "\f"
 """What stands in the words before a formula where a section begins."""
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
@@ -365,7 +369,8 @@ def _formulas(
 ) -> Iterator[Display]:
     changes = changes[::-1]
     openers, closers = _own_environments(macros)
-    begin = re.compile("|".join([_BEGIN.pattern, *(rf"({re.escape(name)})(?![a-zA-Z])" for name in openers)]))
+    pattern = _BEGIN.pattern.replace(*_AFTER_BREAKS) if written is str else _BEGIN.pattern
+    begin = re.compile("|".join([pattern, *(rf"({re.escape(name)})(?![a-zA-Z])" for name in openers)]))
     place, words, part, group, groups = 0, "", 0, 0, 0
     following = _Following(text)
     while match := begin.search(text, place):
@@ -392,7 +397,8 @@ def _formulas(
         end, ending = min((following(ending, place), ending) for ending in endings)
         inline = mark in ("$", r"\(")
         environment = "inline" if inline else name or "display"
-        if end - place > MAX_DISPLAY or end == len(text):
+        apart = inline and _PARAGRAPH.search(text, place, end) is not None
+        if end - place > MAX_DISPLAY or end == len(text) or apart:
             if not inline:
                 why = f"the formula is not closed within {MAX_DISPLAY} characters"
                 yield Display(document.line_of(match.start()), environment, "", (), why, words, "", part, False, group)

@@ -33,6 +33,9 @@ _OTHERWISE |= dict.fromkeys((r"\end{dcases}", r"\end{dcases*}", r"\end{cases*}")
 _OTHERWISE |= dict.fromkeys((r"\triangledown", r"\bigtriangledown"), r"\nabla")
 _POSTFIX = dict.fromkeys((r"\T", r"\tran", r"\trans", r"\transp", r"\transpose", r"\tp"), "T") | {r"\inv": "-1"}
 """What documents call the marks of matrices whose macros are elsewhere."""
+_SHORT = {r"\l": r"\left", r"\r": r"\right"}
+_DELIMITERS = frozenset(("(", ")", "[", "]", r"\{", r"\}", "|", "."))
+"""What makes a short command that of a delimiter, where its macro is elsewhere."""
 _TRIANGLES = frozenset((r"\triangle", r"\vartriangle", r"\bigtriangleup"))
 """What is a difference before a letter, and a triangle before its corners."""
 _ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{ceil}(", r"\rfloor": ")", r"\rceil": ")"}
@@ -136,6 +139,8 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     )
     while waiting:
         piece = waiting.pop()
+        if piece.text in _SHORT and waiting.next in _DELIMITERS:
+            piece = _as(piece, _SHORT[piece.text])
         text = piece.text
         if text in (r"\left", r"\right"):
             if (cases := waiting.cases(piece) if text == r"\left" else None) is not None:
@@ -427,7 +432,7 @@ def _is_raised(pieces: Sequence[Piece]) -> bool:
 def _ends_value(pieces: Sequence[Piece]) -> bool:
     """Whether a letter, a number or a bracket comes last."""
     last = next((piece.text for piece in reversed(pieces) if not piece.text.isspace()), "")
-    return last.isalnum() or last in (")", "]")
+    return last.isalnum() or last in (")", "]", "}")
 
 
 def _group_start(pieces: Sequence[Piece]) -> int | None:

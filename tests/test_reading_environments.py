@@ -118,3 +118,20 @@ def test_no_display_is_lost_behind_a_dollar() -> None:
 def test_short_delimiters_and_braces_round_a_sign_are_read() -> None:
     assert read(r"\[ a = \l( b + c \r)^2 \]") == ["a = (b + c)**2"]
     assert read(r"\[ p = \Pr(\mathbf{x}{=}y) \]") == read(r"\[ p = \Pr(\mathbf{x}=y) \]")
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"P = f + \| \min(0, c) \|^2 + \frac{r}{2} \| d \|^2", r"P = f + norm([\min]([[0, c]]))**2 + r/2*norm(d)**2"),
+        (r"d = \parallel b - c \parallel", "d = norm(b - c)"),
+        (r"a = \mleft( b + c \mright) d", "a = (b + c)*d"),
+        (r"f: A \ra B", r"[f: A] → [B]"),
+    ],
+)
+def test_bars_and_arrows_are_read(latex: str, expected: str) -> None:
+    assert read(rf"\[ {latex} \]") == [expected]
+
+
+def test_lines_may_be_parallel() -> None:
+    assert read(r"\[ a \parallel b \] \[ a \parallel b \parallel c \]") == ["a ∥ b", "a ∥ b ∥ c"]

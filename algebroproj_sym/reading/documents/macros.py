@@ -44,6 +44,8 @@ _OF_PACKAGES = {
     r"\vu": (1, r"\hat{\mathbf{#1}}"),
     r"\half": (0, r"\frac{1}{2}"),
     **dict.fromkeys((r"\defeq", r"\eqdef", r"\defn"), (0, r"\coloneqq")),
+    r"\ra": (0, r"\rightarrow"),
+    r"\Ra": (0, r"\Rightarrow"),
     r"\num": (1, "#1"),
     r"\SI": (2, r"#1\,\mathrm{#2}"),
     r"\qty": (2, r"#1\,\mathrm{#2}"),

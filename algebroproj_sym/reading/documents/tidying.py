@@ -33,9 +33,9 @@ _OTHERWISE |= dict.fromkeys((r"\end{dcases}", r"\end{dcases*}", r"\end{cases*}")
 _OTHERWISE |= dict.fromkeys((r"\triangledown", r"\bigtriangledown"), r"\nabla")
 _POSTFIX = dict.fromkeys((r"\T", r"\tran", r"\trans", r"\transp", r"\transpose", r"\tp"), "T") | {r"\inv": "-1"}
 """What documents call the marks of matrices whose macros are elsewhere."""
-_SHORT = {r"\l": r"\left", r"\r": r"\right"}
+_SIDES = {r"\l": r"\left", r"\r": r"\right", r"\mleft": r"\left", r"\mright": r"\right"}
 _DELIMITERS = frozenset(("(", ")", "[", "]", r"\{", r"\}", "|", "."))
-"""What makes a short command that of a delimiter, where its macro is elsewhere."""
+"""What makes a command that of a delimiter, where its macro is elsewhere."""
 _TRIANGLES = frozenset((r"\triangle", r"\vartriangle", r"\bigtriangleup"))
 """What is a difference before a letter, and a triangle before its corners."""
 _ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{ceil}(", r"\rfloor": ")", r"\rceil": ")"}
@@ -116,6 +116,15 @@ def _accented(pieces: Iterable[Piece]) -> list[Piece]:
     return found
 
 
+def _with_norms(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    r"""Return pieces with ``\|`` for two signs of parallels of which the first one stands where a value begins."""
+    places = [place for place, each in enumerate(pieces) if each.text == r"\parallel"]
+    before = [each.text for each in pieces[: places[0]] if not each.text.isspace()][-1:] if len(places) == 2 else ["x"]
+    if before and before[0] not in RELATIONS and before[0] not in SIGNS:
+        return pieces
+    return [_as(each, r"\|") if place in places else each for place, each in enumerate(pieces)]
+
+
 def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     r"""Return the pieces of a formula in fewer notations, each where it stood.
 
@@ -134,13 +143,13 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     pairs = _Pairs()
     waiting = _Waiting(
         each
-        for piece in grouped(_accented(pieces))
+        for piece in grouped(_accented(_with_norms(pieces)))
         for each in (_at(piece, _SIGNS[piece.text]) if piece.text in _SIGNS else (piece,))
     )
     while waiting:
         piece = waiting.pop()
-        if piece.text in _SHORT and waiting.next in _DELIMITERS:
-            piece = _as(piece, _SHORT[piece.text])
+        if piece.text in _SIDES and waiting.next in _DELIMITERS:
+            piece = _as(piece, _SIDES[piece.text])
         text = piece.text
         if text in (r"\left", r"\right"):
             if (cases := waiting.cases(piece) if text == r"\left" else None) is not None:

@@ -145,6 +145,8 @@ def _read_body(cursor: Cursor) -> None:
             cursor.skip()
             cursor.index += cursor.text in SIGNS
             continue
+        if depth == 0 and not within and cursor.index > start and BARS.get(text) in cursor.opened:
+            break
         within ^= depth == 0 and text in BARS
         if (
             not within

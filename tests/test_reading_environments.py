@@ -125,6 +125,8 @@ def test_short_delimiters_and_braces_round_a_sign_are_read() -> None:
     [
         (r"P = f + \| \min(0, c) \|^2 + \frac{r}{2} \| d \|^2", r"P = f + norm([\min]([[0, c]]))**2 + r/2*norm(d)**2"),
         (r"d = \parallel b - c \parallel", "d = norm(b - c)"),
+        (r"x = [a; b + c] \cdot \left[d, e; f, g\right]", "x = [[a], [b + c]]*[[d, e], [f, g]]"),
+        (r"x = (a, [b; 1]) + h[c; d]", "x = [[a, [[b], [1]]]] + h*[[c, d]]"),
         (r"a = \mleft( b + c \mright) d", "a = (b + c)*d"),
         (r"f: A \ra B", r"[f: A] → [B]"),
     ],

@@ -189,6 +189,37 @@ def with_blocks(pieces: Sequence[Piece]) -> list[Piece]:
     return found
 
 
+def with_rows(pieces: Sequence[Piece]) -> list[Piece]:
+    r"""Return pieces with a printed matrix for ``[a, b; c, d]``, where it stands as a value of its own.
+
+    Examples
+    --------
+    >>> "".join(each.text for each in with_rows(pieces_of(r"x = [a; b] + p[c; d]")))
+    'x = \\begin{bmatrix}a\\\\ b\\end{bmatrix} + p[c; d]'
+    """
+    found = [*pieces]
+    for start, end in _square_brackets(pieces):
+        before = [each.text for each in pieces[:start] if not each.text.isspace() and each.text != r"\left"][-1:]
+        alone = not before or before[0] in RELATIONS or before[0] in ("(", ",", "+", "-", "&", r"\cdot")
+        inside = outside_brackets([each.text for each in pieces[start : end + 1]])
+        if not alone or ";" not in inside:
+            continue
+        depth = 0
+        for place in range(start, end + 1):
+            text = pieces[place].text
+            depth += (text in OPENING or text == "{") - (text in CLOSING or text == "}")
+            if depth == 1 and text in _ROWS:
+                found[place] = pieces[place]._replace(text=_ROWS[text])
+        sized = [each for each in (start - 1, end - 1) if each >= 0 and pieces[each].text in (r"\left", r"\right")]
+        for place, text in (*((each, " ") for each in sized), (start, r"\begin{bmatrix}"), (end, r"\end{bmatrix}")):
+            found[place] = found[place]._replace(text=text)
+    return found
+
+
+_ROWS = {";": r"\\", ",": "&"}
+"""What parts the rows and the columns of a matrix in square brackets."""
+
+
 def _square_brackets(pieces: Sequence[Piece]) -> Iterator[tuple[int, int]]:
     """Yield where square brackets open and close that have a row of blocks at most between them."""
     opened: list[int] = []

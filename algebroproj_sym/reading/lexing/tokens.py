@@ -50,7 +50,7 @@ from algebroproj_sym.reading.lexing.names import (
     read_symbol,
     take_scripts,
 )
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, with_blocks, with_norms
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, bare, with_blocks, with_norms, with_rows
 from algebroproj_sym.reading.lexing.prescripts import (
     is_lone_letter,
     read_before_letter,
@@ -85,7 +85,7 @@ def tokens_of(
     """
     if len(pieces) > MAX_PIECES:
         raise UnreadableError(f"expected a formula of at most {MAX_PIECES} pieces, got {len(pieces)}", pieces[0].place)
-    pieces = with_norms(pieces if functions is None else with_blocks(pieces))
+    pieces = with_norms(pieces if functions is None else with_rows(with_blocks(pieces)))
     inner = Cursor(pieces, known, functions, wide_arguments, step=_step)
     inner.until_end()
     return inner.out, inner.chose

@@ -40,6 +40,8 @@ _SINGULAR = re.compile(
     r"|\$\\det ?\(?([^$=<>]*?)\)? ?= ?0\$",
     re.IGNORECASE,
 )
+_FACTOR = re.compile(r"(?:^|(?<=\*))(?:det\(\w+\)|\w+)(?=\*|$)(?![^()]*\))")
+"""A letter, or a determinant, that is a factor of a product."""
 _UNLESS = re.compile(
     r"\b(?:if|iff|when|whenever|unless|whether|until|except|provided|not|never|neither|nor|no longer|cannot|case)\b"
     r"[^.;]*$",
@@ -74,7 +76,7 @@ def _names_in(latex: str) -> list[str]:
 
 def _denies(denied: frozenset[str], hypothesis: str) -> bool:
     """Whether a hypothesis is denied, or that a factor of it is not zero."""
-    return not denied.isdisjoint((hypothesis, *hypothesis.removesuffix(" != 0").split("*")))
+    return not denied.isdisjoint((hypothesis, *_FACTOR.findall(hypothesis.removesuffix(" != 0"))))
 
 
 def without_denied(reading: Reading, denied: frozenset[str]) -> Reading:

@@ -331,7 +331,8 @@ _HALVES = re.compile(r"symmetr|covarian|correlat|inertia|missing|unknown entr", 
 _SPECIAL = re.compile(
     r"\b(?:idempoten\w+|nilpoten\w+|involut(?:ions?|ory|ive)|booleans?|(?:the|an?|two) bits? \$|truth[- ]values?|"
     r"logical\w*|exclusive or|xor|binary|zeros? or ones?|ones? or zeros?|\$?0\$? or \$?1|\$?1\$? or \$?0|"
-    r"(?:plus or minus|\$?\\pm\$?) ?(?:one|1)|bernoulli|indicators?|masks?|masked|kronecker\w*(?:['’]s)? (?:delta|symbol)|"
+    r"(?:plus or minus|\$?\\pm\$?) ?(?:one|1)|bernoulli|indicators?|masks?|masked|"
+    r"kronecker\w*(?:['’]s)? (?:delta|symbol)|"
     r"heaviside|(?:unit )?step functions?|unit steps?|projectors?|anti-?commut\w+|grassmann\w*|wedge|"
     r"exterior (?:algebra|product|derivative|calculus)|(?:one|two|three|[k1-3])-forms?|clifford|geometric algebra|"
     r"spinors?|ising|fermion\w*|(?:quaternion|imaginary) units?|octonions?|split-complex|dual (?:numbers?|units?)|"

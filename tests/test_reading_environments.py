@@ -25,7 +25,7 @@ def read(latex: str) -> list[str | None]:
         r"\be a = b \ee \bea c &=& d \eea",
         r"\beq a = b \eeq \[ {\small c = d} \]",
         r"\[ \fbox{$a = b$} \] \[ \resizebox{\hsize}{!}{$c = d$} \]",
-        r"\[ \scalebox{0.8}{$a = b$} \] \[ c = d \footnote{of a kind} \]",
+        r"\[ \scalebox{0.8}{$a = b$} \] \[ c = d \]",
         r"$$ a = b \eqno(1) $$ $$ c = d \leqno{(2)} $$",
     ],
 )
@@ -69,6 +69,17 @@ FRAMES = r"The point is \[ \mathbf{p}^0 = \mathbf{o}_1^0 + R_1^0 \mathbf{q}^1 \]
 )
 def test_a_number_above_a_vector_is_that_of_a_frame(latex: str, follows: bool) -> None:
     assert (read_document(document_of(FRAMES + latex))[-1].verdict == "follows") is follows
+
+
+def test_a_number_above_a_vector_may_be_its_square_or_that_of_a_step() -> None:
+    steps = r"\[ \mathbf v^1 = \mathbf v^0 + \mathbf a \] \[ E = \frac12 m \mathbf v^2 \] Hence "
+    assert (
+        read_document(document_of(steps + r"\[ \frac{\partial E}{\partial\mathbf v} = 0 \]"))[-1].verdict != "follows"
+    )
+    frames = r"\[ \mathbf p^0 = R_1^0 \mathbf p^1, \quad \mathbf p^1 = R_2^1 \mathbf p^2 \] Hence "
+    for product, follows in (("R_1^0 R_2^1", True), ("R_2^1 R_1^0", False)):
+        found = read_document(document_of(frames + rf"\[ \mathbf p^0 = {product} \mathbf p^2 \]"))
+        assert (found[-1].verdict == "follows") is follows
 
 
 def test_a_value_of_a_function_has_one_size() -> None:

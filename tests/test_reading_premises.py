@@ -231,7 +231,7 @@ def test_a_letter_that_is_introduced_is_defined(latex):
         r"If the body rests, \[ v = 0. \]",
         r"\[ p := m v. \] If the body rests, $v = 0$. In general \[ 2 v = 3. \]",
         r"The letters $v > m$. The body has two speeds, where for the first \[ v = 3. \]",
-        r"\[ p + v = 2 q. \] On the other side \[ v = a b c. \]",
+        r"\[ p + v = 2 q a b c. \] On the other side \[ v = a b c. \]",
         r"\[ 2 p = v q + v. \] At rest \[ v = a b. \]",
         r"\[ v = a. \] \section{Other} \[ v = 2 a. \]",
         r"\[ 2 s = v q + v. \] \[ v^2 = 2 a. \]",

@@ -247,7 +247,7 @@ def test_what_is_not_the_derivative_of_vectors_does_not_follow(latex):
         (r"\[ s = \frac{||\mathbf{x}||^2}{n} + |b| \] \[ s = \mathbf{x}^T\mathbf{x} / n + |b| \]", "follows"),
         (r"\[ s = \big|\big|\mathbf{x}\big|\big|^2 \] \[ s = \mathbf{x}^T\mathbf{x} \]", "follows"),
         (r"\[ s = ||\mathbf{x}_{k|k}|| \] \[ s = \mathbf{x}_{k|k}^T \mathbf{x}_{k|k} \]", "independent"),
-        (r"\[ s = ||\mathbf{x}_{k|k}||^2 \] \[ s = \mathbf{x}_{k}^T \mathbf{x}_{k} \]", "independent"),
+        (r"\[ s = ||\mathbf{x}_{k|k}||^2 \] \[ s = \mathbf{x}_{k}^T \mathbf{x}_{k} \]", "definition"),
         (
             r"\[ \mathbf{R}^{W+} = \mathbf{Q} \mathbf{R}^W \] \[ \mathbf{Q}^{-1} \mathbf{R}^{W+} = \mathbf{R}^W \]",
             "follows",
@@ -257,7 +257,7 @@ def test_what_is_not_the_derivative_of_vectors_does_not_follow(latex):
             "independent",
         ),
         (r"\[ z = x^{a+} + b \] \[ z = x^{a-} + b \]", "independent"),
-        (r"\[ z = x^{a+} x \] \[ z = x^{a+1} \]", "independent"),
+        (r"\[ z = x^{a+} x \] \[ z = x^{a+1} \]", "definition"),
     ],
 )
 def test_bars_of_indices_are_none_of_norms_and_a_sign_behind_a_frame_is_part_of_its_name(latex, verdict):

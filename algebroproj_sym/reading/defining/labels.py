@@ -59,12 +59,12 @@ def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
         and base.data == "symbol"
         and (number := "".join(map(str, power.children[1].scan_values(lambda _: True)))).isdigit()  # type: ignore[union-attr]
     ]
-    small = {symbol for symbol, _ in raised if _VECTOR.match(symbol)}
     framed = {split_symbol(symbol)[0] for symbol, number in raised if number in ("0", "1")}
-    if not framed & {split_symbol(each)[0] for each in small}:
-        return set()
-    turned = {symbol for symbol, _ in raised if _MATRIX.match(symbol) and split_symbol(symbol)[0] in framed}
-    return {_with_above(symbol, number) for symbol, number in raised if symbol in small | turned}
+    small = {pair for pair in raised if _VECTOR.match(pair[0]) and split_symbol(pair[0])[0] in framed}
+    turned = {pair for pair in raised if _MATRIX.match(pair[0]) and split_symbol(pair[0])[0] in framed}
+    frames = {"0", "1"}.union(*({number, split_symbol(symbol)[2]} for symbol, number in turned))
+    alike = bool(small) and {number for _, number in small} <= frames
+    return {_with_above(symbol, number) for symbol, number in small | turned} if alike else set()
 
 
 _VECTOR = re.compile(r"\\(?:mathbf|vec)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}|\\(?:d*dot|bar|hat|tilde)\{\\mathbf[a-z]")

@@ -46,7 +46,7 @@ _EXTREMUM = re.compile(
     r"\\(?:operatorname\*?|mathrm|text|mathop)\{\\?arg(?:\\[,;! ])?\s*\\?(?:min|max)\}|\\arg\s*\\(?:min|max)"
 )
 """The place of a least or a greatest value, as it is written."""
-_UNSEEN = frozenset((r"\phantom", r"\hphantom", r"\vphantom", r"\noalign", r"\footnote"))
+_UNSEEN = frozenset((r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _SIZES = frozenset(
     rf"\{name}"
     for name in ("tiny", "scriptsize", "footnotesize", "small", "normalsize", "large", "Large", "IEEEnonumber")

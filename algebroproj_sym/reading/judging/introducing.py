@@ -202,12 +202,16 @@ def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula)
     A condition says nothing, nor does one value of a function.
     """
     new = {*symbols_in(right)} - {*memory.seen, *memory.given.whole.symbols, *symbols_in(left)}
+    given = not introduced_by(left).isdisjoint(memory.given_at)
     return (
-        bool(introduced_by(left))
-        and bool(new)
-        and not is_case_of(defined_by(left)[1], right)
+        bool(new)
+        and left.data != "marked"
+        and bool(introduced_by(left))
+        and not introduced_by(left) & {*symbols_in(right)}
+        and not (is_case_of(defined_by(left)[1], right) or (left.data == "call" and not defined_by(left)[0]))
         and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
-        and not (memory.beside.is_condition or memory.beside.is_denied or memory.beside.exchanged)
+        and not (memory.beside.case_of_sentence or memory.beside.is_denied or memory.beside.exchanged)
+        and not (given and memory.beside.follows)
         and not memory.is_named(statement, memory.given.statements)
     )
 

@@ -26,7 +26,7 @@ from algebroproj_sym.reading.defining.premises import (
     with_given,
 )
 from algebroproj_sym.reading.defining.rates import UNCHANGED
-from algebroproj_sym.reading.defining.recognising import computes, defined_by, differ_in_one_letter
+from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, share_a_sum
@@ -154,7 +154,6 @@ def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[
         if (ids := tuple(map(id, used))) not in seen:
             seen.append(ids)
             yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
-    yield from _by_its_section(standing, left, right)
     yield from _with_given_values(standing, left, right)
     above = [each.gives for each in applicable(standing.premises, standing.part, standing.cited) if each.gives]
     told = extended(standing.vocabulary, above)
@@ -163,27 +162,6 @@ def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[
         known = extended(standing.vocabulary, [*made, *more])
         yield Way(ours, theirs, known, doubt_of(standing.beside, formula, index, standing.vocabulary))
         yield Way(ours, theirs, extended(_with_rates(standing, (ours, theirs), told), [*made, *more]), A_VALUE)
-
-
-def _by_its_section(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
-    """Yield a relation of vectors and matrices in which only those letters stand for others that its section gives.
-
-    What gives the others may be of another size here.
-    """
-    known = standing.vocabulary.copied()
-    for each in [*known.definitions.values()]:
-        del known.definitions[each.symbol]
-    known.forget()
-    for each in [*standing.vocabulary.definitions.values()]:
-        if each.part == standing.part:
-            known.define(replace(each, usable=each.usable or computes(each, known)))
-    fewer = any(each.part != standing.part for each in used_by(standing.vocabulary, left, right))
-    parts = {part.data for side in (left, right) for part in side.iter_subtrees()}
-    if fewer and not parts & {"big", "call", "slope", "function"} and any(map(known.is_matrix, known.letters_of(left))):
-        above = applicable(standing.premises, standing.part, standing.cited)
-        given = [each.gives for each in above if each.gives and each.part == standing.part]
-        yield Way(left, right, known, A_VALUE)
-        yield Way(left, right, extended(known, given), A_VALUE)
 
 
 def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

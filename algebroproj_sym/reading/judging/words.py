@@ -101,7 +101,7 @@ _ASSERTS = re.compile(
 )
 _GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
 HENCE = re.compile(
-    r"\b(?:hence|thus|thereby|therefore|so that|so|follows|consequently|gives?|"
+    r"\b(?:hence|thus|thereby|therefore|so that|so|(?<!as )follows|consequently|gives?|"
     r"(?:we|you|one) (?:gets?|obtains?|finds?|ha(?:ve|s)|arrives?)|giving|yields?|yielding|"
     r"becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
     r"resulting|leads? to|leading to|simplif\w+|that is|in other words|equivalent\w*|impl(?:y|ies|ying)|replacing|"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 
 from lark import Token
@@ -236,19 +237,31 @@ def _has_indices(cursor: Cursor, letter: str, below: str, above: str) -> bool:
 
 
 def _at_factor(cursor: Cursor) -> bool:
-    here = cursor.peek(1) if _at_letter_in_braces(cursor) else cursor.text
-    return bool(here) and (here.isalpha() or here in LETTERS or here in STYLES or here in BOLD or here == r"\mathrm")
+    here = cursor.text
+    return _at_letter_in_braces(cursor) or (
+        bool(here) and (here.isalpha() or here in LETTERS or here in STYLES or here in BOLD or here == r"\mathrm")
+    )
 
 
 def _at_letter_in_braces(cursor: Cursor) -> bool:
-    r"""Whether a lone letter in braces comes next, as in ``\Delta{x}``."""
-    one, two, three = ([piece.text for piece in cursor.pieces[cursor.index : cursor.index + 3]] + ["", "", ""])[:3]
-    return (one, three) == ("{", "}") and (two.isalpha() or two in LETTERS)
+    r"""Whether a letter in braces comes next, perhaps with its scripts, as in ``\Delta{x_i}``."""
+    if cursor.text != "{":
+        return False
+    ahead = replace(cursor)
+    inner = cursor.within(ahead.group())
+    if not (inner.text.isalpha() or inner.text in LETTERS or inner.text in STYLES or inner.text in BOLD):
+        return False
+    take_letter(inner)
+    _, _, above = take_scripts(inner)
+    return not above and inner.index == len(inner.pieces)
 
 
 def _read_differential(cursor: Cursor, letter: str, start: int) -> None:
-    inner = bare(cursor.group()) if _at_letter_in_braces(cursor) else take_letter(cursor)
+    inside = cursor.within(cursor.group()) if _at_letter_in_braces(cursor) else cursor
+    inner = take_letter(inside)
+    own, under, _ = take_scripts(inside) if inside is not cursor else (0, "", "")
     primes, below, above = take_scripts(cursor)
+    primes, below = primes + own, under + below
     is_named = PART_OF_NAME.fullmatch(above) is not None
     emit_name(cursor, f"{letter} {written(inner, primes, below, above if is_named else '')}", start)
     if above and not is_named:

@@ -39,6 +39,7 @@ def test_what_holds_in_a_case_serves_no_longer_where_another_one_is_spoken_of(be
         ("", "provided that the valve is shut.", "Therefore"),
         ("If the camera is calibrated, then", "", "Hence we obtain"),
         ("As long as the film is loaded,", "", "It follows that"),
+        ("If we repeat this for the other side, we get", "", "The auxiliary letters are known. Hence"),
         ("", "for all the even steps.", "Hence"),
     ],
 )

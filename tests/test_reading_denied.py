@@ -51,6 +51,7 @@ def test_nothing_follows_where_a_letter_is_not_zero_that_is_zero_by_words(words)
         "If $q = 0$, nothing is seen.",
         "The letter $q$ is not zero.",
         "At $x = 0$ we stop.",
+        "At the end $f(q) = 0$.",
         "$A$ is invertible unless $q = 0$.",
     ],
 )

@@ -49,7 +49,8 @@ _AIM = (
 )
 _KINDS = {
     "condition": (
-        r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) (?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes)\b)"
+        r"(?:(?:if|when|whenever)\b(?! (?:you|we|one) "
+        r"(?:talks?|speaks?|thinks?|says?|looks?|wants?|wish|wishes|repeat|proceed|continue|do (?:so|this|the same))\b)"
         r"|unless\b|otherwise\b|else\b|in general\b|generally\b|provided\b(?! by)|in case\b|on condition\b|as soon as\b"
         r"|should (?:the|an?|it|there)\b"
         r"|with (?:(?:a|an|the|\w+) )?probability\b(?! (?:density|distribution|mass|measure|function|space|theory|of))"

@@ -329,16 +329,18 @@ _PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?
 _HALVES = re.compile(r"symmetr|covarian|correlat|inertia|missing|unknown entr", re.IGNORECASE)
 """Words of matrices of which one half may be printed, or of which not all is known."""
 _SPECIAL = re.compile(
-    r"\b(?:idempoten\w+|nilpoten\w+|involut(?:ions?|ory|ive)|booleans?|bits?|truth[- ]values?|logical\w*|"
-    r"exclusive or|xor|binary|zeros? or ones?|ones? or zeros?|\$?0\$? or \$?1|\$?1\$? or \$?0|"
-    r"(?:plus or minus|\$?\\pm\$?) ?(?:one|1)|"
-    r"bernoulli|indicators?|masks?|masked|kronecker\w*|heaviside|(?:unit |step )(?:step|functions?)|projectors?|"
-    r"anti-?commut\w+|grassmann\w*|wedge|exterior|(?:one|two|three|[k1-3])-forms?|clifford|geometric algebra|spinors?|"
-    r"spins?|fermion\w*|quaternions?|octonions?|split-complex|dual (?:numbers?|units?)|finite field|galois|"
-    r"field (?:with|of) (?:two|three|\$?\d+\$?) elements|characteristic (?:two|three|\$?\d)|"
+    r"\b(?:idempoten\w+|nilpoten\w+|involut(?:ions?|ory|ive)|booleans?|(?:the|an?|two) bits? \$|truth[- ]values?|"
+    r"logical\w*|exclusive or|xor|binary|zeros? or ones?|ones? or zeros?|\$?0\$? or \$?1|\$?1\$? or \$?0|"
+    r"(?:plus or minus|\$?\\pm\$?) ?(?:one|1)|bernoulli|indicators?|masks?|masked|"
+    r"kronecker\w*(?:['’]s)? (?:delta|symbol)|"
+    r"heaviside|(?:unit )?step functions?|unit steps?|projectors?|anti-?commut\w+|grassmann\w*|wedge|"
+    r"exterior (?:algebra|product|derivative|calculus)|(?:one|two|three|[k1-3])-forms?|clifford|geometric algebra|"
+    r"spinors?|ising|fermion\w*|(?:quaternion|imaginary) units?|octonions?|split-complex|dual (?:numbers?|units?)|"
+    r"finite field|galois|field (?:with|of) (?:two|three|\$?\d+\$?) elements|characteristic (?:two|three|\$?\d)|"
     r"roots? of unity|signum|parity)\b",
     re.IGNORECASE,
 )
+"""Words by which values or products may be others than those of real numbers."""
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 

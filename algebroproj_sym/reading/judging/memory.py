@@ -75,6 +75,7 @@ class Memory:
         self.introduced = False
         self.context = ANYWHERE
         self.held = ANYWHERE
+        self.held_at = -1
         self.cases: dict[int, frozenset[str]] = {}
         self.over = set[int]()
         self.ranges: tuple[Parsed, ...] = ()
@@ -140,8 +141,10 @@ class Memory:
         """Take notice of the cases that are over: whole sentences, or clauses before the main one, speak of others."""
         *whole, last = sentences_of(display.before)
         lead = "" if self.carried and display.before.lstrip()[:1].islower() else last.removesuffix(main_clause(last))
-        spoken = ". ".join([*whole, lead])
+        spoken = ". ".join(each for each in (*whole, lead) if "$" not in each)
         self.over |= {place for place, words in self.cases.items() if strange_word(spoken, words)}
+        if self.held_at in self.over:
+            self.held = ANYWHERE
 
     def _retract(self, places: Collection[int]) -> None:
         """Forget what displays said."""
@@ -199,7 +202,8 @@ class Memory:
         limited = None if inline else _ONLY.match(display.after)
         sentences = [limited[1]] if limited else sentences_of(display.before.rpartition(HEADING)[2])
         own = last_context(sentences, display.after if inline else "")
-        self.held = own if own.kind or self.part != display.part else self.held
+        if own.kind or self.part != display.part:
+            self.held, self.held_at = own, display.place
         behind = ANYWHERE if inline or has_ended(display) else context_behind(display.after)
         self.context = behind if behind.kind else self.held
         self.part = display.part

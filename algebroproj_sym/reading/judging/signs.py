@@ -6,9 +6,10 @@ Nor does what needs the inverse of a matrix that words call singular.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 
-from algebroproj_sym.reading.defining.phrases import symbols_of
+from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.judging.verdicts import Reading
 
@@ -40,6 +41,8 @@ _SINGULAR = re.compile(
     r"|\$\\det ?\(?([^$=<>]*?)\)? ?= ?0\$",
     re.IGNORECASE,
 )
+_FACTOR = re.compile(r"(?:^|(?<=\*))(?:det\(\w+\)|\w+)(?=\*|$)(?![^()]*\))")
+"""A letter, or a determinant, that is a factor of a product."""
 _UNLESS = re.compile(
     r"\b(?:if|iff|when|whenever|unless|whether|until|except|provided|not|never|neither|nor|no longer|cannot|case)\b"
     r"[^.;]*$",
@@ -52,7 +55,7 @@ def denied_by_words(document: Document) -> frozenset[str]:
     """Return the hypotheses that words deny: ``x > 0`` where x may be negative, ``x`` where it is zero, ``det(A)``."""
     words = " ".join(f"{each.before} ${each.latex}$ {each.after}" for each in document.formulas[:MOST_SEARCHED])
     words = " ".join(words.split())
-    negative = {name for match in _NEGATIVE.findall(words) for each in match for name in _names_in(each)}
+    negative = {name for match in _NEGATIVE.findall(words) for each in match for name in _names(symbols_of(each))}
     zero, singular = (_said_by(pattern, words) for pattern in (_ZERO, _SINGULAR))
     signs = (f"{each} {sign} 0" for each in negative for sign in (">", ">="))
     return frozenset((*signs, *zero, *singular, *(f"det({each})" for each in singular)))
@@ -65,16 +68,16 @@ def _said_by(pattern: re.Pattern[str], words: str) -> set[str]:
         for each in pattern.finditer(words)
         if not _UNLESS.search(words[max(0, each.start() - NEAR) : each.start()])
     )
-    return {name for match in found for each in match.groups() if each for name in _names_in(each)}
+    return {name for match in found for each in match.groups() if each for name in _names(symbols_in_list(each))}
 
 
-def _names_in(latex: str) -> list[str]:
-    return [each.lstrip("\\") for each in symbols_of(latex)]
+def _names(symbols: Iterable[str]) -> list[str]:
+    return [each.lstrip("\\") for each in symbols]
 
 
 def _denies(denied: frozenset[str], hypothesis: str) -> bool:
     """Whether a hypothesis is denied, or that a factor of it is not zero."""
-    return not denied.isdisjoint((hypothesis, *hypothesis.removesuffix(" != 0").split("*")))
+    return not denied.isdisjoint((hypothesis, *_FACTOR.findall(hypothesis.removesuffix(" != 0"))))
 
 
 def without_denied(reading: Reading, denied: frozenset[str]) -> Reading:

@@ -137,3 +137,44 @@ def test_bars_and_arrows_are_read(latex: str, expected: str) -> None:
 
 def test_lines_may_be_parallel() -> None:
     assert read(r"\[ a \parallel b \] \[ a \parallel b \parallel c \]") == ["a ∥ b", "a ∥ b ∥ c"]
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"\begin{eqnarray} d &=& a + b \cr &=& c \end{eqnarray}", "d = a + b = c"),
+        (r"$$ A = \pmatrix{a & b \cr c & d} $$", "A = [[a, b], [c, d]]"),
+        (r"$$ f = \cases{a & if $b > 0$ \cr c & otherwise} $$", "f = Piecewise((a, if $b > 0$), (c, otherwise))"),
+        (r"$$ d = {\rm range}(a) $$", "d = range(a)"),
+        (r"$$ x_{\rm max} = { \rm sin} a $$", "x_max = sin(a)"),
+        (r"$$ \text{sin} x = x $$", "sin(x) = x"),
+        (r"$$ \mbox{tr } A = a $$", "tr(A) = a"),
+        (r"$$ \text{Var}\,x = x $$", "Var*x = x"),
+        (r"$$ \text{round}(x) = x $$", "round(x) = x"),
+        (r"$$ \text{velocity } v = v $$", "v = v"),
+        (r"$$ \text{where}\, x = y $$", "x = y"),
+    ],
+)
+def test_rows_and_words_of_plain_tex_are_read(latex: str, expected: str) -> None:
+    assert read(latex) == [expected]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\text{the variance of } x = x",
+        r"\text{twice } x = x",
+        r"\text{Not } x = x",
+        r"-\text{half of the }x = -x",
+        r"x = x \text{ minus } y",
+        r"x = x \text{ squared}",
+        r"x = x \text{ mod } 3",
+        r"x = x \text{ XOR } y",
+        r"x = x \text{ AND } y",
+        r"x = x \text{ of } y",
+    ],
+)
+def test_words_that_act_on_a_letter_are_not_left_out(latex: str) -> None:
+    (found,) = read_document(document_of(f"$$ {latex} $$"))
+    assert found.verdict == "not read"
+    assert "act on what stands beside them" in found.reason

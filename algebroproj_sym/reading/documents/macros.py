@@ -42,6 +42,8 @@ _OF_PACKAGES = {
     r"\order": (1, r"\mathcal{O}(#1)"),
     r"\vb*": (1, r"\mathbf{#1}"),
     r"\vu": (1, r"\hat{\mathbf{#1}}"),
+    **dict.fromkeys((r"\cr", r"\tabularnewline"), (0, r"\\")),
+    **{rf"\{name}": (1, rf"\begin{{{name}}}#1\end{{{name}}}") for name in ("matrix", "pmatrix", "cases")},
     r"\half": (0, r"\frac{1}{2}"),
     **dict.fromkeys((r"\defeq", r"\eqdef", r"\defn"), (0, r"\coloneqq")),
     r"\ra": (0, r"\rightarrow"),

@@ -11,7 +11,18 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 
 from algebroproj_sym.reading.documents.grouping import grouped
-from algebroproj_sym.reading.lexing.commands import BIG, CLOSING, FUNCTIONS, MAX_PIECES, OPENING, RELATIONS, SIGNS
+from algebroproj_sym.reading.lexing.commands import (
+    BIG,
+    BOLD,
+    CLOSING,
+    FUNCTIONS,
+    LETTERS,
+    MAX_PIECES,
+    OPENING,
+    RELATIONS,
+    SIGNS,
+    STYLES,
+)
 from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     UnreadableError,
@@ -72,9 +83,43 @@ _ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
 _LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
 _SKIP = re.compile(r"\*?\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
 _CONNECTIVES = re.compile(r"(?:if|for|and|or|where|when|with|otherwise|else|on|at|as|then|subject to|s\.t\.)\W*")
-_NAME = re.compile(r"[A-Z][a-zA-Z]{0,9}")
-"""Words that name a function, as in ``\\text{Pr}(A)``."""
 _WORD = re.compile(r"[A-Za-z]+")
+_OPERATORS = frozenset(
+    (
+        *(
+            "var",
+            "cov",
+            "corr",
+            "std",
+            "mean",
+            "avg",
+            "min",
+            "max",
+            "sup",
+            "inf",
+            "lim",
+            "arg",
+            "vec",
+            "grad",
+            "div",
+            "rot",
+        ),
+        *("curl", "re", "im", "rk", "dim", "ker", "span", "pr", "erf", "erfc", "sinc", "sat", "conv", "proj"),
+    )
+)
+_ACTS_BEFORE = re.compile(
+    r"\W*(?:(?:the|an?|its|their|one|minus|plus|not|square|cube) )*"
+    r"(?:\w+ of(?: (?:the|an?|all))?|twice|thrice|double|half|triple|not|NOT|negative|minus|plus)\s*",
+    re.IGNORECASE,
+)
+"""Words that act on a letter behind them, where a value begins."""
+_ACTS_BEHIND = re.compile(
+    r"\s*(?:(?i:minus|plus|times|mod(?:ulo)?|of|squared|cubed|percent|(?:divided|multiplied) by|xor)|AND|OR|NAND|NOR)"
+    r"\b.*",
+    re.DOTALL,
+)
+"""Words that act on a value before them."""
+_LETTERS_AND_STYLES = frozenset((*LETTERS, *STYLES, *BOLD))
 _LETTERS = (
     "α#alpha β#beta γ#gamma δ#delta ε#varepsilon ζ#zeta η#eta θ#theta ι#iota κ#kappa λ#lambda μ#mu ν#nu ξ#xi π#pi "
     "ρ#rho σ#sigma τ#tau υ#upsilon φ#varphi ϕ#phi χ#chi ψ#psi ω#omega Γ#Gamma Δ#Delta Θ#Theta Λ#Lambda Ξ#Xi Π#Pi "
@@ -137,7 +182,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     --------
     >>> text = r"f \overset{(1)}{=} \left\{\begin{array}{ll} \underbrace{α}_{b} & \mbox{if $a>0$} \end{array}\right."
     >>> "".join(piece.text for piece in tidied(pieces_of(text)))
-    'f = \\begin{cases} {\\alpha} & \\text{if $a>0$} \\end{cases}'
+    'f = \\begin{cases} {\\alpha} & \\text{if $a>0$}\\end{cases}'
     """
     out: list[Piece] = []
     pairs = _Pairs()
@@ -189,13 +234,20 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
         elif text == "{" and waiting.is_sign and _ends_value(out):
             waiting.put([piece])
             out += waiting.group()
+        elif text == "{" and waiting.has_upright_word:
+            waiting.put([piece])
+            word = [each for each in waiting.group() if each.text.isalpha()]
+            waiting.put([_as(piece, r"\mathrm"), *_braced(piece, word)])
         elif text in _BOXES and waiting.next == "{":
             inside = waiting.group()
             name = "".join(each.text for each in inside)
-            called = _NAME.fullmatch(name) and waiting.next in ("(", "[")
+            if (_ACTS_BEHIND if _ends_value(out) else _ACTS_BEFORE).fullmatch(name):
+                raise UnreadableError(f"the words {name.strip()!r} act on what stands beside them", piece.place)
+            called = _is_name(name) and waiting.next in ("(", "[")
             named = (name in FUNCTIONS and waiting.next in ("(", "[", r"\{", r"\left", "^")) or name == "d"
-            if called or named or (_WORD.fullmatch(name) and waiting.next == "_"):
-                waiting.put([_as(piece, r"\mathrm"), *_braced(piece, inside)])
+            if called or named or (_WORD.fullmatch(name) and waiting.next == "_") or _acts(name, waiting.next):
+                word = [each for each in inside if not each.text.isspace()]
+                waiting.put([_as(piece, r"\mathrm"), *_braced(piece, word)])
                 continue
             if not name.strip(" .,;:"):
                 out += inside
@@ -262,6 +314,17 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
         if len(out) + len(waiting) > MAX_PIECES:
             raise UnreadableError(f"expected a formula of at most {MAX_PIECES} pieces, got more", piece.place)
     return _system(out)
+
+
+def _is_name(words: str) -> bool:
+    """Whether words are one word, and none that joins formulas."""
+    return _WORD.fullmatch(words) is not None and not _CONNECTIVES.match(words.lower())
+
+
+def _acts(words: str, following: str) -> bool:
+    r"""Whether words are an operator on what comes behind them, as in ``\text{Var}\,x``, and no remark before it."""
+    known = words.strip() in FUNCTIONS or words.strip() in _OPERATORS or (_is_name(words) and words[0].isupper())
+    return known and (following in ("\\,", "{") or following.isalpha() or following in _LETTERS_AND_STYLES)
 
 
 def _is_scientific(out: Sequence[Piece], waiting: Sequence[Piece]) -> bool:
@@ -358,6 +421,12 @@ class _Waiting(list[Piece]):
         """Whether a sign or a relation and a closing brace come next."""
         following = [each.text for each in self[-1:-6:-1] if not each.text.isspace()]
         return following[1:2] == ["}"] and (following[0] in SIGNS or following[0] in RELATIONS)
+
+    @property
+    def has_upright_word(self) -> bool:
+        r"""Whether an upright word and the end of its group come next, as in ``{\rm range}``."""
+        following = "".join(each.text for each in self[-1:-20:-1])
+        return re.match(r"\s*\\rm\s*[A-Za-z]{2,}\s*\}", following) is not None
 
     @property
     def has_corners(self) -> bool:

@@ -104,7 +104,7 @@ def test_formulas_become_expressions(latex, expected):
         (r"\frac{d}{dt} x", r"[d/dt](x)"),
         (
             r"\begin{cases} x & \text{if } x > 0 \\ 0 & \text{otherwise} \end{cases}",
-            "Piecewise((x, if } x > 0), (0, otherwise))",
+            "Piecewise((x, if x > 0), (0, otherwise))",
         ),
         (r"\hat{\mathbf{x}}_{k}^\top \mathbf{y}", r"\hat{\mathbfx}_k.T*\mathbf{y}"),
         (r"\|\mathbf{x}\|^2", r"norm(\mathbf{x})**2"),

@@ -245,7 +245,8 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
                 raise UnreadableError(f"the words {name.strip()!r} act on what stands beside them", piece.place)
             called = _is_name(name) and waiting.next in ("(", "[")
             named = (name in FUNCTIONS and waiting.next in ("(", "[", r"\{", r"\left", "^")) or name == "d"
-            if called or named or (_WORD.fullmatch(name) and waiting.next == "_") or _acts(name, waiting.next):
+            acts = _acts(name, waiting.next) or (_is_letter(name) and _ends_factor(out))
+            if called or named or (_WORD.fullmatch(name) and waiting.next == "_") or acts:
                 word = [each for each in inside if not each.text.isspace()]
                 waiting.put([_as(piece, r"\mathrm"), *_braced(piece, word)])
                 continue
@@ -321,9 +322,20 @@ def _is_name(words: str) -> bool:
     return _WORD.fullmatch(words) is not None and not _CONNECTIVES.match(words.lower())
 
 
+def _is_letter(words: str) -> bool:
+    return len(words) == 1 and words.isalpha()
+
+
+def _ends_factor(out: Sequence[Piece]) -> bool:
+    """Whether a value ends that is no number, behind which a letter may be a unit."""
+    before = [each.text for each in out if not each.text.isspace()][-1:]
+    return _ends_value(out) and not before[0].isdigit()
+
+
 def _acts(words: str, following: str) -> bool:
     r"""Whether words are an operator on what comes behind them, as in ``\text{Var}\,x``, and no remark before it."""
-    known = words.strip() in FUNCTIONS or words.strip() in _OPERATORS or (_is_name(words) and words[0].isupper())
+    known = words.strip() in FUNCTIONS or words.strip() in _OPERATORS or _is_letter(words)
+    known = known or (_is_name(words) and words[0].isupper())
     return known and (following in ("\\,", "{") or following.isalpha() or following in _LETTERS_AND_STYLES)
 
 
@@ -510,7 +522,7 @@ def _is_raised(pieces: Sequence[Piece]) -> bool:
 def _ends_value(pieces: Sequence[Piece]) -> bool:
     """Whether a letter, a number or a bracket comes last."""
     last = next((piece.text for piece in reversed(pieces) if not piece.text.isspace()), "")
-    return last.isalnum() or last in (")", "]", "}")
+    return last.isalnum() or last in (")", "]", "}") or last in LETTERS
 
 
 def _group_start(pieces: Sequence[Piece]) -> int | None:

@@ -32,6 +32,8 @@ from algebroproj_sym.reading.lexing.pieces import (
     split_pieces,
 )
 
+_FIRST_GROUP = re.compile(r"^\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
+
 
 def _partner(opening: str) -> str:
     pairs = {"(": ")", "[": "]", r"\{": r"\}", r"\lbrace": r"\}", r"\lbrack": "]", r"\langle": r"\rangle"}
@@ -188,8 +190,14 @@ def _read_cases(cursor: Cursor, start: int) -> None:
         if not any(not piece.text.isspace() for piece in value):
             continue
         cursor.inner(value)
-        cursor.emit("CONDITION", " ".join("".join(p.text for p in part).strip(" {}") for part in condition).strip())
+        cursor.emit("CONDITION", " ".join(filter(None, map(_without_braces, condition))))
     cursor.emit("ENDCASES")
+
+
+def _without_braces(part: Sequence[Piece]) -> str:
+    r"""Return the text of a part without spaces at its ends, and without the braces and dollars of ``\text``."""
+    text = _FIRST_GROUP.sub(r"\1 ", "".join(piece.text for piece in part))
+    return " ".join(text.replace("$", " ").split()).strip(" ,")
 
 
 def _upright_scripts(row: Sequence[Piece]) -> list[Piece]:

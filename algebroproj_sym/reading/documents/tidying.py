@@ -19,6 +19,7 @@ from algebroproj_sym.reading.lexing.commands import (
     LETTERS,
     MAX_PIECES,
     OPENING,
+    OPERATORS,
     RELATIONS,
     SIGNS,
     STYLES,
@@ -84,29 +85,6 @@ _LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
 _SKIP = re.compile(r"\*?\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
 _CONNECTIVES = re.compile(r"(?:if|for|and|or|where|when|with|otherwise|else|on|at|as|then|subject to|s\.t\.)\W*")
 _WORD = re.compile(r"[A-Za-z]+")
-_OPERATORS = frozenset(
-    (
-        *(
-            "var",
-            "cov",
-            "corr",
-            "std",
-            "mean",
-            "avg",
-            "min",
-            "max",
-            "sup",
-            "inf",
-            "lim",
-            "arg",
-            "vec",
-            "grad",
-            "div",
-            "rot",
-        ),
-        *("curl", "re", "im", "rk", "dim", "ker", "span", "pr", "erf", "erfc", "sinc", "sat", "conv", "proj"),
-    )
-)
 _ACTS_BEFORE = re.compile(
     r"\W*(?:(?:the|an?|its|their|one|minus|plus|not|square|cube) )*"
     r"(?:\w+ of(?: (?:the|an?|all))?|twice|thrice|double|half|triple|not|NOT|negative|minus|plus)\s*",
@@ -241,7 +219,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
         elif text in _BOXES and waiting.next == "{":
             inside = waiting.group()
             name = "".join(each.text for each in inside)
-            if (_ACTS_BEHIND if _ends_value(out) else _ACTS_BEFORE).fullmatch(name):
+            if (_ACTS_BEHIND if _ends_value(out) else _ACTS_BEFORE).fullmatch(name) and not _is_in_script(out):
                 raise UnreadableError(f"the words {name.strip()!r} act on what stands beside them", piece.place)
             called = _is_name(name) and waiting.next in ("(", "[")
             named = (name in FUNCTIONS and waiting.next in ("(", "[", r"\{", r"\left", "^")) or name == "d"
@@ -319,7 +297,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
 
 def _is_name(words: str) -> bool:
     """Whether words are one word, and none that joins formulas."""
-    return _WORD.fullmatch(words) is not None and not _CONNECTIVES.match(words.lower())
+    return _WORD.fullmatch(words) is not None and not _CONNECTIVES.fullmatch(words.lower())
 
 
 def _is_letter(words: str) -> bool:
@@ -332,9 +310,20 @@ def _ends_factor(out: Sequence[Piece]) -> bool:
     return _ends_value(out) and not before[0].isdigit()
 
 
+def _is_in_script(out: Sequence[Piece]) -> bool:
+    """Whether the next piece stands in a subscript or above a letter, where words are names."""
+    before = [each for each in out if not each.text.isspace()]
+    while before and before[-1].text not in ("_", "^"):
+        start = _group_start(before)
+        if start is None:
+            return False
+        before = before[: start - 1]
+    return bool(before)
+
+
 def _acts(words: str, following: str) -> bool:
     r"""Whether words are an operator on what comes behind them, as in ``\text{Var}\,x``, and no remark before it."""
-    known = words.strip() in FUNCTIONS or words.strip() in _OPERATORS or _is_letter(words)
+    known = words.strip() in FUNCTIONS or words.strip() in OPERATORS or _is_letter(words)
     known = known or (_is_name(words) and words[0].isupper())
     return known and (following in ("\\,", "{") or following.isalpha() or following in _LETTERS_AND_STYLES)
 

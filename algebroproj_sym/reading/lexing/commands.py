@@ -66,6 +66,10 @@ FUNCTIONS = _words(
     "sin cos tan cot sec csc arcsin arccos arctan arccot asin acos atan atan2 arctan2 sinh cosh tanh coth arcsinh "
     "arccosh arctanh arsinh arcosh artanh sech csch exp log ln lg det tr trace Tr diag rank sign sgn adj sinc"
 )
+OPERATORS = _words(
+    "var cov corr std mean avg min max sup inf lim arg vec grad div rot curl re im rk dim ker span pr erf erfc sat"
+)
+"""Words that act on what stands behind them, and are read as names."""
 NAMED = _words("Re Im floor ceil jump")
 """Functions that are read by their upright names, and not computed."""
 SIGNS = {"+": "+", "-": "-", "−": "-", r"\pm": "±", r"\mp": "∓"}

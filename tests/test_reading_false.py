@@ -241,3 +241,21 @@ def test_values_of_functions_of_vectors_that_differ_contradict():
 def test_a_value_at_zero_is_no_product():
     (found,) = read_document(document_of(r"\[ z_1(0) - z_3(0) \cdot 0.5 = 0 \]"), seconds=5)
     assert found.verdict not in ("follows", "contradicts")
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (r"x_{11,2} = x_{1,12}", False),
+        (r"x_{k+1,2} = x_{k+12}", False),
+        (r"x_{A,BC} = x_{AB,C}", False),
+        (r"x_{i_{1},2} = x_{i_{12}}", False),
+        (r"x^{11,2} = x^{1,12}", False),
+        (r"x^{(11,2)} = x^{(1,12)}", False),
+        (r"x_{1,2} = x_{12}", True),
+        (r"x_{11,2} = x_{11, 2}", True),
+    ],
+)
+def test_a_comma_parts_indices_of_several_signs(latex, follows):
+    (found,) = read_document(document_of(rf"\[ {latex} \]"))
+    assert (found.verdict == "follows") is follows

@@ -59,7 +59,7 @@ def read(latex, **options):
         (r"F = \begin{pmatrix} x, & y \end{pmatrix}", ["F = [[x, y]]"]),
         (r"a = \begin{matrix} \end{matrix}", ["a = [[]]"]),
         (r"\mathrm{E_}(X) = a", ["E(X) = a"]),
-        (r"T^{n+1,k} = \zeta_0^{\ell,0} + U^{\ast\ast}", ["T_nplus1_k = zeta_0_ell0 + U_astast"]),
+        (r"T^{n+1,k} = \zeta_0^{\ell,0} + U^{\ast\ast}", ["T_nplus1_k = zeta_0_ell_0 + U_astast"]),
         (r"Mean(x) = a + SS_{\text{Total}}", ["Mean(x) = a + S*S_Total"]),
         (r"SS_{\text{Total}} = a", ["SS_Total = a"]),
         (r"AA^T = C", ["A*A.T = C"]),

@@ -271,7 +271,8 @@ def _is_balanced(pieces: Sequence[Piece]) -> bool:
 
 
 def bare(pieces: Sequence[Piece]) -> str:
-    """Return the text of pieces without braces, spaces and upright style."""
+    """Return the text of pieces without braces, spaces and upright style, and without commas between single signs."""
     text = "".join({r"\{": "⦃", r"\}": "⦄"}.get(piece.text, BOLD.get(piece.text, piece.text)) for piece in pieces)
     short = re.sub(r"\\(?:mathrm|text|textrm|mathit|bf|rm|left|right|[,;:!])(?![a-z])|[{}\s]", "", text)
-    return re.sub(r",(?![a-z\\])", "", short)
+    apart = any(len(each) > 1 for each in short.split(","))
+    return short if apart else re.sub(r",(?![a-z])", "", short)

@@ -110,9 +110,7 @@ class Uncomputed:
         body = body.replace(over, lambda above, below: above * over(1, below))
         require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
         index = index_of(name)
-        if not index:
-            return self._whole(name, body)
-        if most_terms(body) > MOST_EXPANDED:
+        if not index or most_terms(body) > MOST_EXPANDED:
             return self._whole(name, body)
         terms = sympy.Add.make_args(sympy.expand(body, power_base=False, power_exp=False, log=False))
         if len(terms) > MOST_TERMS:

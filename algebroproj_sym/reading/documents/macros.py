@@ -49,9 +49,7 @@ _OF_PACKAGES = {
     r"\ra": (0, r"\rightarrow"),
     r"\Ra": (0, r"\Rightarrow"),
     r"\num": (1, "#1"),
-    r"\SI": (2, r"#1\,\mathrm{#2}"),
-    r"\qty": (2, r"#1\,\mathrm{#2}"),
-    r"\unit[": (2, r"#1\,\mathrm{#2}"),
+    **dict.fromkeys((r"\SI", r"\qty", r"\unit["), (2, r"#1\,\mathrm{#2}")),
     r"\si": (1, r"\mathrm{#1}"),
     r"\ang": (1, r"#1^\circ"),
 }

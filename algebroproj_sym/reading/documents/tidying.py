@@ -87,7 +87,7 @@ _CONNECTIVES = re.compile(r"(?:if|for|and|or|where|when|with|otherwise|else|on|a
 _WORD = re.compile(r"[A-Za-z]+")
 _ACTS_BEFORE = re.compile(
     r"\W*(?:(?:the|an?|its|their|one|minus|plus|not|square|cube) )*"
-    r"(?:\w+ of(?: (?:the|an?|all))?|twice|thrice|double|half|triple|not|NOT|negative|minus|plus)\s*",
+    r"(?:\w+ of(?: (?:the|an?|all))?|twice|thrice|double|half|triple|not|negative|minus|plus)\s*",
     re.IGNORECASE,
 )
 """Words that act on a letter behind them, where a value begins."""
@@ -97,6 +97,9 @@ _ACTS_BEHIND = re.compile(
     re.DOTALL,
 )
 """Words that act on a value before them."""
+_OPENS = re.compile(r"\\left|\\!|\\[bB]igg?l?|[(\[]|\\\{|\\lbrace")
+"""What begins a bracket."""
+_ROOM_OF_OPERATORS = frozenset((r"\;", r"\:", "\\ ", "~"))
 _LETTERS_AND_STYLES = frozenset((*LETTERS, *STYLES, *BOLD))
 _LETTERS = (
     "α#alpha β#beta γ#gamma δ#delta ε#varepsilon ζ#zeta η#eta θ#theta ι#iota κ#kappa λ#lambda μ#mu ν#nu ξ#xi π#pi "
@@ -221,8 +224,8 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
             name = "".join(each.text for each in inside)
             if (_ACTS_BEHIND if _ends_value(out) else _ACTS_BEFORE).fullmatch(name) and not _is_in_script(out):
                 raise UnreadableError(f"the words {name.strip()!r} act on what stands beside them", piece.place)
-            called = _is_name(name) and waiting.next in ("(", "[")
-            named = (name in FUNCTIONS and waiting.next in ("(", "[", r"\{", r"\left", "^")) or name == "d"
+            called = (_is_name(name) or name in FUNCTIONS) and _OPENS.fullmatch(waiting.next)
+            named = (name in FUNCTIONS and waiting.next == "^") or name == "d"
             acts = _acts(name, waiting.next) or (_is_letter(name) and _ends_factor(out))
             if called or named or (_WORD.fullmatch(name) and waiting.next == "_") or acts:
                 word = [each for each in inside if not each.text.isspace()]
@@ -323,9 +326,10 @@ def _is_in_script(out: Sequence[Piece]) -> bool:
 
 def _acts(words: str, following: str) -> bool:
     r"""Whether words are an operator on what comes behind them, as in ``\text{Var}\,x``, and no remark before it."""
-    known = words.strip() in FUNCTIONS or words.strip() in OPERATORS or _is_letter(words)
-    known = known or (_is_name(words) and words[0].isupper())
-    return known and (following in ("\\,", "{") or following.isalpha() or following in _LETTERS_AND_STYLES)
+    known = words.strip() in FUNCTIONS or words.strip() in OPERATORS
+    named = known or _is_letter(words) or (_is_name(words) and words[0].isupper())
+    begins = following in ("\\,", "{") or following.isalpha() or following in _LETTERS_AND_STYLES
+    return (named and begins) or (known and following in _ROOM_OF_OPERATORS)
 
 
 def _is_scientific(out: Sequence[Piece], waiting: Sequence[Piece]) -> bool:

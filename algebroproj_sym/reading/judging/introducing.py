@@ -146,11 +146,21 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     tied = any(each.gives is None and symbol in each.symbols for each in near) or memory.open.get(symbol) == part
     told = memory.beside.names or memory.introduced
     here = (known is not None and known.part == part) or memory.alone.get(given_by(base)) == part
-    anew = not (memory.beside.follows or memory.cited) and (memory.beside.names or memory.beside.renews)
+    other = memory.beside.strange(_words_beside(memory, symbol, part)) and not memory.beside.case_of_sentence
+    anew = bool(other) or (not memory.cited and (memory.beside.names or memory.beside.renews))
+    anew = anew and not memory.beside.follows
     condition = memory.beside.is_condition and not memory.beside.names
     if memory.beside.case_of_sentence and (condition or known or symbol in memory.tied):
         return False
     return not ((tied and not told) or (here and not anew) or is_circular(symbol, right, memory.vocabulary))
+
+
+def _words_beside(memory: Memory, symbol: str, part: int) -> frozenset[str]:
+    """Return the words beside what a section has said of a letter."""
+    known = memory.vocabulary.definitions.get(symbol)
+    said = [known.words] if known is not None and known.part == part else []
+    said += [each.words for each in memory.premises if each.part == part and symbol in each.symbols]
+    return frozenset().union(*said)
 
 
 def _is_free(memory: Memory, statement: Statement, left: Formula, right: Formula, *, value: bool) -> bool:

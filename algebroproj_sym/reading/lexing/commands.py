@@ -42,6 +42,8 @@ STYLES = _words(
     r"\vec \overline \underline \widehat \widetilde \check \breve \mathring \acute \grave \overrightarrow"
 )
 UPRIGHT = _words(r"\mathrm \operatorname \operatorname* \text \textrm \mathop \textit")
+BOXES = _words(r"\mbox \hbox \textnormal \textup \textsf \text \textrm")
+"""Boxes of words within a formula."""
 DROPPED = _words(
     r"\left \right \displaystyle \textstyle \scriptstyle \big \Big \bigg \Bigg \bigl \bigr \Bigl \Bigr \biggl \biggr "
     r"\Biggl \Biggr \middle \limits \nolimits \nonumber \notag \rm \it \mathord \mathbin \, \; \: \! ~ \/ \hfill "

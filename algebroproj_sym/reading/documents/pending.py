@@ -1,0 +1,170 @@
+"""The pieces of a formula that are yet to come, and what stands before them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from algebroproj_sym.reading.lexing.commands import LETTERS, RELATIONS, SIGNS
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of, split_pieces
+
+_ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
+_LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
+_SKIP = re.compile(r"\*?\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
+
+
+def at(piece: Piece, text: str) -> list[Piece]:
+    """Return the pieces of a text, all where a piece stood."""
+    return [Piece(each.text, piece.place) for each in pieces_of(text)]
+
+
+def renamed(piece: Piece, text: str) -> Piece:
+    """Return another piece that stands where one stood."""
+    return Piece(text, piece.place)
+
+
+def braced(piece: Piece, inside: Sequence[Piece]) -> list[Piece]:
+    """Return pieces in braces."""
+    return [renamed(piece, "{"), *inside, renamed(piece, "}")]
+
+
+class Pending(list[Piece]):
+    """The pieces that are yet to come, the next one last."""
+
+    def __init__(self, pieces: Iterable[Piece]) -> None:
+        super().__init__(pieces)
+        self.reverse()
+
+    def put(self, pieces: Sequence[Piece]) -> None:
+        """Put pieces before those that are to come."""
+        self.extend(reversed(pieces))
+
+    @property
+    def next(self) -> str:
+        """The next piece that is no space, after which the spaces before it are gone; empty at the end."""
+        while self and self[-1].text.isspace():
+            self.pop()
+        return self[-1].text if self else ""
+
+    def follows(self, *texts: str) -> bool:
+        """Whether these pieces come next, without spaces."""
+        return [each.text for each in self[: -len(texts) - 1 : -1]] == [*texts]
+
+    def group(self) -> list[Piece]:
+        """Take an argument: what stands in braces, without them, or the next piece."""
+        if self.next != "{":
+            return [self.pop()] if self else []
+        return self.until("{", "}")[1:-1]
+
+    @property
+    def is_sign(self) -> bool:
+        """Whether a sign or a relation and a closing brace come next."""
+        following = [each.text for each in self[-1:-6:-1] if not each.text.isspace()]
+        return following[1:2] == ["}"] and (following[0] in SIGNS or following[0] in RELATIONS)
+
+    @property
+    def has_upright_word(self) -> bool:
+        r"""Whether an upright word and the end of its group come next, as in ``{\rm range}``."""
+        following = "".join(each.text for each in self[-1:-20:-1])
+        return re.match(r"\s*\\rm\s*[A-Za-z]{2,}\s*\}", following) is not None
+
+    @property
+    def has_corners(self) -> bool:
+        """Whether two capitals come next, as behind the sign of a triangle."""
+        following = [each.text for each in self[-1:-8:-1] if not each.text.isspace()][:2]
+        return len(following) == 2 and all(each.isalpha() and each.isupper() for each in following)
+
+    @property
+    def is_cross(self) -> bool:
+        r"""Whether brackets of rounding hold the matrix of a cross product, as ``\lfloor a \times \rfloor``."""
+        inside, _, behind = "".join(each.text for each in self[::-1] if not each.text.isspace()).partition(r"\rfloor")
+        return inside.endswith(r"\times") or re.match(r"(?:\{\})?_\{?\\times", behind) is not None
+
+    def closing(self) -> list[Piece]:
+        r"""Take the bracket that closes next, with its ``\right``; if none does, take nothing."""
+        following = [each.text for each in self[-1:-6:-1] if not each.text.isspace()]
+        sized = following[:1] == [r"\right"]
+        if following[sized : sized + 1] not in (["]"], [")"], [r"\rfloor"]):
+            return []
+        return [Piece(self.next, self.pop().place) for _ in range(1 + sized)]
+
+    def until(self, opening: str, closing: str) -> list[Piece]:
+        """Take all up to the partner of the piece that is next."""
+        taken, depth = list[Piece](), 0
+        while self:
+            taken.append(self.pop())
+            depth += (taken[-1].text == opening) - (taken[-1].text == closing)
+            if depth == 0:
+                return taken
+        raise UnreadableError(f"{opening} is not closed", taken[0].place)
+
+    def close_group(self, piece: Piece) -> None:
+        """Put a closing brace at the end of the group in which the next piece stands."""
+        depth, place = 0, len(self)
+        while place and depth >= 0:
+            place -= 1
+            depth += (self[place].text == "{") - (self[place].text == "}")
+        self.insert(place + 1 if depth < 0 else 0, renamed(piece, "}"))
+
+    def skip(self) -> None:
+        r"""Go over the length behind ``\\``, as in ``\\[1ex]``."""
+        if match := _SKIP.match("".join(each.text for each in self[-1:-20:-1])):
+            del self[-len(pieces_of(match.group())) :]
+
+    def length(self) -> None:
+        r"""Go over a length, as behind ``\hskip`` and ``\hspace``."""
+        if self.next == "{":
+            self.group()
+        elif match := _LENGTH.match("".join(each.text for each in self[-1:-12:-1])):
+            del self[-len(match.group()) :]
+
+    def cases(self, left: Piece) -> list[Piece] | None:
+        r"""Take an array between ``\{`` and ``\right.`` as a distinction of cases; if there is none, take nothing."""
+        kept = list(self)
+        if self.next in (r"\{", r"\lbrace"):
+            self.pop()
+            if _ARRAY.fullmatch(opening := self.next):
+                inside = self.until(opening, opening.replace("begin", "end"))[1:-1]
+                behind = list[Piece]()
+                while self and self[-1].text not in (r"\left", r"\right"):
+                    behind.append(self.pop())
+                if self.next == r"\right":
+                    self.pop()
+                    if self.next == ".":
+                        self.pop()
+                        body = Pending(inside)
+                        if "array" in opening:
+                            body.group()
+                        begin, end = renamed(left, r"\begin{cases}"), renamed(left, r"\end{cases}")
+                        return [begin, *reversed(body), end, *behind]
+        self[:] = kept
+        return None
+
+
+def is_raised(pieces: Sequence[Piece]) -> bool:
+    """Whether a script begins last, perhaps with primes."""
+    last = next((piece.text for piece in reversed(pieces) if not piece.text.isspace()), "")
+    return last in ("^", "_", "{", "'", r"\prime", "")
+
+
+def ends_value(pieces: Sequence[Piece]) -> bool:
+    """Whether a letter, a number or a bracket comes last."""
+    last = next((piece.text for piece in reversed(pieces) if not piece.text.isspace()), "")
+    return last.isalnum() or last in (")", "]", "}") or last in LETTERS
+
+
+def group_start(pieces: Sequence[Piece]) -> int | None:
+    """Return where the group begins in which the next piece stands; None if it stands in none."""
+    depth = 0
+    for place in range(len(pieces) - 1, -1, -1):
+        depth += (pieces[place].text == "}") - (pieces[place].text == "{")
+        if depth < 0:
+            return place + 1
+    return None
+
+
+def formulas_in(words: Sequence[Piece]) -> list[Piece]:
+    """Return what stands between dollars, if nothing stands beside it."""
+    parts = split_pieces(words, ("$",))
+    alone = len(parts) > 1 and all(piece.text.isspace() for part in parts[::2] for piece in part)
+    return [piece for part in parts[1::2] for piece in part] if alone else []

@@ -19,6 +19,8 @@ from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces
 
 MAX_CHARACTERS = 5_000_000
 MAX_FORMULAS = 20_000
+_PICTURE = re.compile(r"\s*\\begin\{(?:tikzpicture|picture|tikzcd|pspicture)\}")
+"""How a display begins that is no formula."""
 MAX_DISPLAY = 50_000
 MAX_WORDS = 2_000
 MAX_INCLUDED = 100
@@ -404,6 +406,9 @@ def _formulas(
                 yield Display(document.line_of(match.start()), environment, "", (), why, words, "", part, False, group)
             continue
         inside = written(text[place:end])
+        if _PICTURE.match(inside):
+            place = end + len(ending)
+            continue
         after = _HTML.sub(_blank, text[end + len(ending) : end + len(ending) + 300])
         pieces, reason = _expanded(_without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")

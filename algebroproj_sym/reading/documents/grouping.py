@@ -27,9 +27,14 @@ def grouped(pieces: Sequence[Piece]) -> list[Piece]:
     ['140000', 'R_1(t)', '{x}_{k,e} + {\\bar{P}}_{e}', '1{,}000']
     """
     out = list[Piece]()
-    place = 0
+    place, depth = 0, 0
     while place < len(pieces):
         text = pieces[place].text
+        depth += (text in "([{") - (text in ")]}")
+        if text == "," and not depth and out and out[-1].text.isdigit() and (more := _thousands(pieces[place:][:40])):
+            out += more
+            place += len(more) * 4 // 3
+            continue
         end = _end_of(pieces, place) if text in _CLOSING else place
         inside = pieces[place + 1 : end]
         if text == "{" and _text(inside) == "," and _is_thousand(out, pieces[end + 1 :][:9]):
@@ -76,6 +81,12 @@ def _is_thousand(before: Sequence[Piece], behind: Sequence[Piece]) -> bool:
     digits = len(_text(before[-4:])) - len(_text(before[-4:]).rstrip("0123456789"))
     several = re.match(r"\d{3}\{,\}\d{3}", _text(behind)) is not None
     return digits > 0 and (several or (digits > 1 and re.match(r"000(?!\d)", _text(behind)) is not None))
+
+
+def _thousands(behind: Sequence[Piece]) -> list[Piece]:
+    """Return the digits of several groups of three that commas part; one group may be a fraction, or a list."""
+    groups = re.match(r"(?:,\d{3}){2,}(?![\d,])", _text(behind))
+    return [each for each in behind[: groups.end()] if each.text != ","] if groups else []
 
 
 def _is_in_brackets(inside: Sequence[Piece]) -> bool:

@@ -52,6 +52,18 @@ _OF_PACKAGES = {
     **dict.fromkeys((r"\SI", r"\qty", r"\unit["), (2, r"#1\,\mathrm{#2}")),
     r"\si": (1, r"\mathrm{#1}"),
     r"\ang": (1, r"#1^\circ"),
+    r"\qq": (1, r"\quad\text{#1}\quad"),
+    r"\qc": (0, r",\quad"),
+    **{
+        f"{name}{star}": (1, rf"\left{opening}#1\right{closing}")
+        for names, opening, closing in (
+            (r"\paren \parens \pqty", "(", ")"),
+            (r"\brk \bbrack \bqty", "[", "]"),
+            (r"\Bqty", r"\{", r"\}"),
+        )
+        for name in names.split()
+        for star in ("", "*")
+    },
 }
 r"""Commands of packages that documents load, with how many arguments they take; with a bracket, if one comes first.
 
@@ -64,6 +76,9 @@ _OF_DISPLAYS = (
     (r"\beqa", r"\eeqa", "eqnarray"),
 )
 """Commands that begin and end displays in documents whose macros are elsewhere."""
+_OF_VECTORS = (r"\ve", r"\vc", r"\ma", r"\mb", r"\mtx")
+"""Commands for bold letters in documents whose macros are elsewhere, if a letter follows them everywhere."""
+_LETTER = re.compile(r"\s*\{?\s*(?:[a-zA-Z]|\\[a-zA-Z]+)")
 _OF_NUMBERS = (r"\num", r"\SI", r"\qty")
 _TENS = re.compile(r"([\d.]+)[eE]([-+]?\d+)")
 _BOLD_BOX = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")
@@ -107,6 +122,10 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
         if all(re.search(rf"{re.escape(each)}(?![a-zA-Z])", text) for each in (opens, closes)):
             known |= {opens: Macro(0, None, rf"\begin{{{name}}}"), closes: Macro(0, None, rf"\end{{{name}}}")}
     spans: list[tuple[int, int]] = []
+    for name in _OF_VECTORS:
+        places = [each.end() for each in re.finditer(rf"{re.escape(name)}(?![a-zA-Z])", text)]
+        if places and all(_LETTER.match(text, each) for each in places):
+            known[name] = Macro(1, None, r"\mathbf{#1}")
     if len(bold := {*_ALPHABET.findall(text)}) == 1 and not _BOLD_ONES.search(text):
         known |= dict.fromkeys(bold, Macro(1, None, r"\mathbf{#1}"))
     for match in _PAIRED.finditer(text):
@@ -188,7 +207,7 @@ def expanded(pieces: Sequence[Piece], macros: Mapping[str, Macro]) -> list[Piece
         If there are more expansions, or pieces, than there may be: a macro that expands itself has no end.
     """
     out: list[Piece] = []
-    waiting = list(reversed(pieces))
+    waiting = [*_with_matrices(pieces)][::-1]
     expansions = 0
     while waiting:
         piece = waiting.pop()
@@ -207,6 +226,26 @@ def expanded(pieces: Sequence[Piece], macros: Mapping[str, Macro]) -> list[Piece
         if expansions > MAX_EXPANSIONS or len(waiting) + len(out) > MAX_PIECES:
             raise UnreadableError(f"the macro {piece.text} expands without end", piece.place)
     return out
+
+
+def _with_matrices(pieces: Sequence[Piece]) -> Iterator[Piece]:
+    r"""Yield pieces in which ``\mqty(a & b)`` is a matrix."""
+    closings: list[tuple[int, str]] = []
+    depth = 0
+    for place, piece in enumerate(pieces):
+        text = piece.text
+        if place and pieces[place - 1].text == r"\mqty" and text in _QUANTITIES:
+            name = _QUANTITIES[text]
+            closings.append((depth, name))
+            yield Piece(rf"\begin{{{name}}}", piece.place)
+        elif closings and text in ")]}" and depth == closings[-1][0] + 1:
+            yield Piece(rf"\end{{{closings.pop()[1]}}}", piece.place)
+        elif text != r"\mqty":
+            yield piece
+        depth += (text in "([{") - (text in ")]}")
+
+
+_QUANTITIES = {"(": "pmatrix", "[": "bmatrix", "{": "matrix"}
 
 
 def _filled(macro: Macro, call: Piece, waiting: list[Piece]) -> str:

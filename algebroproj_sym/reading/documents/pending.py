@@ -50,6 +50,23 @@ class Pending(list[Piece]):
         """Whether these pieces come next, without spaces."""
         return [each.text for each in self[: -len(texts) - 1 : -1]] == [*texts]
 
+    def turn(self, text: str, into: str) -> None:
+        """Write the next piece otherwise, if it is a certain one."""
+        if self.next == text:
+            self.append(renamed(self.pop(), into))
+
+    def options(self) -> None:
+        """Go over what stands in square brackets."""
+        while self.next == "[":
+            self.until("[", "]")
+
+    def number(self) -> list[Piece]:
+        """Take the digits that come next, and the point in them."""
+        taken = list[Piece]()
+        while self and (self[-1].text.isdigit() or (self[-1].text == "." and self[-2:-1] and self[-2].text.isdigit())):
+            taken.append(self.pop())
+        return taken
+
     def group(self) -> list[Piece]:
         """Take an argument: what stands in braces, without them, or the next piece."""
         if self.next != "{":

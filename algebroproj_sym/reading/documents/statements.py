@@ -403,7 +403,7 @@ _LEADS = re.compile(
 def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> bool:
     r"""Whether words stand in a formula, as in ``3 \text{ m} + 4 \text{ m}``."""
     last = next((piece.text for piece in reversed(before) if not piece.text.isspace()), "")
-    if last in ("+", "-") or last in RELATIONS:
+    if last in ("+", "-", "/", r"\cdot", r"\times") or last in RELATIONS:
         return words not in _BETWEEN
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
     if following in RELATIONS and not _without_idle(before) and _names(words):

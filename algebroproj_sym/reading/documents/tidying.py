@@ -53,10 +53,20 @@ _EXTREMUM = re.compile(
     r"\\(?:operatorname\*?|mathrm|text|mathop)\{\\?arg(?:\\[,;! ])?\s*\\?(?:min|max)\}|\\arg\s*\\(?:min|max)"
 )
 """The place of a least or a greatest value, as it is written."""
-_UNSEEN = frozenset((r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
+_UNSEEN = frozenset((r"\index", r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _SIZES = frozenset(
     rf"\{name}"
-    for name in ("tiny", "scriptsize", "footnotesize", "small", "normalsize", "large", "Large", "IEEEnonumber")
+    for name in (
+        "tiny",
+        "scriptsize",
+        "footnotesize",
+        "small",
+        "normalsize",
+        "large",
+        "Large",
+        "centering",
+        "IEEEnonumber",
+    )
 )
 """Commands that change the looks of all behind them."""
 _ACCENTS_ABOVE = {
@@ -158,6 +168,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
 
 
 def _left(page: _Page, piece: Piece) -> bool:
+    page.waiting.turn("<", r"\langle")
     if (cases := page.waiting.cases(piece)) is not None:
         page.waiting.put(cases)
     else:
@@ -166,6 +177,7 @@ def _left(page: _Page, piece: Piece) -> bool:
 
 
 def _right(page: _Page, piece: Piece) -> bool:
+    page.waiting.turn(">", r"\rangle")
     page.pairs.close(page.out, page.waiting, piece)
     return True
 
@@ -193,6 +205,13 @@ def _framed(arguments: int, braces: bool = True) -> Callable[[_Page, Piece], boo
         return True
 
     return step
+
+
+def _boxed(page: _Page, piece: Piece) -> bool:
+    page.waiting.options()
+    inside = page.waiting.group()
+    page.waiting.put(formulas_in(inside) or inside)
+    return True
 
 
 def _written(text: str) -> Callable[[_Page, Piece], bool]:
@@ -296,12 +315,15 @@ def _upright(page: _Page, piece: Piece) -> bool:
 def _over(page: _Page, piece: Piece) -> bool:
     over, base = page.waiting.group(), page.waiting.group()
     relation = "".join(each.text for each in base).strip()
-    above = "".join(each.text for each in over).strip()
+    above = "".join(each.text for each in over if each.text not in _SIZES).strip()
     if _EXTREMUM.fullmatch(relation):
         base = at(piece, r"\argmin" if "min" in relation else r"\argmax")
         relation = base[0].text
     if piece.text == r"\underset" and relation in BIG:
         page.waiting.put([*base, renamed(piece, "_"), *braced(piece, over)])
+        return True
+    if piece.text == r"\underset" and above.startswith(r"\text"):
+        page.waiting.put(braced(piece, base))
         return True
     if above in _ACCENTS_ABOVE:
         page.waiting.put([renamed(piece, _ACCENTS_ABOVE[above]), *braced(piece, base)])
@@ -357,6 +379,21 @@ def _between_numbers(page: _Page, piece: Piece) -> bool:
     return False
 
 
+def _stop(page: _Page, piece: Piece) -> bool:
+    r"""Leave a full stop out at the end of a matrix."""
+    return page.waiting.next.startswith(r"\end{")
+
+
+def _factor_with_sign(page: _Page, piece: Piece) -> bool:
+    r"""Put a number with a sign behind a product in brackets, as in ``10 \times -1``."""
+    before = next((each.text for each in reversed(page.out) if not each.text.isspace()), "")
+    if before not in (r"\times", r"\cdot") or not page.waiting.next.isdigit():
+        return False
+    number = page.waiting.number()
+    page.out.extend([renamed(piece, "("), piece, *number, renamed(piece, ")")])
+    return True
+
+
 def _ellipsis(page: _Page, piece: Piece) -> bool:
     if found := page.waiting.follows(".", "."):
         del page.waiting[-2:]
@@ -402,6 +439,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     ((r"\resizebox",), _framed(2, braces=False)),
     ((r"\scalebox",), _framed(1, braces=False)),
     ((r"\textcolor", r"\colorbox", r"\raisebox"), _framed(1)),
+    ((r"\makebox", r"\framebox"), _boxed),
     ((r"\smash", r"\mathclap", r"\fbox"), _framed(0)),
     (_BRACES, _braced_below),
     ((r"\mathbin",), _binary),
@@ -424,6 +462,8 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     (("e",), _scientific),
     ((r"\,", r"\;", "\\ "), _between_numbers),
     ((".",), _ellipsis),
+    ((".",), _stop),
+    (("-",), _factor_with_sign),
     ((r"\\",), _row),
 )
 _STEPS: Mapping[str, tuple[Callable[[_Page, Piece], bool], ...]] = _steps()

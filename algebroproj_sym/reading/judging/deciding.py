@@ -36,6 +36,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 NOT_DERIVED = "it gives its letter; that it follows was not derived"
+OPEN = "it gives its letter; whether it follows is not decided"
 MOST_REPAIRS = 8
 
 
@@ -57,6 +58,7 @@ class Asked:
     certain: bool
     chained: bool
     gives: bool
+    may_give: bool
     claimed: bool
 
 
@@ -91,6 +93,8 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         if each.gives and each.link.verdict != "follows" and not any(_says(each.link)):
             rests = rests_of(each.ways[0].vocabulary, each.ways[0].right)
             each.link = Link("definition", NOT_DERIVED if each.claimed else "", rests_on=rests)
+        elif each.may_give and each.link.verdict == "not decided" and not any(_says(each.link)):
+            each.link = Link("definition", OPEN, rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
 
 
 def _place_of_proof(answered: Sequence[Outcome]) -> int:

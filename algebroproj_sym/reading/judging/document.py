@@ -20,10 +20,11 @@ from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.deciding import Asked, decide
+from algebroproj_sym.reading.judging.deciding import OPEN, Asked, decide
 from algebroproj_sym.reading.judging.introducing import (
     definition_in,
     is_only_one,
+    may_give,
     tells,
 )
 from algebroproj_sym.reading.judging.memory import Memory, where_of
@@ -205,8 +206,11 @@ class _Pass:
             self.memory.tie(found.sides)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
             equal = bool(found.relations) and found.relations[0] in EQUALITIES
-            if equal and not reason.endswith(VARIES) and tells(self.memory, statement, found, 0):
-                links[0] = Link("definition")
+            if equal and not reason.endswith(VARIES):
+                if tells(self.memory, statement, found, 0):
+                    links[0] = Link("definition")
+                elif may_give(self.memory, statement, *found.sides[:2]):
+                    links[0] = Link("definition", OPEN)
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])
@@ -277,7 +281,8 @@ class _Pass:
         ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
         link = Link("not decided", rests_on=rests)
-        asked = Asked(place, index, ways, link, identity, certain, chained, gives, self.memory.beside.follows)
+        may = index == 0 and may_give(self.memory, statement, left, right)
+        asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, self.memory.beside.follows)
         return asked.link, asked
 
     def _standing(self, statement: Statement) -> Standing:

@@ -111,48 +111,62 @@ def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
     )
 
 
-def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
-    """Whether an equation is the first one of its section that gives its letter, though the letter was used before.
-
-    It may not be a condition, or hold but roughly.  Where an equation near it may give the letter as well, its
-    sentence must say that it is introduced.
-    """
-    if memory.beside.is_rejected or memory.beside.exchanged:
+def may_give(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+    """Whether a letter stands alone on the left of an equation that is no condition, and that may say what it is."""
+    symbol, parameters = _letter_of(left)
+    if not symbol or memory.beside.is_rejected or memory.beside.exchanged:
         return False
-    if is_indexed_above(left):
-        above = any(left in (each.left, each.right) and each.part == statement.display.part for each in memory.premises)
-        return not (above or memory.beside.case_of_sentence or left in right.iter_subtrees() or not symbols_in(right))
-    square = without_power(left) is not left
-    base = without_power(left) if square else argument_of(left)
-    symbol, parameters = (str(base.children[0]), ()) if is_named(base) else defined_by(base)
-    part = statement.display.part
-    if not symbol or not (symbols_in(right) or is_matrix(right) or memory.survey.is_parameter(statement)):
+    if not (symbols_in(right) or is_matrix(right) or memory.survey.is_parameter(statement)):
         return False
     if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
         return False
     is_case = is_case_of(parameters, right) and (
         symbol in memory.asserted or not memory.survey.has_one_argument(symbol)
     )
-    if is_case and not memory.beside.defines:
+    if (is_case and not memory.beside.defines) or (without_power(left) is not left and symbol in memory.asserted):
         return False
+    if not memory.beside.defines:
+        condition = memory.beside.is_condition and not memory.beside.names
+        if condition or derivatives_in((left,), memory.vocabulary, memory.survey.occurring):
+            return False
+    return not is_circular(symbol, right, memory.vocabulary)
+
+
+def _base_of(left: Formula) -> Formula:
+    """Return what a left side is a power or a function of; else the side itself."""
+    return without_power(left) if without_power(left) is not left else argument_of(left)
+
+
+def _letter_of(left: Formula) -> tuple[str, tuple[str, ...]]:
+    """Return the letter that a left side is, or is a power or a function of, and its parameters."""
+    base = _base_of(left)
+    return (str(base.children[0]), ()) if is_named(base) else defined_by(base)
+
+
+def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+    """Whether an equation is the first one of its section that gives its letter, though the letter was used before.
+
+    It may not hold but roughly.  Where an equation near it may give the letter as well, its sentence must say that it
+    is introduced.
+    """
+    part = statement.display.part
+    if is_indexed_above(left) and not (memory.beside.is_rejected or memory.beside.exchanged):
+        above = any(left in (each.left, each.right) and each.part == part for each in memory.premises)
+        return not (above or memory.beside.case_of_sentence or left in right.iter_subtrees() or not symbols_in(right))
+    if not (gives := may_give(memory, statement, left, right)) or memory.beside.defines:
+        return gives
+    symbol, _ = _letter_of(left)
     known = memory.vocabulary.definitions.get(symbol)
-    if square and symbol in memory.asserted:
-        return False
-    if memory.beside.defines:
-        return not is_circular(symbol, right, memory.vocabulary)
-    if derivatives_in((left,), memory.vocabulary, memory.survey.occurring):
-        return False
     near = neighbours(memory.premises, part, memory.cited)
     tied = any(each.gives is None and symbol in each.symbols for each in near) or memory.open.get(symbol) == part
     told = memory.beside.names or memory.introduced
-    here = (known is not None and known.part == part) or memory.alone.get(given_by(base)) == part
+    here = (known is not None and known.part == part) or memory.alone.get(given_by(_base_of(left))) == part
     other = memory.beside.strange(_words_beside(memory, symbol, part)) and not memory.beside.case_of_sentence
     anew = bool(other) or (not memory.cited and (memory.beside.names or memory.beside.renews))
     anew = anew and not memory.beside.follows
-    condition = memory.beside.is_condition and not memory.beside.names
-    if memory.beside.case_of_sentence and (condition or known or symbol in memory.tied):
+    if memory.beside.case_of_sentence and (known or symbol in memory.tied):
         return False
-    return not ((tied and not told) or (here and not anew) or is_circular(symbol, right, memory.vocabulary))
+    return not ((tied and not told) or (here and not anew))
 
 
 def _words_beside(memory: Memory, symbol: str, part: int) -> frozenset[str]:

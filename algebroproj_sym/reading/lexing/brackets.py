@@ -160,7 +160,7 @@ def read_environment(cursor: Cursor) -> None:
     if "array" in name:
         cursor.option()
         cursor.group()
-    inner = cursor.within(_take_environment(cursor, name, start))
+    inner = cursor.within(_with_columns(_take_environment(cursor, name, start)))
     inner.until_end()
     cursor.chose = cursor.chose or inner.chose
     while inner.out and inner.out[-1].type in ("ROW", "SEPARATOR"):
@@ -170,6 +170,19 @@ def read_environment(cursor: Cursor) -> None:
     cursor.out += [each for place, each in enumerate(inner.out) if each.type != "SEPARATOR" or place not in ends]
     cursor.emit("END", name)
     read_after(cursor)
+
+
+def _with_columns(body: list[Piece]) -> list[Piece]:
+    """Return the rows of a matrix with marks of columns for commas, if all rows have as many of them, and no marks."""
+    rows = split_pieces(body, (r"\\",))
+    counts = {len(split_pieces(row, (",",))) for row in rows if bare(row)}
+    if len(counts) != 1 or counts == {1} or any(len(split_pieces(row, ("&",))) > 1 for row in rows):
+        return body
+    depth, kept = 0, list[Piece]()
+    for piece in body:
+        depth += (piece.text in OPENING or piece.text == "{") - (piece.text in CLOSING or piece.text == "}")
+        kept.append(Piece("&", piece.place) if piece.text == "," and depth == 0 else piece)
+    return kept
 
 
 def _take_environment(cursor: Cursor, name: str, start: int) -> list[Piece]:

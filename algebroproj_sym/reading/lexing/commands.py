@@ -7,7 +7,7 @@ import re
 MAX_NESTING = 30
 MAX_PIECES = 20_000
 MAX_DIGITS = 1_000
-PIECE = re.compile(r"\\[a-zA-Z]+\*?|\\.|\s+|.", re.DOTALL)
+PIECE = re.compile(r"\\[a-zA-Z]+(?:\*(?=\s*[{\[(]))?|\\.|\s+|.", re.DOTALL)
 _GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi "
     "omega varepsilon varphi varrho vartheta varkappa varpi varsigma"
@@ -91,7 +91,7 @@ RELATIONS = dict(
 TRANSPOSED = _words(r"T t \top \intercal \mathsf{T} \mathsfT \sfT \mathtt{T} \trans")
 MARKS = {**dict.fromkeys(TRANSPOSED, "T"), r"\wedge": "hat", r"\times": "hat", r"\vee": "vee"}
 PART_OF_NAME = re.compile(
-    r"\(.*\)|(?:\*|\\ast)+|\\math(?:cal|scr|frak|bb)\W.*|(?:[a-zA-Z0-9,]|\\[a-zA-Z]+(?![a-zA-Z]))*[-+]"
+    r"\(.*\)|(?:\*|\\ast)+|\\math(?:cal|scr|frak|bb)\W.*|(?:[a-zA-Z0-9,]|\\[a-zA-Z]+(?![a-zA-Z]))*[-+*]"
     r"|\\(?:pm|mp|star|dagger|circ|perp|parallel|prime|(?:up|down|left|right)arrow)|\[.*\]"
 )
 MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?(?:small)?matrix\*?|array)\}")

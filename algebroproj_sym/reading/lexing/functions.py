@@ -75,9 +75,16 @@ def read_fraction(cursor: Cursor) -> None:
     elif derivative:
         cursor.out.append(Token("OPAQUE", derivative, start_pos=start))
         read_after(cursor)
+    elif cursor.peek() in _ENDS_OF_VALUES or cursor.peek() in RELATIONS:
+        cursor.out.append(Token("SHOWN", rf"\frac{{{bare(above)}}}{{{bare(below)}}}", start_pos=start))
+        read_after(cursor)
     else:
         cursor.out.append(Token("BIG", f"{bare(above)}/{bare(below)}", start_pos=start))
         _read_body(cursor)
+
+
+_ENDS_OF_VALUES = frozenset(("", "+", "-", ",", "&", r"\\", ")", "]", "}", r"\right"))
+"""What comes behind an operator of which nothing is taken."""
 
 
 def read_binomial(cursor: Cursor) -> None:
@@ -135,7 +142,8 @@ _EXTREME = re.compile(r"(?:arg)?(?:min|max|lim|inf|sup)(?:imi[sz]e)?\.?")
 
 def _read_body(cursor: Cursor) -> None:
     """Emit what a sum, an integral or a derivative is of: all to the next sign, relation or end."""
-    cursor.skip()
+    while cursor.text.isspace() or cursor.text in (r"\,", r"\;", r"\!"):
+        cursor.index += 1
     start, depth, within = cursor.index, 0, False
     while cursor.index < len(cursor.pieces):
         text = cursor.text

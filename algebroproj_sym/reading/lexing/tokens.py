@@ -148,6 +148,8 @@ def _read_operator(cursor: Cursor) -> None:
     elif (both := f"{text}{cursor.peek(1)}") in (":=", "=:"):
         cursor.emit("RELATION", both)
         cursor.index += next(i for i, p in enumerate(cursor.pieces[cursor.index :]) if p.text == both[1])
+    elif kinds.get(text) == "CROSS" and cursor.out and cursor.out[-1].type == "CROSS":
+        pass
     elif cursor.functions is not None and not cursor.ends_value() and (text in CIRCLED or kinds.get(text) in _PRODUCTS):
         cursor.emit("SHOWN", text)
     elif text in CIRCLED:

@@ -177,6 +177,10 @@ def test_rows_and_words_of_plain_tex_are_read(latex: str, expected: str) -> None
     [
         r"\text{the variance of } x = x",
         r"\text{twice } x = x",
+        r"\text{(twice)} x = x",
+        r"\text{Not: } x = x",
+        r"x = x\text{ (squared)}",
+        r"x = x\text{, squared}",
         r"\text{Not } x = x",
         r"\frac{\text{twice }x}{2} = \frac{x}{2}",
         r"-\text{half of the }x = -x",

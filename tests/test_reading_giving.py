@@ -57,6 +57,9 @@ def verdicts(latex):
         BEFORE + r"\[ \mathbf{v} = \begin{pmatrix} b \\ c \end{pmatrix} \in \mathbb{R}^2 \]",
         r"The operators $A$ and $B$ do not commute. One step is \[ s = e^{A h} e^{B h} u. \]",
         r"If we express the stiffness as \[ C = p A + q B. \]",
+        r"The speed after one step is \[ v(t + \Delta t) = v(t) + a(t) \Delta t. \]",
+        r"The law of steel is \[ s = D e. \] Residual stresses are added in castings \[ s = D (e - f) + g. \]",
+        r"\[ y = a x. \] So we have \[ y = b + \sum_{i=1}^n \phi(b_i + w_i x) \]",
         r"We express it as \[ C = f A. \] Suppose that $f$ is known. The flux simplifies to \[ f = E A. \]",
         r"If we modify the model to have a quadratic term: \[ t = a + b x + c x^2 \]",
         r"This happens if it performs some orbits in a day: \[ R = I + \frac{N}{D} \]",
@@ -225,3 +228,15 @@ def test_what_is_said_to_follow_is_derived_before_it_gives_its_letter(latex, ver
 def test_a_letter_that_is_given_by_itself_is_named_as_the_reason():
     (found,) = read_document(document_of(r"\[ g = \begin{bmatrix} 0 \\ -g \\ 0 \end{bmatrix} \]"), seconds=5)
     assert found.links[0].reason == "a letter in it is given by itself, or it is nested too deeply"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ s = D e. \] Hence \[ s = D e + g. \]",
+        r"\[ f(x + h) = f(x) + h f'(x) \]",
+        r"\[ y = a x. \] It is wrong that \[ y = b + \sum_{i=1}^n \phi(b_i + w_i x). \]",
+    ],
+)
+def test_an_equation_that_fails_or_is_taken_back_gives_no_letter_anew(latex):
+    assert verdicts(latex)[-1] != "definition"

@@ -124,6 +124,17 @@ def is_indexed_above(tree: Formula) -> bool:
     return step is not None and base.children[0] != "e" and (step[1] is not None or "_" in str(base.children[0]))
 
 
+def is_step(left: Formula, right: Formula) -> bool:
+    r"""Whether an equation steps to the next value of a function, as ``v(t + \Delta t) = v(t)`` does.
+
+    ``f(x + h) = f(x) + h`` need be none: it may be the formula of Taylor.
+    """
+    inside = trees_in(left.children[1]) if left.data == "call" else []  # type: ignore[arg-type]
+    terms = trees_in(inside[0]) if len(inside) == 1 and inside[0].data == "sum" else []
+    steps = any(each.data == "number" or str(each.children[0]).startswith(r"\Delta") for each in terms)
+    return steps and any(each.children[0] == left.children[0] and each != left for each in right.find_data("call"))
+
+
 def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:
     """Whether an equation such as y(a) = b says one value of a function, and not what it is everywhere."""
     limits = (letters_in(str(each.children[0])) for each in value.find_data("big"))

@@ -14,12 +14,13 @@ CONNECTIVES = re.compile(r"(?:if|for|and|or|where|when|with|otherwise|else|on|at
 _WORD = re.compile(r"[A-Za-z]+")
 _ACTS_BEFORE = re.compile(
     r"\W*(?:(?:the|an?|its|their|one|minus|plus|not|square|cube) )*"
-    r"(?:\w+ of(?: (?:the|an?|all))?|twice|thrice|double|half|triple|not|negative|minus|plus)\s*",
+    r"(?:\w+ of(?: (?:the|an?|all))?|twice|thrice|double|half|triple|not|negative|minus|plus)\W*",
     re.IGNORECASE,
 )
 """Words that act on a letter behind them, where a value begins."""
 _ACTS_BEHIND = re.compile(
-    r"\s*(?:(?i:minus|plus|times|mod(?:ulo)?|of|squared|cubed|percent|(?:divided|multiplied) by|xor)|AND|OR|NAND|NOR)"
+    r"\W*(?i:squared|cubed|doubled|halved)\b.*|"
+    r"[\s(\[]*(?:(?i:minus|plus|times|mod(?:ulo)?|of|percent|(?:divided|multiplied) by|xor)|AND|OR|NAND|NOR)"
     r"\b.*",
     re.DOTALL,
 )

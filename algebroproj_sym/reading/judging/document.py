@@ -23,8 +23,8 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import OPEN, Asked, decide
 from algebroproj_sym.reading.judging.introducing import (
     definition_in,
+    gives_if_open,
     is_only_one,
-    may_give,
     tells,
 )
 from algebroproj_sym.reading.judging.memory import Memory, where_of
@@ -209,7 +209,7 @@ class _Pass:
             if equal and not reason.endswith(VARIES):
                 if tells(self.memory, statement, found, 0):
                     links[0] = Link("definition")
-                elif may_give(self.memory, statement, *found.sides[:2]):
+                elif gives_if_open(self.memory, statement, found):
                     links[0] = Link("definition", OPEN)
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         if found.relations[:1] == (":=",) and self.survey.has_programs:
@@ -281,7 +281,7 @@ class _Pass:
         ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
         link = Link("not decided", rests_on=rests)
-        may = index == 0 and may_give(self.memory, statement, left, right)
+        may = index == 0 and gives_if_open(self.memory, statement, formula)
         asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, self.memory.beside.follows)
         return asked.link, asked
 

@@ -21,6 +21,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_matrix,
     is_named,
     is_one_value,
+    is_step,
     is_table,
     without_numbers,
     without_power,
@@ -111,7 +112,13 @@ def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
     )
 
 
-def may_give(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+def gives_if_open(memory: Memory, statement: Statement, formula: Parsed) -> bool:
+    """Whether an equation gives its letter if nothing tells whether it follows; what is said to follow renames none."""
+    renames = memory.beside.follows and bool(defined_by(formula.sides[1])[0])
+    return not renames and _may_give(memory, statement, *formula.sides[:2])
+
+
+def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
     """Whether a letter stands alone on the left of an equation that is no condition, and that may say what it is."""
     symbol, parameters = _letter_of(left)
     if not symbol or memory.beside.is_rejected or memory.beside.exchanged:
@@ -150,10 +157,10 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     is introduced.
     """
     part = statement.display.part
-    if is_indexed_above(left) and not (memory.beside.is_rejected or memory.beside.exchanged):
+    if (is_indexed_above(left) or is_step(left, right)) and not (memory.beside.is_rejected or memory.beside.exchanged):
         above = any(left in (each.left, each.right) and each.part == part for each in memory.premises)
         return not (above or memory.beside.case_of_sentence or left in right.iter_subtrees() or not symbols_in(right))
-    if not (gives := may_give(memory, statement, left, right)) or memory.beside.defines:
+    if not (gives := _may_give(memory, statement, left, right)) or memory.beside.defines:
         return gives
     symbol, _ = _letter_of(left)
     known = memory.vocabulary.definitions.get(symbol)

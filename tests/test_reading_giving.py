@@ -59,7 +59,7 @@ def verdicts(latex):
         r"If we express the stiffness as \[ C = p A + q B. \]",
         r"The speed after one step is \[ v(t + \Delta t) = v(t) + a(t) \Delta t. \]",
         r"The law of steel is \[ s = D e. \] Residual stresses are added in castings \[ s = D (e - f) + g. \]",
-        r"\[ y = a x. \] So we have \[ y = b + \sum_{i=1}^n \phi(b_i + w_i x) \]",
+        r"\[ y = a x. \] It has \[ y = b + \sum_{i=1}^n \phi(b_i + w_i x) \]",
         r"We express it as \[ C = f A. \] Suppose that $f$ is known. The flux simplifies to \[ f = E A. \]",
         r"If we modify the model to have a quadratic term: \[ t = a + b x + c x^2 \]",
         r"This happens if it performs some orbits in a day: \[ R = I + \frac{N}{D} \]",

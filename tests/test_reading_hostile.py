@@ -295,7 +295,7 @@ DOCUMENTS = {
 def test_what_only_looks_like_a_consequence_does_not_follow(name: str) -> None:
     text, latex = DOCUMENTS[name]
     found = read_document(document_of(text, latex=latex))
-    assert found[-1].verdict in ("independent", "not decided", "not read")
+    assert found[-1].verdict not in ("follows", "contradicts")
 
 
 @pytest.mark.parametrize(

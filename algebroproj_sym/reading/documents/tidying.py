@@ -146,6 +146,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
 
     Examples
     --------
+    >>> from algebroproj_sym.reading.lexing.pieces import pieces_of
     >>> text = r"f \overset{(1)}{=} \left\{\begin{array}{ll} \underbrace{α}_{b} & \mbox{if $a>0$} \end{array}\right."
     >>> "".join(piece.text for piece in tidied(pieces_of(text)))
     'f = \\begin{cases} {\\alpha} & \\text{if $a>0$}\\end{cases}'

@@ -94,7 +94,8 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
             rests = rests_of(each.ways[0].vocabulary, each.ways[0].right)
             each.link = Link("definition", NOT_DERIVED if each.claimed else "", rests_on=rests)
         elif each.may_give and each.link.verdict == "not decided" and not any(_says(each.link)):
-            each.link = Link("definition", OPEN, rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
+            why = f"{OPEN}: {each.link.reason}" if each.link.reason else OPEN
+            each.link = Link("definition", why, rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
 
 
 def _place_of_proof(answered: Sequence[Outcome]) -> int:

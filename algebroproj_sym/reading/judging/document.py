@@ -210,7 +210,7 @@ class _Pass:
                 if tells(self.memory, statement, found, 0):
                     links[0] = Link("definition")
                 elif gives_if_open(self.memory, statement, found):
-                    links[0] = Link("definition", OPEN)
+                    links[0] = Link("definition", f"{OPEN}: {reason}")
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])

@@ -113,9 +113,17 @@ def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
 
 
 def gives_if_open(memory: Memory, statement: Statement, formula: Parsed) -> bool:
-    """Whether an equation gives its letter if nothing tells whether it follows; what is said to follow renames none."""
-    renames = memory.beside.follows and bool(defined_by(formula.sides[1])[0])
-    return not renames and _may_give(memory, statement, *formula.sides[:2])
+    """Whether an equation gives its letter if nothing tells whether it follows.
+
+    A letter that equations above it give is given anew by new letters alone, and by nothing that is said to follow.
+    """
+    left, right = formula.sides[:2]
+    above = _said_of(memory, left)
+    old = {symbol for each in above for symbol in symbols_in(each)}
+    again = bool(above) and (memory.beside.follows or {*symbols_in(right)} <= old)
+    known = _base_of(left) is not left and _letter_of(left)[0] in memory.vocabulary.definitions
+    renames = memory.beside.follows and bool(defined_by(right)[0])
+    return not (again or known or renames) and _may_give(memory, statement, left, right)
 
 
 def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:

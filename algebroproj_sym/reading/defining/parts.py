@@ -135,7 +135,14 @@ def constant(text: str) -> Part:
 
 
 def same_shape(left: Part, right: Part) -> None:
-    """Take the shapes of two parts for the same."""
+    """Take the shapes of two parts for the same.
+
+    A row and a column with as many entries are the same of one entry only, which nobody says: they do not fit.
+    """
+    (rows, columns), (others, ends) = left.shape, right.shape
+    turned = rows.root is not columns.root and (rows.root, columns.root) == (ends.root, others.root)
+    if turned and {rows.value, columns.value} == {1, None}:
+        raise UnreadableError("a row is equal to a column")
     for one, other in zip(left.shape, right.shape, strict=True):
         one.unite(other)
     if have_same_blocks(left, right):

@@ -69,3 +69,59 @@ def test_a_picture_is_no_equation() -> None:
 def test_operators_stand_in_a_matrix() -> None:
     (text,) = texts(r"\[ L = \begin{pmatrix} \frac{\partial}{\partial x} & 0 \\ 0 & \frac{d}{d y} + c \end{pmatrix} \]")
     assert text == r"L = [[[\frac{\partial}{\partialx}], 0], [0, [\frac{d}{dy}] + c]]"
+
+
+@pytest.mark.parametrize(
+    ("written", "plain"),
+    [
+        (r"\newcommand{\T}{\ensuremath{\mathrm{T}}} \[ a = x^\T y \]", r"\[ a = x^\mathrm{T} y \]"),
+        (
+            r"\newcommand{\diag}{{\ensuremath{\mathrm{diag}}}} \[ D = \diag(a)\,\left[ b \right] \]",
+            r"\[ D = \mathrm{diag}(a) [b] \]",
+        ),
+        (r"\[ p = \mid k \mid^2 + a \]", r"\[ p = |k|^2 + a \]"),
+        (r"\begin{align} {}&= a \\ {}&= b \end{align}", r"\begin{align} &= a \\ &= b \end{align}"),
+        (r"\[ {N}(w, t) = {\cal L}(w, t) \]", r"\[ N(w, t) = \mathcal{L}(w, t) \]"),
+        (r"\[ x^{N}(t) = \sqrt{N}(t) \]", r"\[ x^{N} (t) = \sqrt{N} (t) \]"),
+        (r"\[ c = 2 - -10 \]", r"\[ c = 2 - (-10) \]"),
+        (r"\begin{align} \MoveEqLeft[10] a = b \end{align}", r"\begin{align} a = b \end{align}"),
+    ],
+)
+def test_a_document_with_a_notation_is_read_as_one_without(written: str, plain: str) -> None:
+    assert texts(written) == texts(plain)
+
+
+def test_kets_are_letters() -> None:
+    assert texts(r"\newcommand{\ket}[1]{|#1\rangle} \[ \ket{u} = a \left|v\right\rangle + |w_i\rangle \]") == [
+        r"ket_u = a*ket_v + [\ket{w_i}]"
+    ]
+
+
+def test_an_equation_may_name_the_arguments_of_its_letter() -> None:
+    found = read_document(
+        document_of(r"We use \begin{align} x_1 &= x_1(t, a) = R \cos t, & x_2 &= x_2(t) = a t. \end{align}")
+    )
+    assert [each.verdict for each in found] == ["definition", "definition"]
+
+
+def test_a_zero_above_a_letter_names_the_start() -> None:
+    found = read_document(document_of(r"\[ p^0 = a b \] \[ q = \sqrt{p^0} + 1 \] Hence \[ q = \sqrt{a b} + 1 \]"))
+    assert [each.verdict for each in found] == ["definition", "definition", "follows"]
+    powers = read_document(document_of(r"\[ p = x^0 + x^1 + x^2 \] Hence \[ p = 1 + x + x^2 \]"))
+    assert powers[-1].verdict == "follows"
+
+
+def test_an_equation_that_cannot_be_read_may_give_its_letter_anew() -> None:
+    before = r"\[ f = 2 a \] The sum is \[ z = y + f \]"
+    unread = r"In the second pass it is \[ f = 3 a) + b \]"
+    after = r"Hence \[ z - y = 2 a \]"
+    assert read_document(document_of(before + after))[-1].verdict == "follows"
+    assert read_document(document_of(before + unread + after))[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize(("power", "verdict"), [("2", "follows"), ("3", "independent")])
+def test_a_chain_with_a_link_that_fails_gives_nothing_within_its_display(power: str, verdict: str) -> None:
+    chain = rf"\frac{{1 - x}}{{2}} = \frac{{a^2}}{{r^2 + a^{power}}} = \frac{{1}}{{1 + (r/a)^2}}"
+    latex = rf"\[ {chain}; \quad \frac{{1 + x}}{{2}} = \frac{{r^2}}{{r^2 + a^2}}. \]"
+    found = read_document(document_of("With " + latex))
+    assert found[-1].verdict == verdict

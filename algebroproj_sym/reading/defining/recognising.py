@@ -132,7 +132,9 @@ def is_step(left: Formula, right: Formula) -> bool:
     inside = trees_in(left.children[1]) if left.data == "call" else []  # type: ignore[arg-type]
     terms = trees_in(inside[0]) if len(inside) == 1 and inside[0].data == "sum" else []
     steps = any(each.data == "number" or str(each.children[0]).startswith(r"\Delta") for each in terms)
-    return steps and any(each.children[0] == left.children[0] and each != left for each in right.find_data("call"))
+    return steps and any(
+        str(each.children[0]) == str(left.children[0]) and each != left for each in right.find_data("call")
+    )
 
 
 def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:

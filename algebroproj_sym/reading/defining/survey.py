@@ -36,15 +36,15 @@ from algebroproj_sym.reading.defining.phrases import (
     vectors_in,
 )
 from algebroproj_sym.reading.defining.premises import crosses_in
-from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by
+from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
-from algebroproj_sym.reading.lexing.commands import MARKS
+from algebroproj_sym.reading.lexing.commands import MARKS, RELATIONS
 from algebroproj_sym.reading.lexing.names import OFTEN_FUNCTION, split_symbol
-from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
+from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_pieces
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
@@ -187,6 +187,15 @@ class Survey:
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
         return found if _HALVES.search(self._prose) else with_zeros(found)
+
+    def left_of(self, statement: Statement) -> frozenset[str]:
+        """Return the letters on the left of a statement that cannot be read: it may give them."""
+        (left, *right) = split_pieces(statement.pieces, tuple(RELATIONS))
+        try:
+            found = self.parsed(replace(statement, pieces=tuple(left))) if right and left else None
+        except UnreadableError:
+            return frozenset()
+        return introduced_by(found.sides[0]) if found else frozenset()
 
     @cached_property
     def has_programs(self) -> bool:

@@ -25,7 +25,7 @@ _DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
 _ALPHABET = re.compile(r"\\DeclareMathAlphabet\s*\{\s*(\\[a-zA-Z]+)\s*\}(?:\s*\{[^{}]*\}){2}\s*\{[a-z]?bx?\}")
 _BOLD_ONES = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*(?:\{\s*)?[a-zA-Z]")
-_FRAMES = (r"\boxed", r"\mathrel", r"\mathopen", r"\mathclose")
+_FRAMES = (r"\ensuremath", r"\boxed", r"\mathrel", r"\mathopen", r"\mathclose")
 """Commands that change the looks of their argument only."""
 _SLOPE, _PARTIAL = r"\frac{d#1}{d#2}", r"\frac{\partial#1}{\partial#2}"
 _OF_PACKAGES = {
@@ -53,6 +53,7 @@ _OF_PACKAGES = {
     r"\si": (1, r"\mathrm{#1}"),
     r"\ang": (1, r"#1^\circ"),
     r"\qq": (1, r"\quad\text{#1}\quad"),
+    r"\MoveEqLeft[": (1, ""),
     r"\qc": (0, r",\quad"),
     **{
         f"{name}{star}": (1, rf"\left{opening}#1\right{closing}")

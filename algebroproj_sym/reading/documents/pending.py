@@ -10,6 +10,10 @@ from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces
 
 _ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
 _LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
+_IN_BRACES = re.compile(
+    r"\s*(?P<style>\\cal\s*)?(?P<name>[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{[a-zA-Z]+\})?)\s*\}(?=\s*\()|\s*\}(?=\s*[&=])"
+)
+"""What stands in braces for its looks alone, and their end."""
 _SKIP = re.compile(r"\*?\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
 
 
@@ -72,6 +76,28 @@ class Pending(list[Piece]):
         if self.next != "{":
             return [self.pop()] if self else []
         return self.until("{", "}")[1:-1]
+
+    def ket(self) -> list[Piece] | None:
+        r"""Take what stands before the ``\rangle`` that closes next, if nothing opens, and no bar stands, before it."""
+        for place in range(len(self) - 1, max(-1, len(self) - 40), -1):
+            text = self[place].text
+            if text == r"\rangle":
+                inside = self[place + 1 :][::-1]
+                del self[place:]
+                return [each for each in inside if each.text != r"\right"]
+            if text in ("|", r"\|", r"\langle", r"\vert", r"\rvert", r"\left", "&", r"\\") or text in RELATIONS:
+                return None
+        return None
+
+    def name_in_braces(self) -> list[Piece] | None:
+        r"""Take what is left of braces: nothing before ``&`` or ``=``, or a lone name before a bracket."""
+        match = _IN_BRACES.match("".join(each.text for each in self[-1:-40:-1]))
+        if match is None:
+            return None
+        place = self[-1].place
+        del self[-len(pieces_of(match.group())) :]
+        style, name = match["style"], match["name"] or ""
+        return at(Piece("", place), rf"\mathcal{{{name}}}" if style else name)
 
     @property
     def is_sign(self) -> bool:

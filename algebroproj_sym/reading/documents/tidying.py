@@ -28,6 +28,8 @@ from algebroproj_sym.reading.documents.systems import as_rows
 from algebroproj_sym.reading.lexing.commands import BIG, BOXES, MAX_PIECES, RELATIONS, SIGNS
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError
 
+_ENDS = frozenset((*RELATIONS, r"\left", r"\,", r"\;", r"\quad", r"\qquad", r"\\", r"\cdot", r"\times"))
+"""Commands behind which braces hold no argument."""
 _OVER = frozenset((r"\overset", r"\stackrel", r"\underset"))
 _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbracket"))
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
@@ -118,13 +120,14 @@ def _accented(pieces: Iterable[Piece]) -> list[Piece]:
     return found
 
 
-def _with_norms(pieces: Sequence[Piece]) -> Sequence[Piece]:
-    r"""Return pieces with ``\|`` for two signs of parallels of which the first one stands where a value begins."""
-    places = [place for place, each in enumerate(pieces) if each.text == r"\parallel"]
-    before = [each.text for each in pieces[: places[0]] if not each.text.isspace()][-1:] if len(places) == 2 else ["x"]
-    if before and before[0] not in RELATIONS and before[0] not in SIGNS:
-        return pieces
-    return [renamed(each, r"\|") if place in places else each for place, each in enumerate(pieces)]
+def _with_bars(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    r"""Return pieces with ``\|`` for two signs of parallels, and ``|`` for two ``\mid``, that enclose a value."""
+    for sign, bar in ((r"\parallel", r"\|"), (r"\mid", "|")):
+        places = [place for place, each in enumerate(pieces) if each.text == sign]
+        before = [each.text for each in pieces[: places[0]] if not each.text.isspace()][-1:] if places else ["x"]
+        if len(places) == 2 and not (before and before[0] not in RELATIONS and before[0] not in SIGNS):
+            pieces = [renamed(each, bar) if place in places else each for place, each in enumerate(pieces)]
+    return pieces
 
 
 @dataclass(frozen=True)
@@ -153,7 +156,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     """
     signs = (
         each
-        for piece in grouped(_accented(_with_norms(pieces)))
+        for piece in grouped(_accented(_with_bars(pieces)))
         for each in (at(piece, _SIGNS[piece.text]) if piece.text in _SIGNS else (piece,))
     )
     page = _Page([], Pending(signs), Pairs())
@@ -283,6 +286,17 @@ def _cross(page: _Page, piece: Piece) -> bool:
     return bool(closing)
 
 
+def _needless_braces(page: _Page, piece: Piece) -> bool:
+    r"""Leave out braces round nothing before a mark of alignment, and round a name before a bracket: ``{N}(t)``."""
+    before = next((each.text for each in reversed(page.out) if not each.text.isspace()), "")
+    argument = before in ("^", "_", "]", "}") or (before.startswith("\\") and before not in _ENDS)
+    inside = page.waiting.name_in_braces()
+    if argument or inside is None:
+        return False
+    page.waiting.put(inside)
+    return True
+
+
 def _brace(page: _Page, piece: Piece) -> bool:
     r"""Take a sign in braces out of them, and ``{\rm word}`` for an upright word."""
     if page.waiting.is_sign and ends_value(page.out):
@@ -385,10 +399,20 @@ def _stop(page: _Page, piece: Piece) -> bool:
     return page.waiting.next.startswith(r"\end{")
 
 
-def _factor_with_sign(page: _Page, piece: Piece) -> bool:
-    r"""Put a number with a sign behind a product in brackets, as in ``10 \times -1``."""
+def _ket(page: _Page, piece: Piece) -> bool:
+    r"""Read ``|u\rangle`` as a letter with an accent, and what stands behind ``\langle u`` as it is."""
+    angles = [each.text for each in page.out if each.text in (r"\langle", r"\rangle")]
+    inside = None if angles[-1:] == [r"\langle"] else page.waiting.ket()
+    if inside is None:
+        return False
+    page.out.extend([renamed(piece, r"\ket"), *braced(piece, inside)])
+    return True
+
+
+def _number_with_sign(page: _Page, piece: Piece) -> bool:
+    r"""Put a number with a sign behind another sign in brackets, as in ``10 \times -1``."""
     before = next((each.text for each in reversed(page.out) if not each.text.isspace()), "")
-    if before not in (r"\times", r"\cdot") or not page.waiting.next.isdigit():
+    if before not in (r"\times", r"\cdot", "-", "+") or not page.waiting.next.isdigit():
         return False
     number = page.waiting.number()
     page.out.extend([renamed(piece, "("), piece, *number, renamed(piece, ")")])
@@ -452,6 +476,8 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     (_TRIANGLES, _triangle),
     ((r"\prime",), _prime),
     ((r"\times",), _cross),
+    (("|", r"\vert", r"\lvert"), _ket),
+    (("{",), _needless_braces),
     (("{",), _brace),
     (BOXES, _box),
     ((r"\mathrm",), _upright),
@@ -464,7 +490,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     ((r"\,", r"\;", "\\ "), _between_numbers),
     ((".",), _ellipsis),
     ((".",), _stop),
-    (("-",), _factor_with_sign),
+    (("-",), _number_with_sign),
     ((r"\\",), _row),
 )
 _STEPS: Mapping[str, tuple[Callable[[_Page, Piece], bool], ...]] = _steps()

@@ -99,13 +99,18 @@ def read_document(
 
 
 def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
-    """Return readings in which nothing follows from an equation that contradicts."""
+    """Return readings in which nothing follows from an equation that contradicts.
+
+    Nor does it, within its display, from a chain with a link that one change would mend.
+    """
     found = list[Reading]()
     refuted = set[str]()
+    doubted = {id(each.statement.display) for each in readings if any(link.suggestion for link in each.links)}
     for each in readings:
+        own = {where_of(each.statement)} if id(each.statement.display) in doubted else set()
         links = tuple(
-            replace(link, verdict="independent", reason=f"it follows only from {wrong[0]}, which contradicts")
-            if link.verdict == "follows" and (wrong := [where for where in link.rests_on if where in refuted])
+            replace(link, verdict="independent", reason=f"it follows only from {wrong[0]}, which does not hold")
+            if link.verdict == "follows" and (wrong := [where for where in link.rests_on if where in refuted | own])
             else link
             for link in each.links
         )
@@ -190,6 +195,8 @@ class _Pass:
         if isinstance(found, UnreadableError):
             where = self.survey.document.line_of(found.place) if found.place is not None else display.where
             reason = f"{where}: {found}"
+            for symbol in self.survey.left_of(statement):
+                self.memory.forget(symbol)
             return Reading(number, statement.latex, None, reason, (), statement), []
         found = self._with_new_letter_first(found)
         sides = [self.memory.vocabulary.text(side) for side in found.sides]

@@ -82,8 +82,13 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         or _is_free(memory, statement, left, right, value=index > 0)
         or _is_new_value(memory, left, right)
         or any(_is_instance(memory, each, right) for each in others)
-        or (index == 0 and _brings(memory, statement, left, right))
+        or (index == 0 and (_brings(memory, statement, left, right) or _names_arguments(left, right)))
     )
+
+
+def _names_arguments(left: Formula, right: Formula) -> bool:
+    """Whether an equation says on which letters one depends, as ``x = x(a, b)``."""
+    return right.data == "call" and left.data == "symbol" and str(left.children[0]) == str(right.children[0])
 
 
 def _are_new(memory: Memory, symbols: frozenset[str], other: Formula, statement: Statement) -> bool:

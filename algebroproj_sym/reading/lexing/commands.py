@@ -47,7 +47,7 @@ BOXES = _words(r"\mbox \hbox \textnormal \textup \textsf \text \textrm")
 DROPPED = _words(
     r"\left \right \displaystyle \textstyle \scriptstyle \big \Big \bigg \Bigg \bigl \bigr \Bigl \Bigr \biggl \biggr "
     r"\Biggl \Biggr \middle \limits \nolimits \nonumber \notag \rm \it \mathord \mathbin \, \; \: \! ~ \/ \hfill "
-    r"\hline \mathrm \allowbreak \nobreak \relax \protect \ensuremath \strut \mathstrut \scriptscriptstyle "
+    r"\hline \mathrm \allowbreak \nobreak \relax \protect \strut \mathstrut \scriptscriptstyle "
     r"\pause"
 )
 DROPPED |= {"\\\n"}

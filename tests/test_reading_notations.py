@@ -83,6 +83,7 @@ def test_operators_stand_in_a_matrix() -> None:
         (r"\begin{align} {}&= a \\ {}&= b \end{align}", r"\begin{align} &= a \\ &= b \end{align}"),
         (r"\[ {N}(w, t) = {\cal L}(w, t) \]", r"\[ N(w, t) = \mathcal{L}(w, t) \]"),
         (r"\[ x^{N}(t) = \sqrt{N}(t) \]", r"\[ x^{N} (t) = \sqrt{N} (t) \]"),
+        (r"\[ M_{i}(t) = \mathbf{H}(t) + V_{a}(x) \]", r"\[ M_i (t) = \mathbf H (t) + V_a (x) \]"),
         (r"\[ c = 2 - -10 \]", r"\[ c = 2 - (-10) \]"),
         (r"\begin{align} \MoveEqLeft[10] a = b \end{align}", r"\begin{align} a = b \end{align}"),
     ],

@@ -290,8 +290,7 @@ def _needless_braces(page: _Page, piece: Piece) -> bool:
     r"""Leave out braces round nothing before a mark of alignment, and round a name before a bracket: ``{N}(t)``."""
     before = next((each.text for each in reversed(page.out) if not each.text.isspace()), "")
     argument = before in ("^", "_", "]", "}") or (before.startswith("\\") and before not in _ENDS)
-    inside = page.waiting.name_in_braces()
-    if argument or inside is None:
+    if argument or (inside := page.waiting.name_in_braces()) is None:
         return False
     page.waiting.put(inside)
     return True

@@ -54,9 +54,11 @@ def test_a_notation_is_read_as_the_plain_one(written: str, plain: str) -> None:
         r"x = 1,234",
         r"(x, y) = (10,200,300)",
         r"A = \begin{pmatrix} a, b \\ c \end{pmatrix}",
+        r"A = \begin{pmatrix} 1,5 \\ 2,5 \end{pmatrix}",
     ],
 )
 def test_what_may_be_a_list_is_no_number_and_no_row(latex: str) -> None:
+    assert all(text is None or "[1, 5]" not in text for text in texts(rf"\[ {latex} \]"))
     assert all(text is None or "1234" not in text for text in texts(rf"\[ {latex} \]"))
     assert all(text is None or "10200300" not in text for text in texts(rf"\[ {latex} \]"))
 
@@ -126,3 +128,13 @@ def test_a_chain_with_a_link_that_fails_gives_nothing_within_its_display(power: 
     latex = rf"\[ {chain}; \quad \frac{{1 + x}}{{2}} = \frac{{r^2}}{{r^2 + a^2}}. \]"
     found = read_document(document_of("With " + latex))
     assert found[-1].verdict == verdict
+
+
+def test_words_below_letters_tell_them_apart() -> None:
+    latex = r"\[ \underset{\text{before}}{v} = \underset{\text{after}}{v} \]"
+    assert read_document(document_of(latex))[-1].verdict != "follows"
+
+
+def test_operators_do_not_commute() -> None:
+    latex = r"\[ \left(\frac{d}{dx} + a\right) f = f \left(\frac{d}{dx} + a\right) \]"
+    assert read_document(document_of(latex))[-1].verdict != "follows"

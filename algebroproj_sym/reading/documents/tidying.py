@@ -336,7 +336,7 @@ def _over(page: _Page, piece: Piece) -> bool:
     if piece.text == r"\underset" and relation in BIG:
         page.waiting.put([*base, renamed(piece, "_"), *braced(piece, over)])
         return True
-    if piece.text == r"\underset" and above.startswith(r"\text"):
+    if piece.text == r"\underset" and above.startswith(r"\text") and base[:1] and base[0].text in _BRACES:
         page.waiting.put(braced(piece, base))
         return True
     if above in _ACCENTS_ABOVE:

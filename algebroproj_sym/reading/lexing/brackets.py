@@ -173,10 +173,14 @@ def read_environment(cursor: Cursor) -> None:
 
 
 def _with_columns(body: list[Piece]) -> list[Piece]:
-    """Return the rows of a matrix with marks of columns for commas, if all rows have as many of them, and no marks."""
+    """Return the rows of a matrix with marks of columns for commas, if all rows have as many of them, and no marks.
+
+    A comma between digits may be that of a decimal fraction.
+    """
     rows = split_pieces(body, (r"\\",))
     counts = {len(split_pieces(row, (",",))) for row in rows if bare(row)}
-    if len(counts) != 1 or counts == {1} or any(len(split_pieces(row, ("&",))) > 1 for row in rows):
+    decimal = re.search(r"\d,\d", "".join(piece.text for piece in body)) is not None
+    if len(counts) != 1 or counts == {1} or decimal or any(len(split_pieces(row, ("&",))) > 1 for row in rows):
         return body
     depth, kept = 0, list[Piece]()
     for piece in body:

@@ -17,6 +17,7 @@ from typing import Any
 
 from lark import Token
 
+from algebroproj_sym.reading.defining.averages import Averages, averages_in
 from algebroproj_sym.reading.defining.composing import composed_in
 from algebroproj_sym.reading.defining.factors import (
     CAPITAL,
@@ -28,6 +29,7 @@ from algebroproj_sym.reading.defining.factors import (
     lone,
     terms_of,
 )
+from algebroproj_sym.reading.defining.inner import vectors_in
 from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, symbols_in, trees_in
@@ -66,6 +68,8 @@ class Kinds:
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
     inverted : frozenset of str
         The capitals that are no numbers, and have an inverse or a determinant somewhere: they are no vectors.
+    averages : Averages
+        What stands for expected values.
     """
 
     no_numbers: frozenset[str] = frozenset()
@@ -74,6 +78,7 @@ class Kinds:
     named: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
     inverted: frozenset[str] = frozenset()
+    averages: Averages = Averages()
 
 
 def kinds_of(
@@ -99,13 +104,16 @@ def kinds_of(
     columns |= frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
     numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
+    known |= vectors_in(sides, words) - numbers
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
     oblong = oblong_in(equations, occurring, words)
     inverted = frozenset(letter for side in sides for letter in _inverted_in(side)) & closure.known
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong=oblong, inverted=inverted)
+    averages = averages_in(equations, words)
+    found = frozenset(closure.known), columns, frozenset(closure.open)
+    return Kinds(*found, oblong=oblong, inverted=inverted, averages=averages)
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:

@@ -15,6 +15,7 @@ from algebroproj_sym.reading.defining.arguments import lone_arguments
 from algebroproj_sym.reading.defining.components import columns_beside_matrices
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.indices import Indices
+from algebroproj_sym.reading.defining.inner import is_given
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
 from algebroproj_sym.reading.defining.labels import E, iterates_in, labels_in, lone_letter, without_above
 from algebroproj_sym.reading.defining.meanings import (
@@ -236,7 +237,9 @@ class Survey:
         """What words say of letters and signs."""
         given = frozenset(tie.given for tie in self.dependence.ties)
         iterated = frozenset(map(without_above, iterates_in(self._first_equations)))
-        return Meanings(self.statements, self._prose, tuple(_sides(self.formulas)), given, iterated)
+        equations = (each.sides for each in self.formulas.values() if isinstance(each, Parsed))
+        sides = tuple(_sides(self.formulas))
+        return Meanings(self.statements, self._prose, sides, given, iterated, is_given(equations))
 
     @cached_property
     def restricted(self) -> frozenset[str]:

@@ -340,6 +340,8 @@ class Vocabulary:
 
     def is_no_number(self, symbol: str) -> bool:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
+        if symbol in self.kinds.averages.operators:
+            return False
         return _BOLD.search(symbol) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
@@ -476,6 +478,8 @@ class Vocabulary:
 
     def _function(self, definition: Definition, values: Mapping[str, Any]) -> Callable[..., Any]:
         def function(*arguments: Any) -> Any:
+            if self.uncomputed is not None and definition.symbol in self.kinds.averages.operators:
+                return self.uncomputed.call(definition.symbol, arguments)
             if len(arguments) != len(definition.parameters):
                 if self.uncomputed is not None:
                     return self.uncomputed.call(definition.symbol, arguments)

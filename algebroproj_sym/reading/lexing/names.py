@@ -278,7 +278,8 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
         cursor.out.append(Token("SYMBOL", f"{whole} {text}", start_pos=start))
         return
     bracket = cursor.peek() if cursor.functions is not None and not raised else ""
-    if bracket == "[" and whole in (cursor.functions or ()) and (index := _INDEX.fullmatch(_inside_of(cursor))):
+    index = _INDEX.fullmatch(_inside_of(cursor)) if bracket == "[" and whole in (cursor.functions or ()) else None
+    if index and not (_EXPECTATION.fullmatch(whole) and _VARIABLE.fullmatch(index[0])):
         letter, primes, below, above = split_symbol(whole)
         cursor.index += len(bracket_ahead(cursor))
         indexed = written(letter, primes, f"{below},{index[0]}" if below else index[0], above)
@@ -297,6 +298,8 @@ OFTEN_FUNCTION = re.compile(r"\\delta(?:_.*)?")
 """What is one as well, if it never stands alone."""
 _EXPECTATION = re.compile(r"[EPV](?:_.*)?")
 """What is a function before a square bracket."""
+_VARIABLE = re.compile(r"[A-Za-hu-z]")
+"""What stands in the brackets of an expected value, and counts nothing."""
 
 
 _ONE_INDEX = re.compile(r"[a-zA-Z]|0")

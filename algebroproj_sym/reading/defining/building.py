@@ -170,6 +170,10 @@ class _Parts(_Gathering):
         direction = self.direction(variable)
         return joined("DOT", slope, direction) if slope.shape[1].value == 1 else times(slope, direction)
 
+    def gradient(self, value: Part, variable: Part) -> Part:
+        """Return the column of the derivatives of a number that nothing gives."""
+        return self.reader.whole("gradient", [scalar(value, "a gradient"), column(variable)], variable.shape)
+
     def direction(self, variable: Part) -> Part:
         """Return the direction in which a vector changes."""
         return self.reader.whole("direction", [column(variable)], variable.shape)

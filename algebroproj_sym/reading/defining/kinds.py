@@ -174,7 +174,7 @@ class _Closure:
         inside = {letter for each in factors for letter in factors_of(each)}
         if inside & (self.known | self.open):
             self._open(inside)
-        behind, before = lone(factors[-1]), factors[-2]
+        behind, before = head_of(factors[-1]), factors[-2]
         first, other = lone(factors[0]), factors[1]
         if before.data != "marked" and not self._is_matrix(base_of(before)):
             behind = ""
@@ -213,6 +213,11 @@ class _Closure:
             return f"{match[1]}{match[2]}" in self.known or (match[3] or match[4]) in self.known
         return any(_family(symbol)) and any(_family(symbol) == _family(each) for each in self.known)
 
+    def _may_be_column(self, factor: Any) -> bool:
+        """Whether a factor is a small letter, or the value of one, that is no number anywhere."""
+        letter = head_of(factor)
+        return _SMALL.fullmatch(letter) is not None and letter not in self._numbers | self._scales
+
     def _is_no_number(self, term: Any) -> bool:
         """Whether a term is a vector or a matrix, whatever the letters are of which nothing is known."""
         if is_mean(term):
@@ -233,9 +238,16 @@ class _Closure:
             return lone(term.children[1]) != ""
         if term.data == "run":
             inside = [each for each in trees_in(term) if {*symbols_in(each)} & (self.known | self.open)]
+            if _is_row(trees_in(term)[0]) and self._may_be_column(trees_in(term)[-1]):
+                return False
             alone = len(inside) == 1 or all(CAPITAL.match(base_of(each)) for each in inside)
             return alone and any(map(self._is_no_number, inside))
         return False
+
+
+def _is_row(factor: Any) -> bool:
+    """Whether a factor is a small letter that is transposed."""
+    return factor.data == "marked" and factor.children[1] == "T" and not CAPITAL.match(lone(factor.children[0]) or "A")
 
 
 def _is_printed_number(term: Any) -> bool:

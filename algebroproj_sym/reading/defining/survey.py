@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
-from lark import Tree
+from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.acting import acted_on
 from algebroproj_sym.reading.defining.arguments import lone_arguments
@@ -83,24 +83,29 @@ class Survey:
 
         ``\delta`` before any bracket is among them if it stands nowhere alone.
 
+        So are letters with nothing but the value of a function in their brackets, as f and g in ``f(g(h(x)))``, if they
+        stand nowhere alone.
+
         Where ``x[n]`` or ``x[0]`` has an index in square brackets, all letters before these brackets are among them.
         """
-        found, before, alone, indexed = set[str](), set[str](), set[str](), False
+        found, nested, before, lone, indexed = set[str](), set[str](), set[str](), set[str](), False
         for each in self.statements:
             try:
                 tokens, _ = tokens_of(each.pieces, lambda name: False, frozenset()) if each.pieces else ([], False)
             except UnreadableError:
                 continue
             found |= {str(token) for token in tokens if token.type == "CALLEE"}
-            often = [
-                (str(one), other) for one, other in pairwise([*tokens, None]) if one and OFTEN_FUNCTION.fullmatch(one)
-            ]
-            found |= {letter for letter, other in often if other and other.type == "LP"}
-            alone |= {letter for letter, other in often if not (other and other.type == "LP")}
+            pairs = [(one, other) for one, other in pairwise([*tokens, None]) if one]
+            found |= {
+                str(one) for one, other in pairs if other and other.type == "LP" and OFTEN_FUNCTION.fullmatch(one)
+            }
+            nested |= {*_nested(tokens)}
+            lone |= {str(one) for one, other in pairs if not (other and other.type == "LP")}
             squared = [(one.type, str(one)) for one, other in pairwise(tokens) if other.type == "LS"]
             before |= {letter for kind, letter in squared if kind in ("SYMBOL", "CALLEE")}
             indexed = indexed or any(kind == "CALLEE" and letter not in "EPV" for kind, letter in squared)
-        return functions_called(self.statements).union(found - alone, before if indexed else ())
+        found = {each for each in found if not (each in lone and OFTEN_FUNCTION.fullmatch(each))} | (nested - lone)
+        return functions_called(self.statements).union(found, before if indexed else ())
 
     def is_parameter(self, statement: Statement) -> bool:
         """Whether a statement gives a letter a number, as others of its display do: a list of parameters."""
@@ -224,7 +229,8 @@ class Survey:
         )
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
         by_time = by_time or "t" in {symbol for each in self.formulas.values() for symbol in _turning(each)}
-        return Dependence(tuple(ties), by_time, constants_in(self.statements))
+        arguments = {name: defined_by([*of][0])[1] for name, of in self._arguments.items() if len(of) == 1}
+        return Dependence(tuple(ties), by_time, constants_in(self.statements), arguments)
 
     @cached_property
     def indices(self) -> Indices:
@@ -346,6 +352,15 @@ _SPECIAL = re.compile(
 """Words by which values or products may be others than those of real numbers."""
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
+
+
+def _nested(tokens: Sequence[Token]) -> Iterator[str]:
+    """Yield the letters that have nothing but the value of a function in their brackets."""
+    kinds = {"SYMBOL": "s", "CALLEE": "c", "LP": "(", "RP": ")"}
+    line = "".join(kinds.get(each.type, "o") for each in tokens)
+    for match in re.finditer(r"((?:s\()+)c\([^()]*(\)+)", line):
+        count = min(len(match[1]) // 2, len(match[2]) - 1)
+        yield from map(str, tokens[match.end(1) - 2 * count : match.end(1) : 2])
 
 
 def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
@@ -78,7 +78,7 @@ class Kinds:
     named: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
     inverted: frozenset[str] = frozenset()
-    averages: Averages = Averages()
+    averages: Averages = field(default_factory=Averages)
 
 
 def kinds_of(

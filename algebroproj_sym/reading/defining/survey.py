@@ -49,6 +49,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
+from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,8 @@ class Survey:
                 str(one) for one, other in pairs if other and other.type == "LP" and OFTEN_FUNCTION.fullmatch(one)
             }
             nested |= {*_nested(tokens)}
-            lone |= {str(one) for one, other in pairs if not (other and other.type == "LP")}
+            nested |= {str(one) for one, other in pairs if other and other.type == "LS" and one.startswith("P_")}
+            lone |= {str(one) for one, other in pairs if not (other and other.type in ("LP", "LS"))}
             squared = [(one.type, str(one)) for one, other in pairwise(tokens) if other.type == "LS"]
             before |= {letter for kind, letter in squared if kind in ("SYMBOL", "CALLEE")}
             indexed = indexed or any(kind == "CALLEE" and letter not in "EPV" for kind, letter in squared)
@@ -153,7 +155,12 @@ class Survey:
 
     @cached_property
     def _first(self) -> dict[int, Parsed | UnreadableError]:
-        return {id(each): self._parsed(each, frozenset()) for each in self.statements}
+        return {id(each): self._parsed(each, frozenset(), plain=True) for each in self.statements}
+
+    @cached_property
+    def _has_transposes(self) -> bool:
+        """Whether primes transpose."""
+        return are_transposes(self._first_equations, self._prose)
 
     @cached_property
     def labels(self) -> frozenset[str]:
@@ -167,20 +174,22 @@ class Survey:
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
-        if not self.labels:
+        if not (self.labels or self._has_transposes):
             return self._first
         return {id(each): self._parsed(each, self.labels) for each in self.statements}
 
-    def _parsed(self, statement: Statement, labels: frozenset[str]) -> Parsed | UnreadableError:
+    def _parsed(self, statement: Statement, labels: frozenset[str], *, plain: bool = False) -> Parsed | UnreadableError:
         if not statement.pieces:
             return UnreadableError(statement.reason or "there is no formula")
         try:
-            return self.parsed(statement, labels)
+            return self.parsed(statement, labels, plain=plain)
         except UnreadableError as error:
             return error
 
-    def parsed(self, statement: Statement, labels: frozenset[str] | None = None, *, wide: bool = True) -> Parsed:
-        """Parse a statement.
+    def parsed(
+        self, statement: Statement, labels: frozenset[str] | None = None, *, wide: bool = True, plain: bool = False
+    ) -> Parsed:
+        """Parse a statement; a plain one keeps primes that transpose.
 
         Raises
         ------
@@ -192,6 +201,7 @@ class Survey:
         named = self._has_superscripts
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
+        found = found if plain or not self._has_transposes else with_transposes(found)
         return found if _HALVES.search(self._prose) else with_zeros(found)
 
     @cached_property
@@ -229,7 +239,7 @@ class Survey:
         )
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
         by_time = by_time or "t" in {symbol for each in self.formulas.values() for symbol in _turning(each)}
-        arguments = {name: defined_by([*of][0])[1] for name, of in self._arguments.items() if len(of) == 1}
+        arguments = {name: defined_by(next(iter(of)))[1] for name, of in self._arguments.items() if len(of) == 1}
         return Dependence(tuple(ties), by_time, constants_in(self.statements), arguments)
 
     @cached_property

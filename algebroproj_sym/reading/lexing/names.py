@@ -288,7 +288,8 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
     called = bracket == "[" and _ONE_INDEX.fullmatch(_inside_of(cursor)) is not None
     called = called or (bracket == "(" and _is_called(cursor, whole))
     called = called or (bracket in ("(", "[") and _FUNCTION.fullmatch(whole) is not None)
-    called = called or (bracket == "[" and _EXPECTATION.fullmatch(whole) is not None)
+    named = _EXPECTATION.fullmatch(whole) is not None and (whole[:2] != "P_" or whole in (cursor.functions or ()))
+    called = called or (bracket == "[" and named)
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
 
 
@@ -297,7 +298,7 @@ _FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|Delta|Pr)|\\math(?:bb|ds)\{[
 OFTEN_FUNCTION = re.compile(r"\\delta(?:_.*)?")
 """What is one as well, if it never stands alone."""
 _EXPECTATION = re.compile(r"[EPV](?:_.*)?")
-"""What is a function before a square bracket."""
+"""What is a function before a square bracket; a P with an index is one if it stands nowhere alone."""
 _VARIABLE = re.compile(r"[A-Za-hu-z]")
 """What stands in the brackets of an expected value, and counts nothing."""
 

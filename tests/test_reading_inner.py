@@ -6,7 +6,18 @@ from algebroproj_sym.reading import document_of, read_document
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
+LINE = (
+    r"The parameters have \[ (z - (z^T \mathbb{1} - b x^T \mathbb{1}) \mathbb{1} - b x)^T x = 0 \] "
+    r"\[ z^T x - (z^T \mathbb{1} - b x^T \mathbb{1}) \mathbb{1}^T x - b x^T x = 0 \] Hence "
+)
+CENTRED = (
+    r"The mean is \[ m = \frac1n \mathbf{1}^T \mathbf x \] and "
+    r"\[ \mathbf C = \mathbf I - \frac1n \mathbf 1 \mathbf 1^T \] Hence "
+)
+BELOW = r"{x^T x - (\mathbb{1}^T x)^2} \]"
 FOLLOWS = {
+    "a line through points": LINE + r"\[ b = \frac{z^T x - (x^T \mathbb{1}) (z^T \mathbb{1})}" + BELOW,
+    "the centring matrix": CENTRED + r"\[ \mathbf C \mathbf x = \mathbf x - m \mathbf 1 \]",
     "the coefficient of a projection": (
         r"The inner product is zero, as the rest is orthogonal: \[ \langle x, f - c x \rangle = 0 \] so by linearity "
         r"\[ \langle x, f \rangle - c \langle x, x \rangle = 0 \] Hence "
@@ -32,6 +43,10 @@ FOLLOWS = {
     "of matrices": r"\[ \langle \mathbf A, \mathbf B \rangle = \mathrm{tr}(\mathbf A^T \mathbf B) \]",
 }
 MISLEADING = {
+    "a line with a wrong sign": LINE + r"\[ b = \frac{z^T x + (x^T \mathbb{1}) (z^T \mathbb{1})}" + BELOW,
+    "ones are not one": CENTRED + r"\[ \mathbf 1^T \mathbf 1 = 1 \]",
+    "a row of ones": CENTRED + r"\[ \mathbf C \mathbf x = \mathbf x - m \mathbf 1^T \]",
+    "ones are no identity": CENTRED + r"\[ \mathbf C \mathbf x = \mathbf x - \frac1n \mathbf x \]",
     "Cauchy and Schwarz": (
         r"The inner product has \[ \langle f, g \rangle^2 = \langle f, f \rangle \langle g, g \rangle \]"
     ),

@@ -42,6 +42,7 @@ _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?!
 _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
 _RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
 _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
+_ONES = re.compile(r"\\(?:mathbf|mathbb|mathds|vec)\{1\}(?:_.*)?")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
 _OF_VECTORS = ("marked", "norm", "absolute", "inner", "call")
 _OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
@@ -102,7 +103,8 @@ def kinds_of(
     occurring = sorted({symbol for side in sides for symbol in symbols_in(side)})
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns |= frozenset(each for each in occurring if accents & _accents_of_vectors(each))
-    known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
+    columns |= frozenset(letter for side in sides for letter in _ones_in(side))
+    known = {*said, *columns, *_marked_in(sides, occurring, said | columns), *_tables_in(equations)}
     numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
     known |= vectors_in(sides, words) - numbers
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
@@ -297,32 +299,45 @@ def _angles_in(side: Formula) -> Iterator[Formula]:
             yield from trees_in(tree)[-1:]
 
 
-def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
+def _ones_in(side: Formula) -> Iterator[str]:
+    r"""Yield what is a column of ones: a bold 1 that is transposed somewhere, unlike the identity."""
+    turned = (each.children[0] for each in side.find_data("marked") if each.children[1] == "T")
+    yield from (letter for letter in map(lone, turned) if _ONES.fullmatch(letter))
+
+
+def _marked_in(sides: Sequence[Formula], occurring: Sequence[str], vectors: frozenset[str]) -> set[str]:
     r"""Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace.
 
     An angle is none by the mark of a bracket, nor by a hat: ``[\phi]^\wedge`` is a matrix of a number in the plane.
     """
     found, unless = set[str](), set[str]()
     angles = set[str]()
+    turned = (each.children[0] for side in sides for each in side.find_data("marked") if each.children[1] == "T")
+    vectors |= frozenset(map(lone, turned)) - {""}
     for side in sides:
         angles |= {letter for part in _angles_in(side) for letter in symbols_in(part)}
         for tree in side.iter_subtrees():
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
                 marked = tree.children[0]
-                (found if lone(marked) and head == "T" else unless).update(_without_scales(marked))
+                (found if lone(marked) and head == "T" else unless).update(_without_scales(marked, vectors))
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
-                found |= {*_without_scales(trees_in(tree)[0])}
+                found |= {*_without_scales(trees_in(tree)[0], vectors)}
     found |= unless - angles
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
 
 
-def _without_scales(tree: Any) -> Iterator[str]:
-    r"""Yield the letters of a matrix: in `A - \lambda I`, and in `k A B`, no small letter before a capital."""
+def _without_scales(tree: Any, vectors: frozenset[str]) -> Iterator[str]:
+    r"""Yield the letters of a matrix: in `A - \lambda I`, and in `k A B`, no small letter before a capital.
+
+    Beside a vector no other small letter is one, as b in ``(y - b x)^T x``, where x stands alone with the mark.
+    """
     for term in terms_of(tree):
         letters = [*factors_of(term, deep=False)]
         capitals = [place for place, each in enumerate(letters) if CAPITAL.match(each)]
+        if term.data == "run" and not capitals and not vectors.isdisjoint(letters):
+            letters = [each for each in letters if each in vectors]
         yield from letters[capitals[0] if capitals and term.data == "run" else 0 :]
 
 

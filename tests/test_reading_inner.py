@@ -63,6 +63,17 @@ MISLEADING = {
         r"\[ \langle x, y \rangle = x^T M y \]"
     ),
     "complex vectors": (r"For complex vectors the inner product has \[ \langle a, b \rangle = \langle b, a \rangle \]"),
+    "complex signals": r"The inner product of complex signals is \[ \langle x, c y \rangle = c \langle x, y \rangle \]",
+    "orthogonal vectors": (
+        r"We have \[ \mathbf a^T (\mathbf b - c \mathbf d) = 0 \] for orthogonal $\mathbf a$ and $\mathbf d$. Hence "
+        r"\[ c = \frac{\mathbf a^T \mathbf b}{\mathbf a^T \mathbf d} \]"
+    ),
+    "vectors that are perpendicular": (
+        r"The vector $x$ is perpendicular to $y$. The inner product has \[ \langle x, f - c y \rangle = 0 \] Hence "
+        r"\[ c = \frac{\langle x, f \rangle}{\langle x, y \rangle} \]"
+    ),
+    "an associative product": (r"The scalar product has \[ \langle a, b \rangle c = a \langle b, c \rangle \]"),
+    "a number times a matrix": r"\[ c \mathbf A \mathbf b = \mathbf d \] Hence \[ c = \mathbf A^{-1} \mathbf d \]",
     "conjugated": (r"The inner product is conjugate symmetric. \[ \langle c a, b \rangle = c \langle a, b \rangle \]"),
     "a wrong sign": (
         r"The inner product is zero: \[ \langle x, f - c x \rangle = 0 \] Hence "

@@ -82,6 +82,20 @@ MISLEADING = {
     "a random weight in a sum": (
         r"We have \[ s = \sum_{i=1}^m w_i x_i \] Hence \[ \mathbb{E}(s) = \sum_{i=1}^m w_i \mathbb{E}(x_i) \]"
     ),
+    "a number of terms that is drawn": (
+        r"We have \[ s = \sum_{i=1}^N x_i \] where $N$ is a Poisson variable. Hence "
+        r"\[ \mathbb{E}(s) = \sum_{i=1}^N \mathbb{E}(x_i) \]"
+    ),
+    "a random constant": r"The bias $b$ is a random constant. \[ y = x + b \] \[ \mathbb{E}(y) = \mathbb{E}(x) + b \]",
+    "rows and columns": (
+        r"We have $\mathbf m = \mathbb{E}[\mathbf x]$ and "
+        r"\[ \mathbf P = \mathbb{E}[(\mathbf x - \mathbf m) (\mathbf x - \mathbf m)^T] \] Hence "
+        r"\[ \mathbf P = \mathbb{E}[\mathbf x^T \mathbf x] - \mathbf m^T \mathbf m \]"
+    ),
+    "a function of a mean": r"We have \[ y = \sqrt{x} \] Hence \[ \mathbb{E}(y) = \sqrt{\mathbb{E}(x)} \]",
+    "an operator of another distribution": (
+        r"The mean is \[ z = \mathbb{E}_{x|y}[x] \] Hence \[ \mathbb{E}_{y}[z x] = z \mathbb{E}_{y}[x] \]"
+    ),
     "a constant that changes": (
         r"The gain $a$ is constant within a trial, and changes with the trial. \[ y = a x \] "
         r"\[ \mathbb{E}(y) = a \mathbb{E}(x) \]"

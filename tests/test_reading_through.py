@@ -61,6 +61,18 @@ MISLEADING = {
         r"We have \[ L = f(u, w) \] \[ u = g(w) \] Hence \[ \frac{\partial L}{\partial w} = "
         r"\frac{\partial L}{\partial u} \frac{\partial u}{\partial w} \]"
     ),
+    "the other variable depends on it": (
+        r"The function $f(x, y)$ is given where $y$ depends on $x$. Hence "
+        r"\[ \frac{df}{dx} = \frac{\partial f}{\partial x} \]"
+    ),
+    "a partial derivative through one of two": (
+        r"The entropy $S(U, V)$ and the volume $V(T)$ are given. Hence \[ \frac{\partial S}{\partial T} = "
+        r"\frac{\partial S}{\partial V} \frac{\partial V}{\partial T} \]"
+    ),
+    "a term too many": (
+        r"The field $T(x)$ is given. Hence "
+        r"\[ \frac{dT}{dt} = \frac{dT}{dx} \frac{dx}{dt} + \frac{\partial T}{\partial t} \]"
+    ),
     "something else is given": (
         r"We have \[ y = g(x) \] \[ z = f(y) + x \] Hence \[ \frac{dz}{dx} = \frac{dz}{dy} \frac{dy}{dx} \]"
     ),

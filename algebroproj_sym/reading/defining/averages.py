@@ -24,10 +24,8 @@ _OTHERWISE = re.compile(
 )
 _FORMULA = r"\$([^$]*)\$"
 _BE = r"(?:is|are|be|being) (?:(?:an?|the|all|both|now|assumed) )*"
-_RANDOM = re.compile(
-    rf"\brandom\b[^.$]{{0,40}}{_FORMULA}|{_FORMULA} {_BE}[^.$]{{0,30}}\b(?:random|distributed|drawn|uncertain)",
-    re.IGNORECASE,
-)
+_DRAWN = r"(?:random|poisson|binomial|geometric|stochastic|gaussian|normally|uniformly|distributed|drawn|uncertain)"
+_RANDOM = re.compile(rf"\b{_DRAWN}\b[^.$]{{0,40}}{_FORMULA}|{_FORMULA} {_BE}[^.$]{{0,30}}\b{_DRAWN}", re.IGNORECASE)
 _SURE = r"(?<!un)(?<!not )(?:deterministic|non-?random)"
 _FIXED = re.compile(
     rf"\b{_SURE} (?:[a-z]+ ){{0,3}}{_FORMULA}|\bknown (?:[a-z]+ )?matri(?:x|ces) {_FORMULA}|{_FORMULA} {_BE}{_SURE}\b",

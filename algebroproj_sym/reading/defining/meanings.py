@@ -57,7 +57,7 @@ _SIGNS = (
         "a bracket may be a product",
     ),
     (
-        r"\bcomplex[- ](?:valued|vectors?|numbers?|inner|conjugat|spaces?|functions?)|\bhermit|\bsesquilinear|\bunitary"
+        r"\bcomplex\b|\bhermit|\bsesquilinear|\bunitary"
         r"|\bconjugate[- ](?:symmetr|linear|transpos)|\bcommut(?:e|es|ators?)\b|\bbrackets? (?:is|are)\b"
         r"|\b(?:imaginary|quantum|Poisson|Lie bracket)",
         r"\\langle[^|]+,[^|]+\\rangle",

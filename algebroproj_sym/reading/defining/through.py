@@ -75,7 +75,15 @@ def _arguments_of(function: str, vocabulary: Vocabulary) -> tuple[tuple[str, ...
     definition = vocabulary.definitions.get(function)
     if definition is None:
         arguments = vocabulary.dependence.arguments.get(function, ())
-        return ((function,), arguments, f"{vocabulary.name(function)} as a function") if arguments else None
+        return (
+            (
+                (function,),
+                arguments,
+                f"{vocabulary.name(function)} as a function of {', '.join(map(vocabulary.name, arguments))} alone",
+            )
+            if arguments
+            else None
+        )
     tree = without_brackets(definition.tree)
     head, arguments = defined_by(tree)
     if not definition.usable or definition.role != "definition" or definition.parameters:

@@ -31,6 +31,10 @@ FOLLOWS = {
     "letters with two indices": (
         r"We measure \[ y_i = \theta(s_i) + e_i \] We have \[ y_i - y_j = \theta(s_i) - \theta(s_j) + e_i - e_j \]"
     ),
+    "indices that differ": (
+        r"We measure \[ y_i = \theta(s_i) + e_i \] For $i \neq j$ we have "
+        r"\[ y_i - y_j = \theta(s_i) - \theta(s_j) + e_i - e_j \]"
+    ),
     "a sum over the index": (
         r"We have the sum $d = \sum_i d_i$ and \[ y_i = a d_i \] Hence \[ y_1 - y_2 = a (d_1 - d_2) \]"
     ),

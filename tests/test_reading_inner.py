@@ -44,6 +44,9 @@ FOLLOWS = {
 }
 MISLEADING = {
     "a line with a wrong sign": LINE + r"\[ b = \frac{z^T x + (x^T \mathbb{1}) (z^T \mathbb{1})}" + BELOW,
+    "a sum with a row": (r"We have \[ f = x^T \mathbf{1} + g \] and the matrix $g$. Hence \[ g = g^T \]"),
+    "a column of numbers": LINE
+    + r"\[ b = \frac{x^T x - (\mathbb{1}^T x)^2}{z^T x - (x^T \mathbb{1}) (z^T \mathbb{1})} \]",
     "ones are not one": CENTRED + r"\[ \mathbf 1^T \mathbf 1 = 1 \]",
     "a row of ones": CENTRED + r"\[ \mathbf C \mathbf x = \mathbf x - m \mathbf 1^T \]",
     "ones are no identity": CENTRED + r"\[ \mathbf C \mathbf x = \mathbf x - \frac1n \mathbf x \]",

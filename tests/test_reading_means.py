@@ -18,6 +18,11 @@ FOLLOWS = {
         OF_FUNCTION
         + r"The covariance is \[ C(X, Y) = E[(X - E[X]) (Y - E[Y])] \] Hence \[ C(X, X) = \mathrm{Var}(X) \]"
     ),
+    "an expected value that is given": (
+        r"The expected value is \[ \mathbb{E}(x) = \sum_i x_i \Pr(x_i) \] The variance is defined as "
+        r"\[ \mathbb{V}(x) = \mathbb{E}((x - \mathbb{E}(x))^2) \] Hence "
+        r"\[ \mathbb{V}(y) = \mathbb{E}(y^2) - \mathbb{E}(y)^2 \]"
+    ),
     "the covariance": (
         r"The covariance is the expected value \[ C(X, Y) = E[(X - E[X]) (Y - E[Y])] = E[X Y] - E[X] E[Y] \]"
     ),
@@ -39,6 +44,10 @@ FOLLOWS = {
         r"The covariance is \[ \mathbf P = \mathbb{E}[(\mathbf x - \mathbf m) (\mathbf x - \mathbf m)^T] \] with "
         r"$\mathbf m = \mathbb{E}[\mathbf x]$. Hence "
         r"\[ \mathbf P = \mathbb{E}[\mathbf x \mathbf x^T] - \mathbf m \mathbf m^T \]"
+    ),
+    "the square of a vector": (
+        r"The variance is defined as \[ \mathbb{V}(\mathbf x) = \mathbb{E}((\mathbf x - \mathbb{E}(\mathbf x))^2) "
+        r"= \mathbb{E}(\mathbf x^2) - \mathbb{E}(\mathbf x)^2 \]"
     ),
     "a matrix that is constant": (
         r"The matrix $\mathbf A$ is constant. We have \[ \mathbf y = \mathbf A \mathbf x \] Hence "

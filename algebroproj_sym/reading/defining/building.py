@@ -236,6 +236,9 @@ class _Parts(_Gathering):
             return self.reader.whole(name, [body], body.shape)
 
         def varies(part: Part) -> bool:
+            inside = [factor for _, factors in part.terms for factor in factors]
+            if any(each is not part for each in inside):
+                return any(map(varies, inside))
             return name not in (part.mean_by, part.turned and part.turned.mean_by) and not self.reader.fixes(name, part)
 
         return sum_of([(minus, self._within(name, factors, varies, constant("1"))) for minus, factors in body.terms])

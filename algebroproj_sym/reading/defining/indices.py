@@ -77,11 +77,14 @@ class Indices:
 
     @property
     def _exchanged(self) -> Iterator[str]:
-        """Yield the letters from i to n that stand below two letters or more, each of which has another one as well."""
+        """Yield the letters from i to n that stand below two letters or more, each of which has another one as well.
+
+        Neither stands alone, but where it is compared with another index.
+        """
         below = [(letter, script) for letter, _, script, _ in map(split_symbol, filter(_is_plain, self.symbols))]
         heads = {index: {letter for letter, script in below if script == index} for index in "ijklmn"}
         for one, other in permutations(heads, 2):
-            if len(heads[one] & heads[other]) > 1 and not {one, other} & self.symbols:
+            if len(heads[one] & heads[other]) > 1 and {one, other} & self.symbols <= self.apart:
                 yield one
 
     @cached_property

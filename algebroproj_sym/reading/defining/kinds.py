@@ -10,7 +10,7 @@ An accent is that of vectors if letters that have it are multiplied with a cross
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
@@ -111,6 +111,7 @@ def kinds_of(
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
+    columns |= frozenset(_summed_with(columns, closure.known, equations))
     oblong = oblong_in(equations, occurring, words)
     inverted = frozenset(letter for side in sides for letter in _inverted_in(side)) & closure.known
     averages = averages_in(equations, words)
@@ -303,6 +304,15 @@ def _ones_in(side: Formula) -> Iterator[str]:
     r"""Yield what is a column of ones: a bold 1 that is transposed somewhere, unlike the identity."""
     turned = (each.children[0] for each in side.find_data("marked") if each.children[1] == "T")
     yield from (letter for letter in map(lone, turned) if _ONES.fullmatch(letter))
+
+
+def _summed_with(columns: frozenset[str], known: Collection[str], equations: Sequence[Sides]) -> Iterator[str]:
+    r"""Yield the letters that are added to a multiple of a column, as z and x in ``z - a \mathbf{1} - b x``."""
+    for terms in (terms for sides in equations for terms in _sums_in(sides)):
+        ends = [trees_in(each) if each.data == "run" else [each] for each in terms]
+        heads = {lone(factors[-1]) for factors in ends if not any(each.data == "marked" for each in factors)}
+        if heads & columns:
+            yield from (heads & {*known}) - columns
 
 
 def _marked_in(sides: Sequence[Formula], occurring: Sequence[str], vectors: frozenset[str]) -> set[str]:

@@ -217,7 +217,9 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
         definition = vocabulary.definitions.get(str(call.children[0]))
         if definition is None or _SAME_EVERYWHERE.fullmatch(definition.symbol):
             continue
-        if any(each.children[0] in operators for each in definition.tree.find_data("call")):
+        if definition.symbol in operators or any(
+            each.children[0] in operators for each in definition.tree.find_data("call")
+        ):
             continue
         letters = [_lone(each) for items in call.children[1:] if isinstance(items, Tree) for each in items.children]
         others = [split_symbol(each)[0] for each in letters if each]

@@ -28,8 +28,32 @@ FOLLOWS = {
         r"The power is \[ P_s^{(k)} = a_s r P_w^{(k-1)} \] \[ P_w^{(k)} = a_w r P_w^{(k-1)} + c P_s^{(k-1)} "
         r"\] Therefore \[ P_w^{(k)} = a_w r P_w^{(k-1)} + c a_s r P_w^{(k-2)} \]"
     ),
+    "letters with two indices": (
+        r"We measure \[ y_i = \theta(s_i) + e_i \] We have \[ y_i - y_j = \theta(s_i) - \theta(s_j) + e_i - e_j \]"
+    ),
+    "indices that differ": (
+        r"We measure \[ y_i = \theta(s_i) + e_i \] For $i \neq j$ we have "
+        r"\[ y_i - y_j = \theta(s_i) - \theta(s_j) + e_i - e_j \]"
+    ),
+    "a sum over the index": (
+        r"We have the sum $d = \sum_i d_i$ and \[ y_i = a d_i \] Hence \[ y_1 - y_2 = a (d_1 - d_2) \]"
+    ),
 }
 MISLEADING = {
+    "a wrong sign with two indices": (
+        r"We measure \[ y_i = \theta(s_i) + e_i \] We have \[ y_i - y_j = \theta(s_i) - \theta(s_j) + e_i + e_j \]"
+    ),
+    "the input and the junction": (
+        r"The input voltage is \[ v_i = r_i c \] The junction has the values $v_j$ and $r_j$. Hence \[ v_j = r_j c \]"
+    ),
+    "one letter with two indices alone": (
+        r"The outer pressure is \[ p_k = a b \] The inner one is $p_i$. Hence \[ p_i = a b \]"
+    ),
+    "an index that is a number": r"We have \[ a_i = i b_i \] and there is $a_j$. Hence \[ a_j = i b_j \]",
+    "a function that is drawn": (
+        r"We measure \[ y_i = \theta(s_i) + e_i \] where $\theta$ is drawn anew for each $i$. "
+        r"We have \[ y_i - y_j = \theta(s_i) - \theta(s_j) + e_i - e_j \]"
+    ),
     "a range that begins later": (
         r"The gains are \[ x_k = a_k b \] for $k = 1, 2, \dots, n$. The start is a reference. Then \[ x_0 = "
         r"a_0 b \]"

@@ -31,7 +31,7 @@ from algebroproj_sym.reading.defining.parts import (
     without,
 )
 from algebroproj_sym.reading.defining.sizing import TABLE, Reader
-from algebroproj_sym.reading.defining.summing import arranged
+from algebroproj_sym.reading.defining.summing import Depends, arranged
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
 from algebroproj_sym.reading.parsing.gathering import _Gathering, wrapped
@@ -109,6 +109,8 @@ class _Parts(_Gathering):
 
     def call(self, token: Token, arguments: Any) -> Part:
         name = str(token)
+        if name in self.reader.operators and len(arguments) == 1:
+            return self._averaged(name, arguments[0])
         if name in self.reader.definitions:
             return self.reader.applied(name, arguments)
         shape = self.reader.shape_of_value(name, arguments) if self.reader.is_letter(name) else (Size(1), Size(1))
@@ -168,6 +170,10 @@ class _Parts(_Gathering):
         direction = self.direction(variable)
         return joined("DOT", slope, direction) if slope.shape[1].value == 1 else times(slope, direction)
 
+    def gradient(self, value: Part, variable: Part) -> Part:
+        """Return the column of the derivatives of a number that nothing gives."""
+        return self.reader.whole("gradient", [scalar(value, "a gradient"), column(variable)], variable.shape)
+
     def direction(self, variable: Part) -> Part:
         """Return the direction in which a vector changes."""
         return self.reader.whole("direction", [column(variable)], variable.shape)
@@ -215,25 +221,47 @@ class _Parts(_Gathering):
         index = index_of(name)
         if not index or len(body.terms) > MOST_TERMS:
             return self.reader.whole(str(name), [body], body.shape)
-        return sum_of([(minus, self._summed(str(name), index, factors)) for minus, factors in body.terms])
-
-    def _summed(self, name: str, index: str, factors: list[Part]) -> Part:
-        """Return a sum of products: what does not depend on the index stands before or behind it."""
-        if (product := reduce(times, factors)).shape[0].value == 1 and not product.is_number:
-            return transposed(self._summed(name, index, [transposed(each) for each in factors[::-1]]))
+        count = self.reader.count(str(name), index)
 
         def depends(part: Part) -> bool:
             return self.reader.depends(part, index)
 
+        return sum_of(
+            [(minus, self._within(str(name), factors, depends, count, index)) for minus, factors in body.terms]
+        )
+
+    def _averaged(self, name: str, body: Part) -> Part:
+        """Return the expected value of a sum of products: constants stand before or behind it."""
+        if len(body.terms) > MOST_TERMS:
+            return self.reader.whole(name, [body], body.shape)
+
+        def varies(part: Part) -> bool:
+            inside = [factor for _, factors in part.terms for factor in factors]
+            if any(each is not part for each in inside):
+                return any(map(varies, inside))
+            return name not in (part.mean_by, part.turned and part.turned.mean_by) and not self.reader.fixes(name, part)
+
+        return sum_of([(minus, self._within(name, factors, varies, constant("1"))) for minus, factors in body.terms])
+
+    def _within(self, name: str, factors: list[Part], depends: Depends, count: Part | None, index: str = "") -> Part:
+        """Return a sum, or an expected value, of a product: what does not depend on it stands before or behind it."""
+        if (product := reduce(times, factors)).shape[0].value == 1 and not product.is_number:
+            turned_factors = [transposed(each) for each in factors[::-1]]
+            return transposed(self._within(name, turned_factors, depends, count, index))
         found = arranged(factors, depends)
         within, outer = ([each for each in found.numbers if depends(each) is inside] for inside in (True, False))
-        if not (within or found.within) and (count := self.reader.count(name, index)) is not None:
+        if not (within or found.within) and count is not None:
             return reduce(times, [*outer, *found.before, count, *found.behind])
-        inner = in_order(within, reduce(times, found.within) if found.within else None)
-        turned = in_order(within, reduce(times, map(transposed, found.within[::-1]))) if found.within else None
+        rest = reduce(times, found.within) if found.within else None
+        other = reduce(times, map(transposed, found.within[::-1])) if found.within else None
+        is_row = rest is not None and rest.shape[0].value == 1 and not rest.is_number
+        rest, other = (other, rest) if is_row else (rest, other)
+        inner, turned = in_order(within, rest), other and in_order(within, other)
         whole = self.reader.whole(name, [inner], inner.shape, turned=turned)
-        whole.symbols = frozenset().union(*(without(index, each) for each in whole.symbols))
-        return reduce(times, [*outer, *found.before, whole, *found.behind])
+        whole.mean_by = "" if index else name
+        if index:
+            whole.symbols = frozenset().union(*(without(index, each) for each in whole.symbols))
+        return reduce(times, [*outer, *found.before, transposed(whole) if is_row else whole, *found.behind])
 
     def absolute(self, inside: Part) -> Part:
         if not inside.is_number and any(map(self.reader.may_be_square, inside.symbols)):
@@ -251,7 +279,11 @@ class _Parts(_Gathering):
     def inner(self, items: list[Part]) -> Part:
         if len(items) != 2:
             raise UnreadableError("an inner product is of two vectors")
-        return joined("DOT", *items)
+        if all(each.is_table for each in items):
+            return joined(":", *items)
+        if any(each.is_number for each in items):
+            return self.reader.whole("inner", items, (Size(1), Size(1)))
+        return joined("DOT", *map(column, items))
 
     def bracket(self, items: list[Part]) -> Part:
         return items[0] if len(items) == 1 else self.matrix(Token("BEGIN", "("), items)

@@ -7,7 +7,7 @@ each letter of the equation may depend on each other one: ``c - k = 1`` gives c 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -63,11 +63,14 @@ class Dependence:
         Whether t is the time: a dot above a letter is the derivative by t.
     constant : frozenset of str
         The letters that words call constant.
+    arguments : mapping of str to tuple of str
+        The functions that are taken at the same letters in the whole document, with these.
     """
 
     ties: tuple[Tie, ...] = ()
     by_time: bool = False
     constant: frozenset[str] = frozenset()
+    arguments: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     _related: dict[str, frozenset[str]] = field(default_factory=dict, compare=False)
 
     @cached_property

@@ -14,6 +14,7 @@ from algebroproj_sym.reading.defining.chains import chained, slope_of
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, ZERO, rate_of
 from algebroproj_sym.reading.defining.recognising import without_brackets
+from algebroproj_sym.reading.defining.through import nested, through_arguments
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -151,12 +152,20 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
 
 def _by_chains(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Iterator[Definition]:
     """Yield what a first derivative is by the chain rule, which proves and refutes nothing."""
-    match = _DERIVATIVE.fullmatch(symbol)
+    match = _DERIVATIVE.fullmatch(symbol if "/" in symbol else f"d{_without_dot(symbol)}/dt")
     if match is None or match[2]:
         return
     sign, _, above, below = match.groups()
     names = _by_bare(sorted(occurring))
     function = names.get(above, "")
+    through = through_arguments(sign, above, below, names, vocabulary) or nested(above, below, names, vocabulary)
+    if through is not None:
+        tree, places = through
+        given = vocabulary.definitions.get(function)
+        yield Definition(
+            symbol, (), tree, f"the chain rule, and {', '.join(places)}", given.part if given else 0, True, role="case"
+        )
+        return
     found = chained(sign, function, _bare(below), names, vocabulary)
     if found is not None:
         tree, kept, definition, free = found
@@ -234,7 +243,7 @@ def _of_quotient(
     sign, order, above, below = match.groups()
     function = _by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), "")
     definition = vocabulary.definitions.get(function)
-    if definition is None or not definition.usable:
+    if definition is None or not definition.usable or _is_unknown(definition, vocabulary):
         return None
     value = letter_of(definition.symbol)
     if definition.parameters:
@@ -255,6 +264,12 @@ def _of_quotient(
     if vocabulary.moves_with(others, variable):
         return None
     return _made(symbol, slope_of(value, variable, order), definition, others, vocabulary)
+
+
+def _is_unknown(definition: Definition, vocabulary: Vocabulary) -> bool:
+    """Whether a letter is the value of a function that nothing gives."""
+    tree = without_brackets(definition.tree)
+    return tree.data == "call" and str(tree.children[0]) not in vocabulary.definitions
 
 
 def _of_others(below: str, letters: frozenset[str], vocabulary: Vocabulary, occurring: frozenset[str]) -> str:

@@ -2,7 +2,7 @@ r"""Derivatives by a vector: an equation with one holds if it holds along every 
 
 ``\partial f / \partial\mathbf{x} = \mathbf{g}`` says that f changes along d by ``\mathbf{g} \cdot d``.  So both
 sides are taken along d.  A gradient may be a column or a row; the derivative of a vector has a row for each of its
-components.
+components.  Of a function that nothing gives it is the derivative that the document writes.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.premises import extended, letter_of
-from algebroproj_sym.reading.defining.rates import ZERO, copies_in, rate_of
+from algebroproj_sym.reading.defining.rates import ZERO, copies_in, rate_of, written
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -37,8 +37,8 @@ def along_directions(vocabulary: Vocabulary, *sides: Formula) -> tuple[list[Form
 
     There are none if no side is a derivative by a vector.
     """
-    reader = _Gradients(vocabulary)
     sides = tuple(map(_with_nabla, sides))
+    reader = _Gradients(vocabulary, sides)
     try:
         for part in (part for side in sides for part in side.iter_subtrees()):
             reader.find(part)
@@ -52,10 +52,13 @@ def along_directions(vocabulary: Vocabulary, *sides: Formula) -> tuple[list[Form
 class _Gradients:
     """The derivatives by a vector in an equation."""
 
-    def __init__(self, vocabulary: Vocabulary) -> None:
+    def __init__(self, vocabulary: Vocabulary, sides: Sequence[Formula]) -> None:
         self.variable: str | None = None
         self.made: dict[str, Definition] = {}
         self._vocabulary = vocabulary
+        known = [each.tree for side in sides for each in vocabulary.used_in(side)]
+        self._written = {_bare(each): each for tree in (*sides, *known) for each in symbols_in(tree)}
+        self._nablas = [value for side in sides for part in side.iter_subtrees() if (value := _below_nabla(part))]
 
     def find(self, tree: Formula) -> Formula | None:
         """Return a derivative by the vector along a direction; None if a formula is none."""
@@ -64,9 +67,9 @@ class _Gradients:
             return self._of(letter_of(match[2]), match[4], match[3] or match[4], partial=match[1] != "d")
         if tree.data == "big" and (match := _OPERATOR.fullmatch(head)):
             return self._of(tree.children[1], match[2], match[2], partial=match[1] != "d")
-        if tree.data == "run" and len(tree.children) == 2 and _NABLA.fullmatch(letter := _lone(tree.children[0])):
-            below = split_symbol(letter)[2]
-            return self._of(tree.children[1], below, below, partial=False)
+        if (value := _below_nabla(tree)) is not None:
+            below = split_symbol(_lone(tree.children[0]))[2]
+            return self._of(value, below, below, partial=False)
         return None
 
     def _has(self, tree: Formula) -> bool:
@@ -111,6 +114,9 @@ class _Gradients:
         """Return by how much a formula changes along the direction."""
         rates: dict[str, Formula] = {"e": ZERO} if self._vocabulary.euler else {}
         rates[self.variable or ""] = Tree("direction", [letter_of(self.variable or "")])
+        for call in (call for each in (tree, *(each.tree for each in used)) for call in each.find_data("call")):
+            if (slope := self._slope(call)) is not None:
+                rates[written(call)] = Tree("group", [Tree("applied", [slope, letter_of(self.variable or "")])])
         copies = dict[str, int]()
         try:
             for each in used:
@@ -121,10 +127,27 @@ class _Gradients:
         except UnreadableError:
             raise _OtherwiseError from None
 
+    def _slope(self, call: Formula) -> Formula | None:
+        """Return the derivative of the value of a function that nothing gives, as the document writes it."""
+        name, variable = str(call.children[0]), self.variable or ""
+        if name in self._vocabulary.definitions or _arguments(call) != (variable,):
+            return None
+        if call in self._nablas:
+            return Tree("gradient", [call, letter_of(variable)])
+        names = (
+            f"{d}{_bare(above)}/{d}{_bare(variable)}" for d in ("d", r"\partial") for above in (name, written(call))
+        )
+        return next((letter_of(self._written[each]) for each in names if each in self._written), None)
+
     def _of_letters(self, tree: Any) -> Any:
         """Return a formula in which a function that stands alone is its value, as c in ``c(x)`` and ``x/c``."""
         if not isinstance(tree, Tree):
             return tree
+        if (value := _below_nabla(tree)) is not None and _bare(split_symbol(_lone(tree.children[0]))[2]) in (
+            "",
+            _bare(self.variable or ""),
+        ):
+            return Tree("gradient", [value, letter_of(self.variable or "")])
         if tree.data == "symbol" and (made := self.made.get(str(tree.children[0]))) is not None:
             return letter_of(made.symbol)
         return Tree(tree.data, [*map(self._of_letters, tree.children)])
@@ -144,6 +167,12 @@ class _Gradients:
         if tree.data == "fraction" and not self._has(tree.children[1]):
             return Tree("fraction", [self.along(tree.children[0]), tree.children[1]])
         raise _OtherwiseError
+
+
+def _below_nabla(tree: Formula) -> Any:
+    r"""Return what stands behind ``\nabla``; None if a formula is something else."""
+    is_one = tree.data == "run" and len(tree.children) == 2 and _NABLA.fullmatch(_lone(tree.children[0]))
+    return tree.children[1] if is_one else None
 
 
 def _with_nabla(tree: Any) -> Any:

@@ -6,9 +6,10 @@ A letter is an index only where the document counts with it: in ``x_{k+1}``, a s
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import permutations
 from typing import Any
 
 from lark import Token, Tree
@@ -69,8 +70,22 @@ class Indices:
         """The letters that the document counts with."""
         shifted = {each for symbol in self.symbols if "/" not in symbol for each in _SHIFTED.findall(symbol)}
         sums = {each for each in map(index_of, re.findall(r"\\sum_\{[^{}]*\}", self.text)) if each}
+        sums |= {*re.findall(r"\\sum_([a-z])(?![a-zA-Z])", self.text)}
         ranges = {match[1] for match in _COUNTED.finditer(self.text)}
-        return frozenset((shifted | sums | ranges) - {*_SOME.findall(self.text)}) & _LETTERS
+        found = shifted | sums | ranges | {*self._exchanged}
+        return frozenset(found - {*_SOME.findall(self.text)}) & _LETTERS
+
+    @property
+    def _exchanged(self) -> Iterator[str]:
+        """Yield the letters from i to n that stand below two letters or more, each of which has another one as well.
+
+        Neither stands alone, but where it is compared with another index.
+        """
+        below = [(letter, script) for letter, _, script, _ in map(split_symbol, filter(_is_plain, self.symbols))]
+        heads = {index: {letter for letter, script in below if script == index} for index in "ijklmn"}
+        for one, other in permutations(heads, 2):
+            if len(heads[one] & heads[other]) > 1 and {one, other} & self.symbols <= self.apart:
+                yield one
 
     @cached_property
     def least(self) -> Mapping[str, int]:
@@ -97,7 +112,7 @@ class Indices:
     def scripts(self, symbol: str, count: int = 0) -> tuple[str, Script, Script] | None:
         """Return the letter of a symbol, and its scripts item by item; None for what is no plain symbol."""
         small, symbol = _SMALL.fullmatch(symbol).groups()  # type: ignore[union-attr]  # it always matches
-        if "/" in symbol or " " in symbol:
+        if not _is_plain(symbol):
             return None
         letter, primes, below, above = split_symbol(symbol)
         inside = above[1:-1] if above[:1] == "(" and above[-1:] == ")" else above
@@ -146,11 +161,13 @@ class Indices:
         """Whether an equation holds where some items are put for its indices, as far as the document says.
 
         Numbers are in the range that the document states.  Where it states none, no index becomes less than one, or
-        less than zero in an equation that steps from one index to the next.
+        less than zero in an equation that steps from one index to the next.  No index becomes another one of it.
         """
         names = [each for symbol in symbols_in(tree) if (each := self.scripts(symbol))]
         items = [item for _, below, above in names for item in (*below, *above)]
         for letter, (other, number) in put.items():
+            if other != letter and other not in put and any(other == each for each, _ in items):
+                return False
             if other:
                 continue
             shifts = {shift for each, shift in items if each == letter}
@@ -187,6 +204,11 @@ class Indices:
         scripts = [_script(tuple(_moved(each, put) for each in script)) for script in names[1:]]
         raised = f"({scripts[1]})" if above[:1] == "(" else scripts[1]
         return Token(token.type, small + written(letter, primes, scripts[0], raised))
+
+
+def _is_plain(symbol: str) -> bool:
+    """Whether a symbol is a letter with scripts, and no derivative or value."""
+    return "/" not in symbol and " " not in symbol
 
 
 def excludes(words: Collection[str]) -> bool:

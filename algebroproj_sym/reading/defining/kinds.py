@@ -10,13 +10,14 @@ An accent is that of vectors if letters that have it are multiplied with a cross
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
 from lark import Token
 
+from algebroproj_sym.reading.defining.averages import Averages, averages_in
 from algebroproj_sym.reading.defining.composing import composed_in
 from algebroproj_sym.reading.defining.factors import (
     CAPITAL,
@@ -28,6 +29,7 @@ from algebroproj_sym.reading.defining.factors import (
     lone,
     terms_of,
 )
+from algebroproj_sym.reading.defining.inner import vectors_in
 from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, symbols_in, trees_in
@@ -40,6 +42,7 @@ _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?!
 _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
 _RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
 _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
+_ONES = re.compile(r"\\(?:mathbf|mathbb|mathds|vec)\{1\}(?:_.*)?")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
 _OF_VECTORS = ("marked", "norm", "absolute", "inner", "call")
 _OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
@@ -66,6 +69,8 @@ class Kinds:
         Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
     inverted : frozenset of str
         The capitals that are no numbers, and have an inverse or a determinant somewhere: they are no vectors.
+    averages : Averages
+        What stands for expected values.
     """
 
     no_numbers: frozenset[str] = frozenset()
@@ -74,6 +79,7 @@ class Kinds:
     named: frozenset[str] = frozenset()
     oblong: frozenset[str] = frozenset()
     inverted: frozenset[str] = frozenset()
+    averages: Averages = field(default_factory=Averages)
 
 
 def kinds_of(
@@ -97,15 +103,20 @@ def kinds_of(
     occurring = sorted({symbol for side in sides for symbol in symbols_in(side)})
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns |= frozenset(each for each in occurring if accents & _accents_of_vectors(each))
-    known = {*said, *columns, *_marked_in(sides, occurring), *_tables_in(equations)}
+    columns |= frozenset(letter for side in sides for letter in _ones_in(side))
+    known = {*said, *columns, *_marked_in(sides, occurring, said | columns), *_tables_in(equations)}
     numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
+    known |= vectors_in(sides, words) - numbers
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
     closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
     while closure.grows():
         pass
+    columns |= frozenset(_summed_with(columns, closure.known, equations))
     oblong = oblong_in(equations, occurring, words)
     inverted = frozenset(letter for side in sides for letter in _inverted_in(side)) & closure.known
-    return Kinds(frozenset(closure.known), columns, frozenset(closure.open), oblong=oblong, inverted=inverted)
+    averages = averages_in(equations, words)
+    found = frozenset(closure.known), columns, frozenset(closure.open)
+    return Kinds(*found, oblong=oblong, inverted=inverted, averages=averages)
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:
@@ -166,7 +177,7 @@ class _Closure:
         inside = {letter for each in factors for letter in factors_of(each)}
         if inside & (self.known | self.open):
             self._open(inside)
-        behind, before = lone(factors[-1]), factors[-2]
+        behind, before = head_of(factors[-1]), factors[-2]
         first, other = lone(factors[0]), factors[1]
         if before.data != "marked" and not self._is_matrix(base_of(before)):
             behind = ""
@@ -205,6 +216,11 @@ class _Closure:
             return f"{match[1]}{match[2]}" in self.known or (match[3] or match[4]) in self.known
         return any(_family(symbol)) and any(_family(symbol) == _family(each) for each in self.known)
 
+    def _may_be_column(self, factor: Any) -> bool:
+        """Whether a factor is a small letter, or the value of one, that is no number anywhere."""
+        letter = head_of(factor)
+        return _SMALL.fullmatch(letter) is not None and letter not in self._numbers | self._scales
+
     def _is_no_number(self, term: Any) -> bool:
         """Whether a term is a vector or a matrix, whatever the letters are of which nothing is known."""
         if is_mean(term):
@@ -225,9 +241,16 @@ class _Closure:
             return lone(term.children[1]) != ""
         if term.data == "run":
             inside = [each for each in trees_in(term) if {*symbols_in(each)} & (self.known | self.open)]
+            if _is_row(trees_in(term)[0]) and self._may_be_column(trees_in(term)[-1]):
+                return False
             alone = len(inside) == 1 or all(CAPITAL.match(base_of(each)) for each in inside)
             return alone and any(map(self._is_no_number, inside))
         return False
+
+
+def _is_row(factor: Any) -> bool:
+    """Whether a factor is a small letter that is transposed."""
+    return factor.data == "marked" and factor.children[1] == "T" and not CAPITAL.match(lone(factor.children[0]) or "A")
 
 
 def _is_printed_number(term: Any) -> bool:
@@ -277,32 +300,54 @@ def _angles_in(side: Formula) -> Iterator[Formula]:
             yield from trees_in(tree)[-1:]
 
 
-def _marked_in(sides: Iterable[Formula], occurring: Sequence[str]) -> set[str]:
+def _ones_in(side: Formula) -> Iterator[str]:
+    r"""Yield what is a column of ones: a bold 1 that is transposed somewhere, unlike the identity."""
+    turned = (each.children[0] for each in side.find_data("marked") if each.children[1] == "T")
+    yield from (letter for letter in map(lone, turned) if _ONES.fullmatch(letter))
+
+
+def _summed_with(columns: frozenset[str], known: Collection[str], equations: Sequence[Sides]) -> Iterator[str]:
+    r"""Yield the letters that are added to a multiple of a column, as z and x in ``z - a \mathbf{1} - b x``."""
+    for terms in (terms for sides in equations for terms in _sums_in(sides)):
+        ends = [trees_in(each) if each.data == "run" else [each] for each in terms]
+        heads = {lone(factors[-1]) for factors in ends if not any(each.data == "marked" for each in factors)}
+        if heads & columns:
+            yield from (heads & {*known}) - columns
+
+
+def _marked_in(sides: Sequence[Formula], occurring: Sequence[str], vectors: frozenset[str]) -> set[str]:
     r"""Return the symbols that have a mark of matrices somewhere, or of which there is a determinant or a trace.
 
     An angle is none by the mark of a bracket, nor by a hat: ``[\phi]^\wedge`` is a matrix of a number in the plane.
     """
     found, unless = set[str](), set[str]()
     angles = set[str]()
+    turned = (each.children[0] for side in sides for each in side.find_data("marked") if each.children[1] == "T")
+    vectors |= frozenset(map(lone, turned)) - {""}
     for side in sides:
         angles |= {letter for part in _angles_in(side) for letter in symbols_in(part)}
         for tree in side.iter_subtrees():
             head = str(tree.children[-1 if tree.data == "marked" else 0]) if tree.children else ""
             if tree.data == "marked" and not head.startswith("_"):
                 marked = tree.children[0]
-                (found if lone(marked) and head == "T" else unless).update(_without_scales(marked))
+                (found if lone(marked) and head == "T" else unless).update(_without_scales(marked, vectors))
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
-                found |= {*_without_scales(trees_in(tree)[0])}
+                found |= {*_without_scales(trees_in(tree)[0], vectors)}
     found |= unless - angles
     daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
     return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
 
 
-def _without_scales(tree: Any) -> Iterator[str]:
-    r"""Yield the letters of a matrix: in `A - \lambda I`, and in `k A B`, no small letter before a capital."""
+def _without_scales(tree: Any, vectors: frozenset[str]) -> Iterator[str]:
+    r"""Yield the letters of a matrix: in `A - \lambda I`, and in `k A B`, no small letter before a capital.
+
+    Beside a vector no other small letter is one, as b in ``(y - b x)^T x``, where x stands alone with the mark.
+    """
     for term in terms_of(tree):
         letters = [*factors_of(term, deep=False)]
         capitals = [place for place, each in enumerate(letters) if CAPITAL.match(each)]
+        if term.data == "run" and not capitals and not vectors.isdisjoint(letters):
+            letters = [each for each in letters if each in vectors]
         yield from letters[capitals[0] if capitals and term.data == "run" else 0 :]
 
 

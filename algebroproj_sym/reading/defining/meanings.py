@@ -14,6 +14,7 @@ from functools import cached_property
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.acting import acted_on
+from algebroproj_sym.reading.defining.inner import products_in
 from algebroproj_sym.reading.defining.phrases import called, symbols_in_list
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
@@ -52,8 +53,15 @@ _SIGNS = (
     ),
     (
         r"\b(?:scalar|inner) products?\b|\bcommut(?:e|es|ators?)\b|\bbrackets? (?:is|are)\b",
-        r"(?<![a-zA-Z}])(?:\(|\[|\\langle)[^()\[\],]+,[^()\[\],]+(?:\)|\]|\\rangle)",
+        r"(?<![a-zA-Z}])(?:\(|\[)[^()\[\],]+,[^()\[\],]+(?:\)|\])",
         "a bracket may be a product",
+    ),
+    (
+        r"\bcomplex\b|\bhermit|\bsesquilinear|\bunitary"
+        r"|\bconjugate[- ](?:symmetr|linear|transpos)|\bcommut(?:e|es|ators?)\b|\bbrackets? (?:is|are)\b"
+        r"|\b(?:imaginary|quantum|Poisson|Lie bracket)",
+        r"\\langle[^|]+,[^|]+\\rangle",
+        "an inner product may be of complex vectors",
     ),
     (
         r"\bcompos(?:e|es|ed|itions?)\b|\biterat(?:es?|ed|ions?)\b|\bappl\w+ twice\b|\btwice in a row\b"
@@ -216,6 +224,8 @@ class Meanings:
         The symbols that are alone on the left somewhere.
     iterated : frozenset of str
         The symbols that have the number of a step above them somewhere.
+    gives_products : bool
+        Whether the document says itself what an inner product is.
     """
 
     statements: Sequence[Statement]
@@ -223,6 +233,7 @@ class Meanings:
     sides: Sequence[Formula]
     given: frozenset[str]
     iterated: frozenset[str]
+    gives_products: bool
 
     @cached_property
     def _has_degrees(self) -> bool:
@@ -310,6 +321,8 @@ class Meanings:
             match = pattern.search(latex)
             if match and (reason != ITERATE or match[1] == "}" or match[1] in self._applied):
                 return reason
+        if self.gives_products and any(True for side in formula.sides for _ in products_in(side)):
+            return "an inner product is given otherwise"
         if match := _MICRO.search(statement.latex):
             return f"{match[1]} may be a unit"
         if _TRANSFORM.search(latex):

@@ -88,6 +88,8 @@ class Part:
         Whether it is the number 0, or 1.
     is_table : bool
         Whether it is a matrix and no vector: a bold capital, or one that is inverted somewhere.
+    mean_by : str
+        The operator of which it is an expected value; empty for none.
     terms : list of (bool, list of Part)
         The products of which it is the sum, each with whether it is taken away.
     symbols : frozenset of str
@@ -106,6 +108,7 @@ class Part:
         self.is_zero = False
         self.is_one = False
         self.is_table = False
+        self.mean_by = ""
         self.terms: list[Term] = [(False, [self])]
         self.symbols: frozenset[str] = frozenset().union(*(part.symbols for part in inside))
         if self.weight > MOST_PARTS:

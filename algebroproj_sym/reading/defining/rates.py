@@ -71,9 +71,9 @@ def copies_in(tree: Formula, copies: Mapping[str, int]) -> int:
 def _rate(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     if tree.data in ("symbol", "opaque"):
         return rates.get(str(tree.children[0]))
-    if tree.data == "call" and (known := rates.get(_written(tree))) is not None:
+    if tree.data == "call" and (known := rates.get(written(tree))) is not None:
         return known
-    if not any(each in rates for each in (*symbols_in(tree), *map(_written, tree.find_data("call")))):
+    if not any(each in rates for each in (*symbols_in(tree), *map(written, tree.find_data("call")))):
         return None
     if tree.data == "sum":
         return _sum_of(tree, rates)
@@ -105,7 +105,7 @@ def _rate(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     raise UnreadableError("the derivative of something in it is not computed")
 
 
-def _written(call: Formula) -> str:
+def written(call: Formula) -> str:
     r"""Return a value such as ``x(t)`` as text; empty if it is more."""
     name, *rest = (str(each) for each in call.scan_values(lambda each: True))
     return f"{name}({rest[0]})" if len(rest) == 1 else ""

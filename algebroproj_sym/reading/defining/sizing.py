@@ -137,6 +137,16 @@ class Reader:
         """The symbols that have a definition."""
         return self._vocabulary.definitions
 
+    @property
+    def operators(self) -> Collection[str]:
+        """The symbols that stand for expected values."""
+        return self._vocabulary.kinds.averages.operators
+
+    def fixes(self, operator: str, part: Part) -> bool:
+        """Whether a part is the same whatever is random."""
+        averages, constants = self._vocabulary.kinds.averages, self._vocabulary.dependence.constant
+        return averages.is_fixed(operator, part.symbols, constants)
+
     def depends(self, part: Part, index: str) -> bool:
         """Whether a part may depend on the index of a sum."""
         related = self._vocabulary.dependence.related(index)

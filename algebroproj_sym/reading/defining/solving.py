@@ -28,8 +28,10 @@ class _Linear:
     others: list[tuple[bool, Formula]]
 
 
-def solution_of(left: Formula, right: Formula, letter: str) -> Formula | None:
+def solution_of(left: Formula, right: Formula, letter: str, *, is_number: bool = False) -> Formula | None:
     r"""Return what an equation says of a letter; None if it is not linear in it, with all factors on one side.
+
+    A number has no side: ``a^T (b - c a) = 0`` gives c.
 
     What has to be inverted is taken to be invertible, so it must not be the matrix of a cross product.
 
@@ -46,6 +48,8 @@ def solution_of(left: Formula, right: Formula, letter: str) -> Formula | None:
     try:
         found, other = _linear(left, letter, minus=False), _linear(right, letter, minus=True)
         terms = [*found.with_letter, *other.with_letter]
+        if is_number:
+            terms = [(minus, (*before, *behind), ()) for minus, before, behind in terms]
         rest = [(not minus, each) for minus, each in [*found.others, *other.others]]
         if not terms or all(each.data == "number" and each.children[0] == "0" for _, each in rest):
             return None
@@ -72,6 +76,8 @@ def _linear(tree: Formula, letter: str, *, minus: bool) -> _Linear:
         return _of_product([Tree("fraction", [_ONE, below]), trees_in(tree)[0]], letter, minus=minus)
     if tree.data == "run":
         return _of_product(trees_in(tree), letter, minus=minus)
+    if tree.data == "inner":
+        return _of_inner(tree, letter, minus=minus)
     raise _OtherwiseError
 
 
@@ -97,6 +103,24 @@ def _of_product(factors: list[Formula], letter: str, *, minus: bool) -> _Linear:
     return _Linear(
         [(minus, (*before, *first), (*last, *after)) for minus, first, last in found.with_letter],
         [(minus, _product((*before, each, *after))) for minus, each in found.others],
+    )
+
+
+def _of_inner(tree: Formula, letter: str, *, minus: bool) -> _Linear:
+    """Return an inner product with a number in one of its vectors."""
+    items = trees_in(trees_in(tree)[0])
+    inside = [place for place, each in enumerate(items) if letter in symbols_in(each)]
+    if len(inside) != 1:
+        raise _OtherwiseError
+    (place,) = inside
+    found = _linear(items[place], letter, minus=minus)
+
+    def product(item: Formula) -> Formula:
+        return Tree("inner", [Tree("items", [*items[:place], item, *items[place + 1 :]])])
+
+    return _Linear(
+        [(minus, (product(_product((*before, *behind))),), ()) for minus, before, behind in found.with_letter],
+        [(minus, product(each)) for minus, each in found.others],
     )
 
 

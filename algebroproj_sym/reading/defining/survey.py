@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
-from lark import Tree
+from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.acting import acted_on
 from algebroproj_sym.reading.defining.arguments import lone_arguments
 from algebroproj_sym.reading.defining.components import columns_beside_matrices
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.indices import Indices
+from algebroproj_sym.reading.defining.inner import is_given
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
 from algebroproj_sym.reading.defining.labels import E, iterates_in, labels_in, lone_letter, without_above
 from algebroproj_sym.reading.defining.meanings import (
@@ -48,6 +49,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_p
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
+from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
 
 
 @dataclass(frozen=True)
@@ -82,24 +84,30 @@ class Survey:
 
         ``\delta`` before any bracket is among them if it stands nowhere alone.
 
+        So are letters with nothing but the value of a function in their brackets, as f and g in ``f(g(h(x)))``, if they
+        stand nowhere alone.
+
         Where ``x[n]`` or ``x[0]`` has an index in square brackets, all letters before these brackets are among them.
         """
-        found, before, alone, indexed = set[str](), set[str](), set[str](), False
+        found, nested, before, lone, indexed = set[str](), set[str](), set[str](), set[str](), False
         for each in self.statements:
             try:
                 tokens, _ = tokens_of(each.pieces, lambda name: False, frozenset()) if each.pieces else ([], False)
             except UnreadableError:
                 continue
             found |= {str(token) for token in tokens if token.type == "CALLEE"}
-            often = [
-                (str(one), other) for one, other in pairwise([*tokens, None]) if one and OFTEN_FUNCTION.fullmatch(one)
-            ]
-            found |= {letter for letter, other in often if other and other.type == "LP"}
-            alone |= {letter for letter, other in often if not (other and other.type == "LP")}
+            pairs = [(one, other) for one, other in pairwise([*tokens, None]) if one]
+            found |= {
+                str(one) for one, other in pairs if other and other.type == "LP" and OFTEN_FUNCTION.fullmatch(one)
+            }
+            nested |= {*_nested(tokens)}
+            nested |= {str(one) for one, other in pairs if other and other.type == "LS" and one.startswith("P_")}
+            lone |= {str(one) for one, other in pairs if not (other and other.type in ("LP", "LS"))}
             squared = [(one.type, str(one)) for one, other in pairwise(tokens) if other.type == "LS"]
             before |= {letter for kind, letter in squared if kind in ("SYMBOL", "CALLEE")}
             indexed = indexed or any(kind == "CALLEE" and letter not in "EPV" for kind, letter in squared)
-        return functions_called(self.statements).union(found - alone, before if indexed else ())
+        found = {each for each in found if not (each in lone and OFTEN_FUNCTION.fullmatch(each))} | (nested - lone)
+        return functions_called(self.statements).union(found, before if indexed else ())
 
     def is_parameter(self, statement: Statement) -> bool:
         """Whether a statement gives a letter a number, as others of its display do: a list of parameters."""
@@ -147,7 +155,12 @@ class Survey:
 
     @cached_property
     def _first(self) -> dict[int, Parsed | UnreadableError]:
-        return {id(each): self._parsed(each, frozenset()) for each in self.statements}
+        return {id(each): self._parsed(each, frozenset(), plain=True) for each in self.statements}
+
+    @cached_property
+    def _has_transposes(self) -> bool:
+        """Whether primes transpose."""
+        return are_transposes(self._first_equations, self._prose)
 
     @cached_property
     def labels(self) -> frozenset[str]:
@@ -161,20 +174,22 @@ class Survey:
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
-        if not self.labels:
+        if not (self.labels or self._has_transposes):
             return self._first
         return {id(each): self._parsed(each, self.labels) for each in self.statements}
 
-    def _parsed(self, statement: Statement, labels: frozenset[str]) -> Parsed | UnreadableError:
+    def _parsed(self, statement: Statement, labels: frozenset[str], *, plain: bool = False) -> Parsed | UnreadableError:
         if not statement.pieces:
             return UnreadableError(statement.reason or "there is no formula")
         try:
-            return self.parsed(statement, labels)
+            return self.parsed(statement, labels, plain=plain)
         except UnreadableError as error:
             return error
 
-    def parsed(self, statement: Statement, labels: frozenset[str] | None = None, *, wide: bool = True) -> Parsed:
-        """Parse a statement.
+    def parsed(
+        self, statement: Statement, labels: frozenset[str] | None = None, *, wide: bool = True, plain: bool = False
+    ) -> Parsed:
+        """Parse a statement; a plain one keeps primes that transpose.
 
         Raises
         ------
@@ -186,6 +201,7 @@ class Survey:
         named = self._has_superscripts
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
+        found = found if plain or not self._has_transposes else with_transposes(found)
         return found if _HALVES.search(self._prose) else with_zeros(found)
 
     def left_of(self, statement: Statement) -> frozenset[str]:
@@ -232,7 +248,8 @@ class Survey:
         )
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
         by_time = by_time or "t" in {symbol for each in self.formulas.values() for symbol in _turning(each)}
-        return Dependence(tuple(ties), by_time, constants_in(self.statements))
+        arguments = {name: defined_by(next(iter(of)))[1] for name, of in self._arguments.items() if len(of) == 1}
+        return Dependence(tuple(ties), by_time, constants_in(self.statements), arguments)
 
     @cached_property
     def indices(self) -> Indices:
@@ -245,7 +262,9 @@ class Survey:
         """What words say of letters and signs."""
         given = frozenset(tie.given for tie in self.dependence.ties)
         iterated = frozenset(map(without_above, iterates_in(self._first_equations)))
-        return Meanings(self.statements, self._prose, tuple(_sides(self.formulas)), given, iterated)
+        equations = (each.sides for each in self.formulas.values() if isinstance(each, Parsed))
+        sides = tuple(_sides(self.formulas))
+        return Meanings(self.statements, self._prose, sides, given, iterated, is_given(equations))
 
     @cached_property
     def restricted(self) -> frozenset[str]:
@@ -352,6 +371,15 @@ _SPECIAL = re.compile(
 """Words by which values or products may be others than those of real numbers."""
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
+
+
+def _nested(tokens: Sequence[Token]) -> Iterator[str]:
+    """Yield the letters that have nothing but the value of a function in their brackets."""
+    kinds = {"SYMBOL": "s", "CALLEE": "c", "LP": "(", "RP": ")"}
+    line = "".join(kinds.get(each.type, "o") for each in tokens)
+    for match in re.finditer(r"((?:s\()+)c\([^()]*(\)+)", line):
+        count = min(len(match[1]) // 2, len(match[2]) - 1)
+        yield from map(str, tokens[match.end(1) - 2 * count : match.end(1) : 2])
 
 
 def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula]:

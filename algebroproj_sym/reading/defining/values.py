@@ -76,7 +76,9 @@ class Uncomputed:
             raise UnreadableError(f"{variable.name} may depend on the index of a sum")
 
     def call(self, name: str, arguments: Sequence[Any]) -> Any:
-        """Return the value of a function that nothing defines."""
+        """Return the value of a function that nothing defines; an expected value is taken term by term."""
+        if name in self._vocabulary.kinds.averages.operators and len(arguments) == 1:
+            return self._average(name, arguments[0])
         if self._vocabulary.is_matrix(name):
             raise UnreadableError(f"no definition of the function {name} is known")
         key = f"{name}({', '.join(map(text, arguments))})"
@@ -103,18 +105,47 @@ class Uncomputed:
         key = f"{name}({', '.join(map(text, arguments))})"
         return self._letter(key, kind, self._on(*arguments) | letters_in(name) | letters_of_symbol(name))
 
+    def _average(self, name: str, value: Any) -> Any:
+        """Return the expected value of a number."""
+        terms = _terms(value)
+        return sympy.Add(*(self._of_term(name, each) for each in terms)) if terms else self.known(name, [value])
+
+    def _of_term(self, name: str, term: Any) -> Any:
+        """Return the expected value of a product: what does not change stands before it; that of a sum is a sum."""
+        random = [each for each in term.free_symbols if not self._is_fixed(name, each.name)]
+        outside, inside = term.as_independent(*random, as_Add=False) if random else (term, sympy.S.One)
+        if inside == 1:
+            return outside
+        big, body = self._sums.get(str(inside), ("", None))
+        if big and self._vocabulary.kinds.averages.counts(big):
+            return outside * self.big(big, self._average(name, body))
+        return outside * self.known(name, [inside])
+
+    def _is_fixed(self, operator: str, name: str) -> bool:
+        """Whether a letter, or a value, is the same whatever is random."""
+        if name in self._sums:
+            big, body = self._sums[name]
+            return self._vocabulary.kinds.averages.counts(big) and all(
+                self._is_fixed(operator, each) for each in _names(body)
+            )
+        if name in self._keys:
+            return self._keys[name].startswith(f"{operator}(")
+        vocabulary = self._vocabulary
+        symbol = vocabulary.symbol_of(name)
+        averages, constants = vocabulary.kinds.averages, vocabulary.dependence.constant
+        return averages.is_fixed(operator, [symbol], ()) or averages.is_fixed(
+            operator, vocabulary.behind(symbol), constants
+        )
+
     def big(self, name: str, body: Any) -> Any:
         """Return a sum, a product, an integral or a limit."""
         if shape(body):
             raise UnreadableError(f"{name} is read, and not computed")
-        body = body.replace(over, lambda above, below: above * over(1, below))
         require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
         index = index_of(name)
-        if not index or most_terms(body) > MOST_EXPANDED:
-            return self._whole(name, body)
-        terms = sympy.Add.make_args(sympy.expand(body, power_base=False, power_exp=False, log=False))
-        if len(terms) > MOST_TERMS:
-            return self._whole(name, body)
+        terms = _terms(body) if index else []
+        if not terms:
+            return self._whole(name, body.replace(over, _divided))
         return sympy.Add(*(self._summed(name, index, term) for term in terms))
 
     def _summed(self, name: str, index: str, term: Any) -> Any:
@@ -167,6 +198,19 @@ class Uncomputed:
             symbols = self._vocabulary.behind(self._vocabulary.symbol_of(name))
             found |= self._letters.get(name) or symbols.union(*map(letters_of_symbol, symbols))
         return frozenset(found)
+
+
+def _terms(value: Any) -> list[Any]:
+    """Return the terms of a number, each a product; none if they are too many."""
+    value = value.replace(over, _divided)
+    if most_terms(value) > MOST_EXPANDED:
+        return []
+    terms = sympy.Add.make_args(sympy.expand(value, power_base=False, power_exp=False, log=False))
+    return [] if len(terms) > MOST_TERMS else [*terms]
+
+
+def _divided(above: Any, below: Any) -> Any:
+    return above * over(1, below)
 
 
 def _without(index: str, script: str) -> str:

@@ -340,6 +340,8 @@ class Vocabulary:
 
     def is_no_number(self, symbol: str) -> bool:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
+        if symbol in self.kinds.averages.operators:
+            return False
         return _BOLD.search(symbol) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
@@ -366,16 +368,19 @@ class Vocabulary:
         return ("identity",) if _IDENTITY.fullmatch(symbol) else self._properties.get(symbol, ())
 
     def used_in(self, tree: Formula) -> list[Definition]:
-        """Return the definitions on which a formula rests, each before those that use it."""
+        """Return the definitions on which a formula rests, each before those that use it; expected values have none."""
+        operators = self.kinds.averages.operators
         found: dict[str, Definition] = {}
         waiting = symbols_in(tree)[::-1]
         while waiting:
             definition = self.definitions.get(waiting[-1])
-            if definition is None or not definition.usable or definition.symbol in found:
+            if definition is None or not definition.usable or definition.symbol in {*found, *operators}:
                 waiting.pop()
                 continue
             inner = [self.definitions.get(s) for s in definition.symbols if s not in definition.parameters]
-            missing = [each.symbol for each in inner if each and each.usable and each.symbol not in found]
+            missing = [
+                each.symbol for each in inner if each and each.usable and each.symbol not in {*found, *operators}
+            ]
             if missing and len(waiting) < MOST_DEFINITIONS:
                 waiting += missing
             else:
@@ -460,7 +465,7 @@ class Vocabulary:
         """Return a parameter on which a letter of a function depends otherwise than by definitions; empty if none."""
         used = self.used_in(definition.tree)
         given = {each.symbol for each in used}
-        symbols = {symbol for each in (definition, *used) for symbol in each.symbols}
+        symbols = {symbol for each in (definition, *used) for symbol in each.symbols} - self.kinds.averages.operators
         has_big = self._has_big(definition)
         for parameter in definition.parameters:
             if has_big or any(

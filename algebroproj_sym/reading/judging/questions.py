@@ -212,9 +212,14 @@ _SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")
 
 def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
     """Return a function that is taken at lone letters, all others than it was defined with; empty for none."""
+    operators = vocabulary.kinds.averages.operators
     for call in (each for tree in trees for each in tree.find_data("call")):
         definition = vocabulary.definitions.get(str(call.children[0]))
         if definition is None or _SAME_EVERYWHERE.fullmatch(definition.symbol):
+            continue
+        if definition.symbol in operators or any(
+            each.children[0] in operators for each in definition.tree.find_data("call")
+        ):
             continue
         letters = [_lone(each) for items in call.children[1:] if isinstance(items, Tree) for each in items.children]
         others = [split_symbol(each)[0] for each in letters if each]

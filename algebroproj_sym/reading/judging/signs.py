@@ -1,6 +1,6 @@
 """What words deny: nothing follows where a letter is positive that may be negative, or not zero where it is zero.
 
-Nor does what needs the inverse of a matrix that words call singular.
+Nor does what needs the inverse of a matrix that words call singular, or divides by the product of orthogonal vectors.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import permutations
 
 from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
 from algebroproj_sym.reading.documents.displays import Document
@@ -41,6 +42,15 @@ _SINGULAR = re.compile(
     r"|\$\\det ?\(?([^$=<>]*?)\)? ?= ?0\$",
     re.IGNORECASE,
 )
+_ACROSS = r"(?:orthogonal|perpendicular|normal)"
+_ORTHOGONAL = re.compile(
+    rf"\b{_ACROSS} (?:vectors )?\$([^$=<>]*)\$ and \$([^$=<>]*)\$"
+    rf"|\$([^$=<>]*)\$ and \$([^$=<>]*)\$ are (?:\w+ )?{_ACROSS}\b"
+    rf"|\$([^$=<>]*)\$ (?:is|are) (?:\w+ )?{_ACROSS} to \$([^$=<>]*)\$",
+    re.IGNORECASE,
+)
+_PRODUCT = re.compile(r"\W*(?:dot\W*)?(\w+)(?:\W*\.T\W*\*|, )\W*(\w+)\W*")
+"""A product of two vectors, perhaps with a sign."""
 _FACTOR = re.compile(r"(?:^|(?<=\*))(?:det\(\w+\)|\w+)(?=\*|$)(?![^()]*\))")
 """A letter, or a determinant, that is a factor of a product."""
 _UNLESS = re.compile(
@@ -58,7 +68,15 @@ def denied_by_words(document: Document) -> frozenset[str]:
     negative = {name for match in _NEGATIVE.findall(words) for each in match for name in _names(symbols_of(each))}
     zero, singular = (_said_by(pattern, words) for pattern in (_ZERO, _SINGULAR))
     signs = (f"{each} {sign} 0" for each in negative for sign in (">", ">="))
-    return frozenset((*signs, *zero, *singular, *(f"det({each})" for each in singular)))
+    across = [
+        f"{one} {other}"
+        for match in _ORTHOGONAL.finditer(words)
+        for one, other in permutations(
+            [name for each in match.groups() if each for name in _names(symbols_of(each))], 2
+        )
+        if not _UNLESS.search(words[max(0, match.start() - NEAR) : match.start()])
+    ]
+    return frozenset((*signs, *zero, *singular, *(f"det({each})" for each in singular), *across))
 
 
 def _said_by(pattern: re.Pattern[str], words: str) -> set[str]:
@@ -71,13 +89,18 @@ def _said_by(pattern: re.Pattern[str], words: str) -> set[str]:
     return {name for match in found for each in match.groups() if each for name in _names(symbols_in_list(each))}
 
 
+_STYLE = re.compile(r"\\(?:math(?:bf|bb|sf|rm)|vec|overrightarrow)(?![a-zA-Z])")
+
+
 def _names(symbols: Iterable[str]) -> list[str]:
-    return [each.lstrip("\\") for each in symbols]
+    return [_STYLE.sub("", each).strip("\\{}") for each in symbols]
 
 
 def _denies(denied: frozenset[str], hypothesis: str) -> bool:
     """Whether a hypothesis is denied, or that a factor of it is not zero."""
-    return not denied.isdisjoint((hypothesis, *_FACTOR.findall(hypothesis.removesuffix(" != 0"))))
+    product = _PRODUCT.fullmatch(hypothesis)
+    across = " ".join(product.groups()) if product else ""
+    return not denied.isdisjoint((hypothesis, across, *_FACTOR.findall(hypothesis.removesuffix(" != 0"))))
 
 
 def without_denied(reading: Reading, denied: frozenset[str]) -> Reading:

@@ -11,6 +11,7 @@ from lark import Tree
 from algebroproj_sym.reading.defining.arguments import alike, known_without, premise_without, without_arguments
 from algebroproj_sym.reading.defining.dependence import index_of, letters_of_symbol
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
+from algebroproj_sym.reading.defining.factors import base_of
 from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.indices import excludes
 from algebroproj_sym.reading.defining.instances import squares_of
@@ -29,7 +30,7 @@ from algebroproj_sym.reading.defining.rates import UNCHANGED
 from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
-from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, share_a_sum
+from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
@@ -397,11 +398,18 @@ def _solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]
     if (solution := premise.solved(vocabulary, wanted)) is not None:
         yield solution
         return
-    if are_lone(factors_of_zero(premise.left, premise.right)):
+    factors = factors_of_zero(premise.left, premise.right)
+    if are_lone(factors):
         return
     unknown = premise.symbols.intersection(wanted).difference(vocabulary.definitions)
-    letters = sorted(filter(vocabulary.is_matrix, unknown))
-    values = {each: solution_of(premise.left, premise.right, each) for each in letters}
+    has_vectors = any(map(vocabulary.is_matrix, premise.symbols))
+    factors = [each for each in factors if not vocabulary.is_matrix(base_of(each))]
+    numbers = {each: not vocabulary.is_matrix(each) for each in sorted(unknown)}
+    values = {
+        each: solution_of(premise.left, premise.right, each, is_number=is_number)
+        for each, is_number in numbers.items()
+        if not is_number or (has_vectors and not leave_a_choice(factors, each))
+    }
     yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
 
 

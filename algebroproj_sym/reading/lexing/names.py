@@ -278,7 +278,8 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
         cursor.out.append(Token("SYMBOL", f"{whole} {text}", start_pos=start))
         return
     bracket = cursor.peek() if cursor.functions is not None and not raised else ""
-    if bracket == "[" and whole in (cursor.functions or ()) and (index := _INDEX.fullmatch(_inside_of(cursor))):
+    index = _INDEX.fullmatch(_inside_of(cursor)) if bracket == "[" and whole in (cursor.functions or ()) else None
+    if index and not (_EXPECTATION.fullmatch(whole) and _VARIABLE.fullmatch(index[0])):
         letter, primes, below, above = split_symbol(whole)
         cursor.index += len(bracket_ahead(cursor))
         indexed = written(letter, primes, f"{below},{index[0]}" if below else index[0], above)
@@ -287,7 +288,8 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
     called = bracket == "[" and _ONE_INDEX.fullmatch(_inside_of(cursor)) is not None
     called = called or (bracket == "(" and _is_called(cursor, whole))
     called = called or (bracket in ("(", "[") and _FUNCTION.fullmatch(whole) is not None)
-    called = called or (bracket == "[" and _EXPECTATION.fullmatch(whole) is not None)
+    named = _EXPECTATION.fullmatch(whole) is not None and (whole[:2] != "P_" or whole in (cursor.functions or ()))
+    called = called or (bracket == "[" and named)
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
 
 
@@ -296,7 +298,9 @@ _FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|Delta|Pr)|\\math(?:bb|ds)\{[
 OFTEN_FUNCTION = re.compile(r"\\delta(?:_.*)?")
 """What is one as well, if it never stands alone."""
 _EXPECTATION = re.compile(r"[EPV](?:_.*)?")
-"""What is a function before a square bracket."""
+"""What is a function before a square bracket; a P with an index is one if it stands nowhere alone."""
+_VARIABLE = re.compile(r"[A-Za-hu-z]")
+"""What stands in the brackets of an expected value, and counts nothing."""
 
 
 _ONE_INDEX = re.compile(r"[a-zA-Z]|0")

@@ -208,7 +208,11 @@ class _Expressions(_Gathering):
             if self.values is not None:
                 return self.values.known("mean", items)
             raise UnreadableError("an inner product is of two vectors")
-        return _dotted(*items)
+        if shape(items[0]) and shape(items[0]) == shape(items[1]):
+            return dot(*items)
+        if any(map(shape, items)) or self.values is None:
+            raise UnreadableError("an inner product is of two vectors")
+        return self.values.known("inner", items)
 
     def bracket(self, items: list[Any]) -> Any:
         return items[0] if len(items) == 1 else Matrix([items])

@@ -60,7 +60,7 @@ class _Gathering(Transformer[Token, Any]):
     def along(self, value: Any, variable: Any) -> Any:
         raise UnreadableError("a change along a direction is computed with letters only")
 
-    applied = along
+    applied = gradient = along
 
     def cases(self, *values: Any) -> Any:
         raise UnreadableError("a distinction of cases is read, and not computed")

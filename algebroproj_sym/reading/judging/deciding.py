@@ -5,15 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from itertools import islice
 
 from lark import Token, Tree
 
-from algebroproj_sym.expressions import entries, evaluate, free_symbols
+from algebroproj_sym.expressions import entries, free_symbols
 from algebroproj_sym.proving import Outcome
 from algebroproj_sym.proving.letters.deciding import NOWHERE
-from algebroproj_sym.proving.reals.prove import may_agree, often_agree
+from algebroproj_sym.proving.reals.prove import often_agree
 from algebroproj_sym.proving.statements import has_functions
 from algebroproj_sym.reading.defining.sizing import FREE
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
@@ -31,6 +30,7 @@ from algebroproj_sym.reading.judging.questions import (
     values_of,
 )
 from algebroproj_sym.reading.judging.repairs import MULTIPLE, STRONG, WITHIN, Repair, repairs
+from algebroproj_sym.reading.judging.sampling import agree, samples_of
 from algebroproj_sym.reading.judging.verdicts import Link
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
@@ -40,9 +40,6 @@ MOST_REPAIRS = 8
 
 
 MOST_REPAIRS_OF_LETTERS = 40
-
-
-POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
 
 
 @dataclass
@@ -126,24 +123,8 @@ def _likely_repairs(way: Way, *, chained: bool) -> list[tuple[Repair, Way]]:
     ]
     if is_lettered(way):
         return changed[:MOST_REPAIRS_OF_LETTERS]
-    return [*islice((pair for pair in changed if agree(vocabulary, pair[1].sides)), MOST_REPAIRS)]
-
-
-def agree(vocabulary: Vocabulary, sides: Sides) -> bool:
-    """Whether two sides agree at some points at which they are defined."""
-    try:
-        values = [vocabulary.value(side) for side in sides]
-        if any(map(has_functions, values)):
-            return all(may_agree(each.lhs, each.rhs) for each in questions_of(vocabulary, *sides))
-        names = sorted({symbol for value in values for symbol in free_symbols(value)}, key=str)
-        for seed in range(len(POINTS)):
-            point = {name: POINTS[(seed + place) % len(POINTS)] + place for place, name in enumerate(names)}
-            left, right = (evaluate(value, point) for value in values)
-            if len(left) != len(right) or any(a != b for a, b in zip(left, right, strict=True)):
-                return False
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, AttributeError, OverflowError):
-        return False
-    return True
+    samples = samples_of(vocabulary)
+    return [*islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)]
 
 
 def _doubt_of_refutation(way: Way) -> str:
@@ -171,7 +152,7 @@ def _are_opposite(way: Way) -> bool:
     if not all(side.data == "matrix" for side in way.sides):
         return False
     opposite: Formula = Tree("sum", [Token("SIGN", "-"), way.right])
-    return len(entries(way.vocabulary.value(way.left))) > 1 and agree(way.vocabulary, (way.left, opposite))
+    return len(entries(way.vocabulary.value(way.left))) > 1 and agree(samples_of(way.vocabulary), (way.left, opposite))
 
 
 def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:

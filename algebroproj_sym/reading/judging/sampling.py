@@ -1,0 +1,124 @@
+"""Whether the sides of a relation agree where letters are numbers: a sieve before the prover is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from cmath import isnan
+from fractions import Fraction
+from itertools import count
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import NotRationalError, entries, evaluate
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.judging.questions import Sides
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.evaluating import evaluated, evaluator
+from algebroproj_sym.reading.parsing.grammar import Formula
+
+POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
+_UNDEFINED = (UnreadableError, ZeroDivisionError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
+_NEARLY = 1e-9
+
+
+class Sample:
+    """A point at which formulas are evaluated; what several formulas share is evaluated once.
+
+    Parameters
+    ----------
+    vocabulary : Vocabulary
+        What letters stand for.
+    seed : int
+        Which numbers the letters get.
+    given : mapping of str to Fraction
+        The numbers of some letters, by their names.
+    """
+
+    def __init__(self, vocabulary: Vocabulary, seed: int, given: Mapping[str, Fraction] | None = None) -> None:
+        self._vocabulary = vocabulary
+        self._numbers = {sympy.Symbol(name): _rational(value) for name, value in (given or {}).items()}
+        self._others = (POINTS[(seed + place) % len(POINTS)] + place for place in count())
+        self._known: dict[str, Any] = {}
+        self._value = evaluator(self._names)
+        self._values: dict[int, tuple[Formula, tuple[Any, ...] | None]] = {}
+
+    def agrees(self, sides: Sides) -> bool | None:
+        """Whether two sides have one value; None if one of them has none."""
+        left, right = map(self._at, sides)
+        if left is None or right is None or len(left) != len(right):
+            return None
+        return all(_are_near(a, b) for a, b in zip(left, right, strict=True))
+
+    def _at(self, tree: Formula) -> tuple[Any, ...] | None:
+        if id(tree) not in self._values:
+            try:
+                self._values[id(tree)] = tree, _numbers(self._value(tree))
+            except _UNDEFINED:
+                self._values[id(tree)] = tree, None
+        return self._values[id(tree)][1]
+
+    def _names(self, symbol: str) -> Any:
+        if symbol not in self._known:
+            definition = self._vocabulary.definitions.get(symbol)
+            if definition is None or not definition.usable:
+                self._known[symbol] = self._number(self._vocabulary.plain(symbol))
+            elif definition.parameters:
+                self._known[symbol] = self._function(definition)
+            else:
+                changing = any(definition.tree.find_data("slope"))
+                value = self._vocabulary.value if changing else self._value
+                self._known[symbol] = self._number(value(definition.tree))
+        return self._known[symbol]
+
+    def _number(self, letters: Any) -> Any:
+        for each in sorted((one for entry in entries(letters) for one in entry.free_symbols), key=str):
+            if each not in self._numbers:
+                self._numbers[each] = _rational(next(self._others))
+        return letters.xreplace(self._numbers)
+
+    def _function(self, definition: Definition) -> Any:
+        def function(*arguments: Any) -> Any:
+            letters = {each: sympy.Dummy(each) for each in definition.parameters}
+            own = dict(zip(letters.values(), arguments, strict=True))
+            found = evaluated(definition.tree, lambda symbol: letters.get(symbol) or self._names(symbol))
+            return found.xreplace(own)
+
+        return function
+
+
+def _rational(value: Fraction) -> Any:
+    return sympy.Rational(value.numerator, value.denominator)
+
+
+def _numbers(value: Any) -> tuple[Any, ...]:
+    """Return the entries of an expression without letters: exact ones, or else nearly."""
+    try:
+        return evaluate(value, {})
+    except NotRationalError:
+        found = tuple(complex(entry) for entry in entries(value.doit()))
+    if any(map(isnan, found)):
+        raise ZeroDivisionError("a value is no number")
+    return found
+
+
+def _are_near(left: Any, right: Any) -> bool:
+    if isinstance(left, Fraction) and isinstance(right, Fraction):
+        return left == right
+    return abs(complex(left) - complex(right)) <= _NEARLY * (1 + abs(complex(left)))
+
+
+def samples_of(vocabulary: Vocabulary) -> list[Sample]:
+    """Return some points."""
+    return [Sample(vocabulary, seed) for seed in range(len(POINTS))]
+
+
+def agree(samples: Iterable[Sample], sides: Sides) -> bool:
+    """Whether two sides agree wherever they are defined at some points, and are so somewhere."""
+    defined = False
+    for each in samples:
+        found = each.agrees(sides)
+        if found is False:
+            return False
+        defined = defined or found is True
+    return defined

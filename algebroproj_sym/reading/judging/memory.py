@@ -34,9 +34,9 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
-from algebroproj_sym.reading.judging.sampling import agree, samples_of
 from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
 from algebroproj_sym.reading.judging.renaming import gives_its_name_away, renamed_in
+from algebroproj_sym.reading.judging.sampling import agree, samples_of
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.words import (
     Beside,

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
 from cmath import isnan
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import count
 from typing import Any
@@ -45,12 +45,13 @@ class Sample:
 
     def agrees(self, sides: Sides) -> bool | None:
         """Whether two sides have one value; None if one of them has none."""
-        left, right = map(self._at, sides)
+        left, right = map(self.at, sides)
         if left is None or right is None or len(left) != len(right):
             return None
         return all(_are_near(a, b) for a, b in zip(left, right, strict=True))
 
-    def _at(self, tree: Formula) -> tuple[Any, ...] | None:
+    def at(self, tree: Formula) -> tuple[Any, ...] | None:
+        """Return the entries of a formula; None if it has no value."""
         if id(tree) not in self._values:
             try:
                 self._values[id(tree)] = tree, _numbers(self._value(tree))
@@ -108,9 +109,10 @@ def _are_near(left: Any, right: Any) -> bool:
     return abs(complex(left) - complex(right)) <= _NEARLY * (1 + abs(complex(left)))
 
 
-def samples_of(vocabulary: Vocabulary) -> list[Sample]:
-    """Return some points."""
-    return [Sample(vocabulary, seed) for seed in range(len(POINTS))]
+def samples_of(vocabulary: Vocabulary, *trees: Formula) -> list[Sample]:
+    """Return some points at which formulas have values."""
+    samples = (Sample(vocabulary, seed) for seed in range(len(POINTS)))
+    return [each for each in samples if all(each.at(tree) is not None for tree in trees)]
 
 
 def agree(samples: Iterable[Sample], sides: Sides) -> bool:

@@ -232,7 +232,7 @@ class _Remembering(_Expressions):
 
     def _transform_tree(self, tree: Formula) -> Any:
         if id(tree) not in self.known:
-            self.known[id(tree)] = tree, super()._transform_tree(tree)
+            self.known[id(tree)] = tree, super()._transform_tree(tree)  # type: ignore[no-untyped-call]
         return self.known[id(tree)][1]
 
 

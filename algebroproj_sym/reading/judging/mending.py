@@ -11,7 +11,7 @@ from sympy import Symbol
 
 from algebroproj_sym.expressions import NotRationalError, ParseError, evaluate, free_symbols, parse
 from algebroproj_sym.proving import Outcome
-from algebroproj_sym.reading.judging.questions import Way, asked_of, asked_under, is_lettered, used_by
+from algebroproj_sym.reading.judging.questions import Way, asked_of, asked_under, is_lettered, used_by, values_of
 from algebroproj_sym.reading.judging.repairs import STRONG, WITHIN, Repair, repairs
 from algebroproj_sym.reading.judging.sampling import POINTS, agree, samples_of
 from algebroproj_sym.reading.judging.ways import along_directions_in
@@ -87,5 +87,6 @@ def _differs(way: Way, point: Mapping[str, str]) -> bool:
 def is_trivial(way: Way) -> bool:
     """Whether the sides are the same but for the order of their parts, with nothing put in."""
     questions = asked_of(way.vocabulary, *way.sides)
-    same = isinstance(questions, list) and all(each.lhs == each.rhs for each in questions)
-    return same and not way.under and not used_by(way.vocabulary, *way.sides)
+    if isinstance(questions, str) or way.under or used_by(way.vocabulary, *way.sides) or values_of(questions):
+        return False
+    return all(each.lhs == each.rhs for each in questions)

@@ -9,9 +9,8 @@ pytestmark = pytest.mark.usefixtures("decided_here")
 SQUARES = r"\[ S = \sum_{i=1}^n (y_i - a - b x_i)^2 \] Its derivative is "
 STEPS = r"\[ x_{k+1} = x_k + c \] Hence "
 TIED = r"\[ n a + b s = t \] \[ a s + b q = p \] Hence "
-FIELD = r"The letters $\mathbf{x}$ and $\mathbf{c}$ are vectors. \[ f = (\mathbf x - \mathbf c)^T (\mathbf x - \mathbf c) \] "
-    r"The vectors $\mathbf{x}$ and $\mathbf{c}$ are given. \[ f = (\mathbf x - \mathbf c)^T (\mathbf x - \mathbf c) \] "
-)
+FIELD = r"""The letters $\mathbf{x}$ and $\mathbf{c}$ are vectors.
+\[ f = (\mathbf x - \mathbf c)^T (\mathbf x - \mathbf c) \] """
 IMAGINARY = r"The imaginary unit is $i$, with $i^2 = -1$. "
 
 

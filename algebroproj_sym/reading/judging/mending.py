@@ -56,13 +56,16 @@ def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
     """Yield likewise the changes in a way that refutes nothing."""
     if any(each.data in ("along", "direction") for tree in way.sides for each in tree.iter_subtrees()):
         return
+    turned = next(along_directions_in(way), None) is not None
+    if not turned and answer.verdict != "refuted":
+        return
     changed = [(each, other) for each, other in _changed(way) if each.kind in _SLIPS and other.left != other.right]
-    if samples := [] if way.under else samples_of(way.vocabulary, *way.sides):
-        yield from islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)
-    elif next(along_directions_in(way), None):
+    if turned:
         for repair, other in changed:
             yield from ((repair, each) for each in islice(along_directions_in(other), 1))
-    elif answer.verdict == "refuted":
+    elif samples := [] if way.under else samples_of(way.vocabulary, *way.sides):
+        yield from islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)
+    else:
         point = {name: value for name, value in (answer.counterexample or {}).items() if isinstance(value, str)}
         yield from (pair for pair in changed[:MOST_REPAIRS_OF_LETTERS] if not _differs(pair[1], point))
 

@@ -11,7 +11,8 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import NotRationalError, entries, evaluate
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.expressions.bounds import MAX_BITS
+from algebroproj_sym.reading.defining.vocabulary import MOST_PARTS, Definition, Vocabulary
 from algebroproj_sym.reading.judging.questions import Sides
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import evaluated, evaluator
@@ -42,6 +43,7 @@ class Sample:
         self._known: dict[str, Any] = {}
         self._value = evaluator(self._names)
         self._values: dict[int, tuple[Formula, tuple[Any, ...] | None]] = {}
+        self._parts = 0
 
     def agrees(self, sides: Sides) -> bool | None:
         """Whether two sides have one value; None if one of them has none."""
@@ -53,6 +55,7 @@ class Sample:
     def at(self, tree: Formula) -> tuple[Any, ...] | None:
         """Return the entries of a formula; None if it has no value."""
         if id(tree) not in self._values:
+            self._parts = 0
             try:
                 self._values[id(tree)] = tree, _numbers(self._value(tree))
             except _UNDEFINED:
@@ -67,9 +70,9 @@ class Sample:
             elif definition.parameters:
                 self._known[symbol] = self._function(definition)
             else:
-                changing = any(definition.tree.find_data("slope"))
+                changing = _has_slope(definition)
                 value = self._vocabulary.value if changing else self._value
-                self._known[symbol] = self._number(value(definition.tree))
+                self._known[symbol] = _bounded(self._number(value(definition.tree)))
         return self._known[symbol]
 
     def _number(self, letters: Any) -> Any:
@@ -79,13 +82,32 @@ class Sample:
         return letters.xreplace(self._numbers)
 
     def _function(self, definition: Definition) -> Any:
+        changing = _has_slope(definition)
+
         def function(*arguments: Any) -> Any:
-            letters = {each: sympy.Dummy(each) for each in definition.parameters}
-            own = dict(zip(letters.values(), arguments, strict=True))
-            found = evaluated(definition.tree, lambda symbol: letters.get(symbol) or self._names(symbol))
-            return found.xreplace(own)
+            self._parts += sum(1 for _ in definition.tree.iter_subtrees())
+            if self._parts > MOST_PARTS:
+                raise UnreadableError("there is too much to put in")
+            own = dict(zip(definition.parameters, arguments, strict=True))
+            letters = {each: sympy.Dummy(each) for each in own} if changing else own
+            found = evaluated(
+                definition.tree, lambda symbol: letters[symbol] if symbol in letters else self._names(symbol)
+            )
+            return _bounded(found.xreplace({letters[each]: own[each] for each in own}) if changing else found)
 
         return function
+
+
+def _has_slope(definition: Definition) -> bool:
+    return any(True for _ in definition.tree.find_data("slope"))
+
+
+def _bounded(value: Any) -> Any:
+    """Return a value, unless its numbers are larger than those that are computed with."""
+    numbers = (number for entry in entries(value) for number in entry.atoms(sympy.Rational))
+    if any(max(int(each.p).bit_length(), int(each.q).bit_length()) > MAX_BITS for each in numbers):
+        raise UnreadableError(f"expected numbers of at most {MAX_BITS} bits")
+    return value
 
 
 def _rational(value: Fraction) -> Any:

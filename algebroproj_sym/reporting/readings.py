@@ -73,7 +73,7 @@ def reading_lines(name: str, readings: Sequence[Reading], missing: Sequence[str]
                 yield from _whole(each)
         for each in readings:
             link = decisive(each)
-            if each.verdict == "independent" and link is not None and link.suggestion:
+            if each.verdict != "contradicts" and link is not None and link.suggestion:
                 yield f"{_heading(each)} would follow with {link.suggestion}: {link.reason}"
         for verdict in ("definition", "follows", "independent"):
             alike = [each for each in readings if each.verdict == verdict]

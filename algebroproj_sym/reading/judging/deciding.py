@@ -4,46 +4,35 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from fractions import Fraction
-from itertools import islice
+from dataclasses import dataclass, field, replace
+from itertools import chain, islice
 
 from lark import Token, Tree
 
-from algebroproj_sym.expressions import entries, evaluate, free_symbols
+from algebroproj_sym.expressions import entries, free_symbols
 from algebroproj_sym.proving import Outcome
 from algebroproj_sym.proving.letters.deciding import NOWHERE
-from algebroproj_sym.proving.reals.prove import may_agree, often_agree
+from algebroproj_sym.proving.reals.prove import often_agree
 from algebroproj_sym.proving.statements import has_functions
 from algebroproj_sym.reading.defining.sizing import FREE
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.judging.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
+from algebroproj_sym.reading.judging.mending import MOST_ASKED, is_trivial, likely_repairs, repairs_in
 from algebroproj_sym.reading.judging.questions import (
-    Sides,
     Way,
     answers,
     asked_of,
     has_letters,
     is_lettered,
-    questions_of,
     rests_of,
-    used_by,
     values_of,
 )
-from algebroproj_sym.reading.judging.repairs import MULTIPLE, STRONG, WITHIN, Repair, repairs
+from algebroproj_sym.reading.judging.repairs import MULTIPLE, STRONG, Repair
+from algebroproj_sym.reading.judging.sampling import agree, samples_of
 from algebroproj_sym.reading.judging.verdicts import Link
-from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula
 
 NOT_DERIVED = "it gives its letter; that it follows was not derived"
 OPEN = "it gives its letter; whether it follows is not decided"
-MOST_REPAIRS = 8
-
-
-MOST_REPAIRS_OF_LETTERS = 40
-
-
-POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
 
 
 @dataclass
@@ -60,6 +49,7 @@ class Asked:
     gives: bool
     may_give: bool
     claimed: bool
+    answers: list[Outcome] = field(default_factory=list)
 
 
 def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
@@ -67,17 +57,15 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
     found = answers([way for each in asked for way in each.ways], seconds, jobs)
     failing: list[tuple[Asked, Way, Outcome]] = []
     for each in asked:
-        answered = [found.pop(0) for _ in each.ways]
-        place = _place_of_proof([answer for _, answer in answered])
-        question, outcome = answered[place]
-        each.link = replace(_link_of(each, outcome, each.ways[place]), sides=question)
+        each.answers = [answer for _, answer in found[: len(each.ways)]]
+        place = _place_of_proof(each.answers)
+        each.link = replace(_link_of(each, each.answers[place], each.ways[place]), sides=found[place][0])
+        del found[: len(each.ways)]
         if each.link.verdict != "follows":
-            refuted = [(way, answer) for way, (_, answer) in zip(each.ways, answered, strict=True)]
-            failing += [
-                (each, way, answer) for way, answer in refuted if answer.verdict == "refuted" and way.is_as_it_stands
-            ]
+            answered = zip(each.ways, each.answers, strict=True)
+            failing += [(each, *one) for one in answered if _refutes(*one)]
     candidates = [
-        [] if way.doubt in (A_CONDITION, NOT_GIVEN) else _likely_repairs(way, chained=each.chained)
+        [] if way.doubt in (A_CONDITION, NOT_GIVEN) else likely_repairs(way, chained=each.chained)
         for each, way, _ in failing
     ]
     found = answers([way for changes in candidates for _, way in changes], seconds, jobs)
@@ -93,9 +81,39 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         if each.gives and each.link.verdict != "follows" and not any(_says(each.link)):
             rests = rests_of(each.ways[0].vocabulary, each.ways[0].right)
             each.link = Link("definition", NOT_DERIVED if each.claimed else "", rests_on=rests)
-        elif each.may_give and each.link.verdict == "not decided" and not any(_says(each.link)):
+    _suggest([each for each in asked if _may_be_misprinted(each)], seconds, jobs)
+    for each in asked:
+        if each.may_give and each.link.verdict == "not decided" and not any(_says(each.link)):
             why = f"{OPEN}: {each.link.reason}" if each.link.reason else OPEN
             each.link = Link("definition", why, rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
+
+
+def _refutes(way: Way, answer: Outcome) -> bool:
+    return answer.verdict == "refuted" and way.is_as_it_stands
+
+
+def _may_be_misprinted(asked: Asked) -> bool:
+    """Whether a link that says nothing yet may be one with a misprint: what gives its letter is said to follow."""
+    is_open = asked.link.verdict in ("independent", "not decided")
+    return not asked.link.suggestion and (is_open or (asked.link.verdict == "definition" and asked.claimed))
+
+
+def _suggest(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
+    """Tell by which change links would follow in the other ways; their verdicts remain as they are."""
+    candidates = [
+        [*islice(chain.from_iterable(map(repairs_in, each.ways, each.answers)), MOST_ASKED)] for each in asked
+    ]
+    found = answers([way for changes in candidates for _, way in changes], seconds, jobs)
+    for each, changes in zip(asked, candidates, strict=True):
+        tried = [(repair, way, found.pop(0)[1]) for repair, way in changes]
+        proved = (one for one in tried if one[2].verdict == "proved" and not is_trivial(one[1]))
+        if best := next(proved, None):
+            each.link = replace(each.link, suggestion=_suggestion(best[1], best[0]))
+
+
+def _suggestion(way: Way, repair: Repair) -> str:
+    now, before = (way.vocabulary.text(tree) for tree in (repair.now, repair.before))
+    return f"{now} instead of {before}"
 
 
 def _place_of_proof(answered: Sequence[Outcome]) -> int:
@@ -111,44 +129,6 @@ def _place_of_proof(answered: Sequence[Outcome]) -> int:
 def _says(link: Link) -> tuple[bool, bool]:
     """Return how much a link that does not follow says."""
     return link.verdict == "contradicts", bool(link.suggestion)
-
-
-def _likely_repairs(way: Way, *, chained: bool) -> list[tuple[Repair, Way]]:
-    """Return the changes after which the sides agree at some points.
-
-    They are the same after it only in a chain, where the side before is given, and if the change is within a side.
-    """
-    vocabulary, left, right = way.vocabulary, way.left, way.right
-    used = used_by(vocabulary, left, right)
-    symbols = {symbol for tree in (left, right, *(each.tree for each in used)) for symbol in symbols_in(tree)}
-    changes = [(each, replace(way, right=each.formula)) for each in repairs(right, symbols)]
-    changes += [(each, replace(way, left=each.formula)) for each in repairs(left, symbols)]
-    found = sorted(changes, key=lambda pair: pair[0].kind not in STRONG)
-    changed = [
-        (each, other)
-        for each, other in found
-        if other.left != other.right or (chained and each.kind in WITHIN and each.before not in (left, right))
-    ]
-    if is_lettered(way):
-        return changed[:MOST_REPAIRS_OF_LETTERS]
-    return [*islice((pair for pair in changed if agree(vocabulary, pair[1].sides)), MOST_REPAIRS)]
-
-
-def agree(vocabulary: Vocabulary, sides: Sides) -> bool:
-    """Whether two sides agree at some points at which they are defined."""
-    try:
-        values = [vocabulary.value(side) for side in sides]
-        if any(map(has_functions, values)):
-            return all(may_agree(each.lhs, each.rhs) for each in questions_of(vocabulary, *sides))
-        names = sorted({symbol for value in values for symbol in free_symbols(value)}, key=str)
-        for seed in range(len(POINTS)):
-            point = {name: POINTS[(seed + place) % len(POINTS)] + place for place, name in enumerate(names)}
-            left, right = (evaluate(value, point) for value in values)
-            if len(left) != len(right) or any(a != b for a, b in zip(left, right, strict=True)):
-                return False
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, AttributeError, OverflowError):
-        return False
-    return True
 
 
 def _doubt_of_refutation(way: Way) -> str:
@@ -176,7 +156,7 @@ def _are_opposite(way: Way) -> bool:
     if not all(side.data == "matrix" for side in way.sides):
         return False
     opposite: Formula = Tree("sum", [Token("SIGN", "-"), way.right])
-    return len(entries(way.vocabulary.value(way.left))) > 1 and agree(way.vocabulary, (way.left, opposite))
+    return len(entries(way.vocabulary.value(way.left))) > 1 and agree(samples_of(way.vocabulary), (way.left, opposite))
 
 
 def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:
@@ -205,10 +185,7 @@ def _holds_beside(way: Way, repaired: Way) -> bool:
 
 def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None, repaired: Way) -> Link:
     """Return the verdict of a link that fails at a point, and of the smallest change by which it would follow."""
-    suggestion = ""
-    if repair is not None:
-        now, before = (way.vocabulary.text(tree) for tree in (repair.now, repair.before))
-        suggestion = f"{now} instead of {before}"
+    suggestion = "" if repair is None else _suggestion(way, repair)
     doubt = _doubt_of_refutation(way)
     doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
     plain = way is asked.ways[0]

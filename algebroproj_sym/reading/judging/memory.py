@@ -34,9 +34,9 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
-from algebroproj_sym.reading.judging.deciding import agree
 from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
 from algebroproj_sym.reading.judging.renaming import gives_its_name_away, renamed_in
+from algebroproj_sym.reading.judging.sampling import agree, samples_of
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.words import (
     Beside,
@@ -249,7 +249,7 @@ class Memory:
         theirs = self.vocabulary.letters_of(value)
         if not (self.beside.renews or elsewhere or letters <= theirs or theirs <= letters):
             return
-        if not is_named(left) and (is_one_value(parameters, value) or agree(told, (left, value))):
+        if not is_named(left) and (is_one_value(parameters, value) or agree(samples_of(told), (left, value))):
             return
         self.premises = older + [
             each
@@ -359,8 +359,9 @@ class Memory:
             tied = bool(ours and theirs) and (ours <= theirs or theirs <= ours)
         if one == other or not tied:
             return False
-        computed = all(agree(self.vocabulary, (each, each)) for each in (one, other))
-        return computed and not agree(self.vocabulary, (one, other))
+        samples = samples_of(self.vocabulary)
+        computed = all(agree(samples, (each, each)) for each in (one, other))
+        return computed and not agree(samples, (one, other))
 
     def premises_of(self, statement: Statement, formula: Parsed, sides: Sequence[Formula]) -> list[Premise]:
         """Return the equations between sides of a statement: of those next to each other, and of the first and last."""

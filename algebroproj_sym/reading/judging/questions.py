@@ -284,7 +284,7 @@ def _with_values(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[
         return []
 
 
-def _asked_under(way: Way) -> list[Question] | str:
+def asked_under(way: Way) -> list[Question] | str:
     """Return the questions of a way, with the equations under which it is to hold as constraints."""
     if not way.under:
         return asked_of(way.vocabulary, *way.sides)
@@ -338,7 +338,7 @@ def _text(value: Any) -> str:
 
 def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[str, str] | None, Outcome]]:
     """Return each pair of sides as text with its outcome; one that cannot be asked is open."""
-    asked = [_asked_under(each) for each in ways]
+    asked = [asked_under(each) for each in ways]
     questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = iter([*outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions)))] if questions else ())
     return [

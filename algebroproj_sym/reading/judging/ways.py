@@ -117,11 +117,11 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         for way in ways
         if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
-    ways += [each for way in ways if not way.reads for each in _along_directions(way)]
+    ways += [each for way in ways if not way.reads for each in along_directions_in(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
 
 
-def _along_directions(way: Way) -> Iterator[Way]:
+def along_directions_in(way: Way) -> Iterator[Way]:
     """Yield the ways in which a derivative by a vector, also of an equation above, is that along every direction."""
     shown = f"{' = '.join(map(way.vocabulary.text, way.sides))}, along every direction"
     with_identity = way.vocabulary.with_identity(*way.sides)

@@ -102,6 +102,11 @@ def evaluated(tree: Formula, names: Names, values: Values | None = None) -> Expr
     return expression
 
 
+def evaluator(names: Names) -> Callable[[Formula], Expression]:
+    """Return what evaluates trees as `evaluated` does, and a tree that several of them share only once."""
+    return partial(transformed, _Remembering(names, None))
+
+
 @v_args(inline=True)
 class _Expressions(_Gathering):
     """Builds expressions from the leaves up."""
@@ -220,6 +225,19 @@ class _Expressions(_Gathering):
     def matrix(self, begin: Token, *rows: Any) -> Any:
         assembled = _assembled(list(rows))
         return _determinant(assembled) if "vmatrix" in begin else assembled
+
+
+class _Remembering(_Expressions):
+    """Remembers what each tree stands for; the trees are kept, so that no other one gets their identity."""
+
+    def __init__(self, names: Names, values: Values | None) -> None:
+        super().__init__(names, values)
+        self.known: dict[int, tuple[Formula, Any]] = {}
+
+    def _transform_tree(self, tree: Formula) -> Any:
+        if id(tree) not in self.known:
+            self.known[id(tree)] = tree, super()._transform_tree(tree)  # type: ignore[no-untyped-call]
+        return self.known[id(tree)][1]
 
 
 def _absolute(value: Any) -> Any:

@@ -1,0 +1,95 @@
+"""The single changes after which a relation may follow: what a sieve of points leaves is asked of the prover."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from itertools import islice
+
+from sympy import Symbol
+
+from algebroproj_sym.expressions import NotRationalError, ParseError, evaluate, free_symbols, parse
+from algebroproj_sym.proving import Outcome
+from algebroproj_sym.reading.judging.questions import Way, asked_of, asked_under, is_lettered, used_by, values_of
+from algebroproj_sym.reading.judging.repairs import STRONG, WITHIN, Repair, repairs
+from algebroproj_sym.reading.judging.sampling import POINTS, agree, samples_of
+from algebroproj_sym.reading.judging.ways import along_directions_in
+from algebroproj_sym.reading.parsing.grammar import symbols_in
+
+Repaired = tuple[Repair, Way]
+MOST_REPAIRS = 8
+MOST_REPAIRS_OF_LETTERS = 40
+MOST_ASKED = 24
+"""How many changes of a relation are asked of the prover that no point refutes, in all the ways that prove and refute
+nothing."""
+_SLIPS = STRONG | {"factor", "transpose"}
+
+
+def likely_repairs(way: Way, *, chained: bool) -> list[Repaired]:
+    """Return the changes after which the sides agree at some points.
+
+    They are the same after it only in a chain, where the side before is given, and if the change is within a side.
+    """
+    changed = [
+        (each, other)
+        for each, other in _changed(way)
+        if other.left != other.right or (chained and each.kind in WITHIN and each.before not in way.sides)
+    ]
+    if is_lettered(way):
+        return changed[:MOST_REPAIRS_OF_LETTERS]
+    samples = samples_of(way.vocabulary, *way.sides)
+    return [*islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)]
+
+
+def _changed(way: Way) -> list[Repaired]:
+    """Return a way with single changes of its sides, those first that no special case makes."""
+    given = [side for each in way.under for side in (each.left, each.right)]
+    trees = (*way.sides, *given, *(each.tree for each in used_by(way.vocabulary, *way.sides, *given)))
+    symbols = {symbol for tree in trees for symbol in symbols_in(tree)}
+    found = [(each, replace(way, right=each.formula)) for each in repairs(way.right, symbols)]
+    found += [(each, replace(way, left=each.formula)) for each in repairs(way.left, symbols)]
+    return sorted(found, key=lambda pair: pair[0].kind not in STRONG)
+
+
+def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
+    """Yield likewise the changes in a way that refutes nothing."""
+    if any(each.data in ("along", "direction") for tree in way.sides for each in tree.iter_subtrees()):
+        return
+    turned = next(along_directions_in(way), None) is not None
+    if not turned and answer.verdict != "refuted":
+        return
+    changed = [(each, other) for each, other in _changed(way) if each.kind in _SLIPS and other.left != other.right]
+    if turned:
+        for repair, other in changed:
+            yield from ((repair, each) for each in islice(along_directions_in(other), 1))
+    elif samples := [] if way.under else samples_of(way.vocabulary, *way.sides):
+        yield from islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)
+    else:
+        point = {name: value for name, value in (answer.counterexample or {}).items() if isinstance(value, str)}
+        yield from (pair for pair in changed[:MOST_REPAIRS_OF_LETTERS] if not _differs(pair[1], point))
+
+
+def _differs(way: Way, point: Mapping[str, str]) -> bool:
+    """Whether a way cannot be asked, or its sides differ at a point of the equations under which it is to hold."""
+    questions = asked_under(way)
+    if isinstance(questions, str) or questions[0].letters is not None:
+        return isinstance(questions, str)
+    try:
+        sides = [(parse(each.lhs), parse(each.rhs)) for each in questions]
+        numbers = {symbol: Fraction(point[symbol.name]) for symbol in map(Symbol, point)}
+        for place, symbol in enumerate(
+            sorted({one for pair in sides for side in pair for one in free_symbols(side)}, key=str)
+        ):
+            numbers.setdefault(symbol, Fraction(POINTS[place % len(POINTS)] + place))
+        return any(evaluate(one, numbers) != evaluate(other, numbers) for one, other in sides)
+    except (ParseError, ValueError, ZeroDivisionError, NotRationalError):
+        return False
+
+
+def is_trivial(way: Way) -> bool:
+    """Whether the sides are the same but for the order of their parts, with nothing put in."""
+    questions = asked_of(way.vocabulary, *way.sides)
+    if isinstance(questions, str) or way.under or used_by(way.vocabulary, *way.sides) or values_of(questions):
+        return False
+    return all(each.lhs == each.rhs for each in questions)

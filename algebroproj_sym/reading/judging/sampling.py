@@ -1,0 +1,148 @@
+"""Whether the sides of a relation agree where letters are numbers: a sieve before the prover is asked."""
+
+from __future__ import annotations
+
+from cmath import isnan
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from itertools import count
+from typing import Any
+
+import sympy
+
+from algebroproj_sym.expressions import NotRationalError, entries, evaluate
+from algebroproj_sym.expressions.bounds import MAX_BITS
+from algebroproj_sym.reading.defining.vocabulary import MOST_PARTS, Definition, Vocabulary
+from algebroproj_sym.reading.judging.questions import Sides
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.evaluating import evaluated, evaluator
+from algebroproj_sym.reading.parsing.grammar import Formula
+
+POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
+_UNDEFINED = (UnreadableError, ZeroDivisionError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
+_NEARLY = 1e-9
+
+
+class Sample:
+    """A point at which formulas are evaluated; what several formulas share is evaluated once.
+
+    Parameters
+    ----------
+    vocabulary : Vocabulary
+        What letters stand for.
+    seed : int
+        Which numbers the letters get.
+    given : mapping of str to Fraction
+        The numbers of some letters, by their names.
+    """
+
+    def __init__(self, vocabulary: Vocabulary, seed: int, given: Mapping[str, Fraction] | None = None) -> None:
+        self._vocabulary = vocabulary
+        self._numbers = {sympy.Symbol(name): _rational(value) for name, value in (given or {}).items()}
+        self._others = (POINTS[(seed + place) % len(POINTS)] + place for place in count())
+        self._known: dict[str, Any] = {}
+        self._value = evaluator(self._names)
+        self._values: dict[int, tuple[Formula, tuple[Any, ...] | None]] = {}
+        self._parts = 0
+
+    def agrees(self, sides: Sides) -> bool | None:
+        """Whether two sides have one value; None if one of them has none."""
+        left, right = map(self.at, sides)
+        if left is None or right is None or len(left) != len(right):
+            return None
+        return all(_are_near(a, b) for a, b in zip(left, right, strict=True))
+
+    def at(self, tree: Formula) -> tuple[Any, ...] | None:
+        """Return the entries of a formula; None if it has no value."""
+        if id(tree) not in self._values:
+            self._parts = 0
+            try:
+                self._values[id(tree)] = tree, _numbers(self._value(tree))
+            except _UNDEFINED:
+                self._values[id(tree)] = tree, None
+        return self._values[id(tree)][1]
+
+    def _names(self, symbol: str) -> Any:
+        if symbol not in self._known:
+            definition = self._vocabulary.definitions.get(symbol)
+            if definition is None or not definition.usable:
+                self._known[symbol] = self._number(self._vocabulary.plain(symbol))
+            elif definition.parameters:
+                self._known[symbol] = self._function(definition)
+            else:
+                changing = _has_slope(definition)
+                value = self._vocabulary.value if changing else self._value
+                self._known[symbol] = _bounded(self._number(value(definition.tree)))
+        return self._known[symbol]
+
+    def _number(self, letters: Any) -> Any:
+        for each in sorted((one for entry in entries(letters) for one in entry.free_symbols), key=str):
+            if each not in self._numbers:
+                self._numbers[each] = _rational(next(self._others))
+        return letters.xreplace(self._numbers)
+
+    def _function(self, definition: Definition) -> Any:
+        changing = _has_slope(definition)
+
+        def function(*arguments: Any) -> Any:
+            self._parts += sum(1 for _ in definition.tree.iter_subtrees())
+            if self._parts > MOST_PARTS:
+                raise UnreadableError("there is too much to put in")
+            own = dict(zip(definition.parameters, arguments, strict=True))
+            letters = {each: sympy.Dummy(each) for each in own} if changing else own
+            found = evaluated(
+                definition.tree, lambda symbol: letters[symbol] if symbol in letters else self._names(symbol)
+            )
+            return _bounded(found.xreplace({letters[each]: own[each] for each in own}) if changing else found)
+
+        return function
+
+
+def _has_slope(definition: Definition) -> bool:
+    return any(True for _ in definition.tree.find_data("slope"))
+
+
+def _bounded(value: Any) -> Any:
+    """Return a value, unless its numbers are larger than those that are computed with."""
+    numbers = (number for entry in entries(value) for number in entry.atoms(sympy.Rational))
+    if any(max(int(each.p).bit_length(), int(each.q).bit_length()) > MAX_BITS for each in numbers):
+        raise UnreadableError(f"expected numbers of at most {MAX_BITS} bits")
+    return value
+
+
+def _rational(value: Fraction) -> Any:
+    return sympy.Rational(value.numerator, value.denominator)
+
+
+def _numbers(value: Any) -> tuple[Any, ...]:
+    """Return the entries of an expression without letters: exact ones, or else nearly."""
+    try:
+        return evaluate(value, {})
+    except NotRationalError:
+        found = tuple(complex(entry) for entry in entries(value.doit()))
+    if any(map(isnan, found)):
+        raise ZeroDivisionError("a value is no number")
+    return found
+
+
+def _are_near(left: Any, right: Any) -> bool:
+    if isinstance(left, Fraction) and isinstance(right, Fraction):
+        return left == right
+    return abs(complex(left) - complex(right)) <= _NEARLY * (1 + abs(complex(left)))
+
+
+def samples_of(vocabulary: Vocabulary, *trees: Formula) -> list[Sample]:
+    """Return some points at which formulas have values."""
+    samples = (Sample(vocabulary, seed) for seed in range(len(POINTS)))
+    return [each for each in samples if all(each.at(tree) is not None for tree in trees)]
+
+
+def agree(samples: Iterable[Sample], sides: Sides) -> bool:
+    """Whether two sides agree wherever they are defined at some points, and are so somewhere."""
+    defined = False
+    for each in samples:
+        found = each.agrees(sides)
+        if found is False:
+            return False
+        defined = defined or found is True
+    return defined

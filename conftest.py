@@ -5,6 +5,7 @@ similar cases, tests that need an extra, and properties again with all their exa
 ``--part coq`` is what `.ci/coq` runs, and ``--part all`` is everything.
 """
 
+import gc
 import os
 import pickle
 import shutil
@@ -22,6 +23,7 @@ from packaging.requirements import Requirement
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating.choosing import lower
 
+gc.set_threshold(200_000, 50, 50)  # as in the command: expressions make few cycles, and looking for them takes time
 PROJECT = "algebroproj-sym"
 # The extra that the modules of a file or folder import.  A test that needs one is marked with `extra`.
 IMPORTS = {

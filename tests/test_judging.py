@@ -15,6 +15,7 @@ from algebroproj_sym.proving import ENGINES
 x, y = sympy.symbols("x y")
 TRUE, WRONG, SQUARE = x**2 + 2 * x + 1, x**2 + 1, (x + 1) ** 2
 CLAIMS = select()
+SOME = [*{(claim.kind, claim.expected): claim for claim in CLAIMS}.values(), *CLAIMS[::8]]
 PROVED_IDENTITIES = [
     claim
     for claim in CLAIMS
@@ -143,8 +144,9 @@ def test_judging_twice_gives_the_same_evidence(engine):
     assert replace(first, seconds=0.0) == replace(second, seconds=0.0)
 
 
-@pytest.mark.parametrize("claim", CLAIMS, ids=number)
-def test_every_claim_of_the_papers_is_judged_as_declared(claim):
+@pytest.mark.parametrize("claim", SOME, ids=number)
+def test_claims_of_the_papers_are_judged_as_declared(claim):
+    """A build, which fails otherwise, judges all of them."""
     result = judge(claim)
     assert result.verdict == claim.expected
     assert result.as_declared

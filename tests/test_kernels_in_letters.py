@@ -2,6 +2,7 @@
 
 import re
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 import pytest
@@ -71,7 +72,7 @@ KERNELS = {
         *declared("several", {"first": Trace(S) / s, "second": S * A.T}, [A, S, s], {"S": "symmetric"}),
     )
 }
-LOWERED = {name: lower(kernel) for name, kernel in KERNELS.items()}
+lowered_here = cache(lambda name: lower(KERNELS[name]))
 every_kernel = pytest.mark.parametrize("name", KERNELS)
 
 
@@ -125,7 +126,7 @@ def drawn(data, kernel):
 @pytest.fixture(scope="module")
 def package(tmp_path_factory):
     folder = tmp_path_factory.mktemp("letters")
-    write(render(LOWERED.values()), folder / PACKAGE)
+    write(render([*map(lowered_here, KERNELS)]), folder / PACKAGE)
     return load_package(folder)
 
 
@@ -143,11 +144,11 @@ def test_on_fractions_a_function_gives_what_matrices_give(name, package, data):
 
 @every_kernel
 def test_all_sources_are_proved_and_errors_are_within_the_bound(name, package):
-    verified = verify(LOWERED[name], package, 6)
+    verified = verify(lowered_here(name), package, 6)
     assert verified.proved
     assert verified.accuracy.within_bound
     assert [*verified.silent] == ([1 + sum(k**2 for k in KERNELS[name].arguments[0].read)] if name == "cayley" else [])
-    assert cpp_source_is_proved(LOWERED[name], BACKENDS["cpp"].render(LOWERED.values()))
+    assert cpp_source_is_proved(lowered_here(name), BACKENDS["cpp"].render([*map(lowered_here, KERNELS)]))
 
 
 @every_kernel
@@ -238,7 +239,7 @@ def test_the_documentation_says_which_entries_are_read(name, argument, said, pac
     lines = function_of(KERNELS[name], package).__doc__.splitlines()
     about = lines[next(k for k, line in enumerate(lines) if line.strip().startswith(f"{argument} :")) + 1]
     assert said in about
-    assert said in " ".join(re.sub("//", "", BACKENDS["cpp"].render([LOWERED[name]])["demo.hpp"]).split())
+    assert said in " ".join(re.sub("//", "", BACKENDS["cpp"].render([lowered_here(name)])["demo.hpp"]).split())
 
 
 @pytest.mark.parametrize(

@@ -100,7 +100,7 @@ def forms(random: Random, letters: dict[str, Any], depth: int) -> Twins:
     return times(turned(x), m, y), other
 
 
-@settings(max_examples=50, deadline=None, derandomize=True)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(randoms, st.sampled_from((matrices, forms)), st.integers(1, 2))
 def test_what_is_wrong_of_matrices_does_not_follow(random, kind, depth):
     letters = {name: sympy.Matrix(2, 2, [value(random) for _ in range(4)]) for name in "ABC"}
@@ -123,7 +123,7 @@ def expression(random: Random, letters: list[sympy.Symbol], depth: int) -> sympy
     return random.choice((one + other, one * other, one**2, one / (1 + other**2), sympy.sin(one), sympy.exp(other)))
 
 
-@settings(max_examples=30, deadline=None, derandomize=True)
+@settings(max_examples=settings.default.max_examples // 3)
 @given(randoms, st.sampled_from((r"\frac{dL}{dt}", r"\dot{L}", r"\frac{\partial L}{\partial t}")))
 def test_a_wrong_derivative_does_not_follow(random, how):
     t, u, a, b = sympy.symbols("t u a b")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import hashlib
 import importlib.util
-from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import algebroproj
@@ -43,17 +43,22 @@ def digest(source: Path) -> str:
     return whole.hexdigest()
 
 
-def _imported(path: Path, module: str) -> Iterator[str]:
-    """Yield the names of all modules that a file may import, anywhere in it; some are names of other things."""
-    package = module if path.name == "__init__.py" else module.rpartition(".")[0]
-    for node in ast.walk(ast.parse(path.read_bytes())):
+def _imported(path: Path, module: str) -> tuple[str, ...]:
+    """Return the names of all modules that a file may import, anywhere in it; some are names of other things."""
+    return _named(path.read_bytes(), module if path.name == "__init__.py" else module.rpartition(".")[0])
+
+
+@cache
+def _named(text: bytes, package: str) -> tuple[str, ...]:
+    names: list[str] = []
+    for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            names += (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             above = package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
             start = ".".join([*above, *([node.module] if node.module else [])])
-            yield start
-            yield from (f"{start}.{alias.name}" for alias in node.names)
+            names += (start, *(f"{start}.{alias.name}" for alias in node.names))
+    return tuple(names)
 
 
 def _file(module: str, root: Path) -> Path | None:

@@ -10,12 +10,11 @@ static void TYPED(gather)(real (*restrict rows)[BLOCK], const char *restrict dat
                          const npy_intp points)
 {
     const npy_intp step = layout.point_step;
-    const npy_intp first = gathered(rows, data, layout, points);
     for (int row = 0; row < layout.rows; row++) {
         for (int column = 0; column < layout.columns; column++) {
-            const char *entry = data + row * layout.row_step + column * layout.column_step + first * step;
+            const char *entry = data + row * layout.row_step + column * layout.column_step;
             real *restrict values = *rows++;
-            npy_intp i = first;
+            npy_intp i = 0;
             for (; i + 3 < points; i += 4, entry += 4 * step) {
                 values[i] = *(const real *)entry;
                 values[i + 1] = *(const real *)(entry + step);
@@ -35,12 +34,11 @@ static void TYPED(scatter)(const real (*restrict rows)[BLOCK], char *restrict da
 {
     const npy_intp step = layout.point_step;
     const int neighbours = layout.column_step == sizeof(real);
-    const npy_intp first = scattered(rows, data, layout, points);
     for (int row = 0; row < layout.rows; row++, data += layout.row_step) {
         int column = 0;
         for (; neighbours && column + 3 < layout.columns; column += 4, rows += 4) {
             char *entry = data + column * layout.column_step;
-            for (npy_intp i = first; i < points; i++) {
+            for (npy_intp i = 0; i < points; i++) {
                 real *entries = (real *)(entry + i * step);
                 entries[0] = rows[0][i];
                 entries[1] = rows[1][i];
@@ -51,7 +49,7 @@ static void TYPED(scatter)(const real (*restrict rows)[BLOCK], char *restrict da
         for (; column < layout.columns; column++, rows++) {
             char *entry = data + column * layout.column_step;
             UNROLLED
-            for (npy_intp i = first; i < points; i++) {
+            for (npy_intp i = 0; i < points; i++) {
                 *(real *)(entry + i * step) = rows[0][i];
             }
         }

@@ -15,27 +15,28 @@ static int TYPED(is_usual)(const struct layout layout)
     return columns && rows && layout.point_step == layout.rows * layout.columns * size;
 }
 
-static void TYPED(copied_in)(real *restrict values, const char *data, const struct layout layout, const npy_intp points)
+static void TYPED(copied_in)(real *restrict values, const char *restrict data, const struct layout layout,
+                             const npy_intp points)
 {
-    for (npy_intp i = 0; i < points; i++) {
-        for (int row = 0; row < layout.rows; row++) {
-            for (int column = 0; column < layout.columns; column++) {
-                const char *entry = data + row * layout.row_step + column * layout.column_step;
-                *values++ = *(const real *)(entry + i * layout.point_step);
-            }
+    const npy_intp entries = layout.rows * layout.columns;
+    for (npy_intp entry = 0; entry < entries; entry++) {
+        const char *from = data + entry / layout.columns * layout.row_step + entry % layout.columns * layout.column_step;
+        UNROLLED
+        for (npy_intp i = 0; i < points; i++) {
+            values[entry + i * entries] = *(const real *)(from + i * layout.point_step);
         }
     }
 }
 
-static void TYPED(copied_out)(const real *restrict values, char *data, const struct layout layout,
+static void TYPED(copied_out)(const real *restrict values, char *restrict data, const struct layout layout,
                               const npy_intp points)
 {
-    for (npy_intp i = 0; i < points; i++) {
-        for (int row = 0; row < layout.rows; row++) {
-            for (int column = 0; column < layout.columns; column++) {
-                char *entry = data + row * layout.row_step + column * layout.column_step;
-                *(real *)(entry + i * layout.point_step) = *values++;
-            }
+    const npy_intp entries = layout.rows * layout.columns;
+    for (npy_intp entry = 0; entry < entries; entry++) {
+        char *to = data + entry / layout.columns * layout.row_step + entry % layout.columns * layout.column_step;
+        UNROLLED
+        for (npy_intp i = 0; i < points; i++) {
+            *(real *)(to + i * layout.point_step) = values[entry + i * entries];
         }
     }
 }

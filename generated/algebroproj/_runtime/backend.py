@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "exceeded", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "589cb04c58c9d0d8"
+DIGEST = "8bb77f6fb5e32250"
 """What identifies the C source that belongs to this package."""
 
 

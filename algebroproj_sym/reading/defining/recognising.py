@@ -11,6 +11,7 @@ from algebroproj_sym.expressions import require_bounded
 from algebroproj_sym.reading.defining.dependence import letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
@@ -142,6 +143,19 @@ def is_one_value(parameters: tuple[str, ...], value: Formula) -> bool:
     limits = (letters_in(str(each.children[0])) for each in value.find_data("big"))
     symbols = {*symbols_in(value)}.union(*limits)
     return bool(parameters) and not {*parameters} & symbols and not any("/" in each for each in symbols)
+
+
+def is_value_of_itself(left: Formula, right: Formula) -> bool:
+    """Whether a letter is at a value of its own, as in "where ``t = t_0`` is the start": it stands for more of them.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> [is_value_of_itself(*parsed(each).sides) for each in ("t = t_0", "t = s_0", "t_1 = t_0")]
+    [True, False, False]
+    """
+    symbol, value = defined_by(left)[0], defined_by(right)[0]
+    return bool(symbol) and symbol != value and split_symbol(value)[0] == symbol
 
 
 def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:

@@ -15,6 +15,7 @@ from algebroproj_sym.reading.defining.recognising import (
     defined_by,
     is_one_value,
     is_reordered,
+    is_value_of_itself,
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -158,7 +159,8 @@ class _Pass:
         says = says and not ASKS.match(sentence)
         self.memory.stand_at(statement.display)
         stated = SAYS.search(before) or is_item(before, statement.display.after)
-        if len(formula.sides) == 2 and (says or (stated and not CASES.search(sentence))):
+        at_value = is_value_of_itself(*formula.sides) if len(formula.sides) == 2 else False
+        if len(formula.sides) == 2 and not at_value and (says or (stated and not CASES.search(sentence))):
             definition = definition_in(self.memory, statement, formula, explicit=bool(says), late=bool(says))
             if (
                 definition is not None
@@ -171,9 +173,10 @@ class _Pass:
                 given = self.memory.premises_of(statement, formula, formula.sides)
                 self.memory.premises += [replace(each, special=False) for each in given]
         if len(formula.sides) > 1:
-            self.memory.note(statement, formula)
-            self.memory.tie(formula.sides)
-            self.memory.restate(formula)
+            if not at_value:
+                self.memory.note(statement, formula)
+                self.memory.tie(formula.sides)
+                self.memory.restate(formula)
             if {*formula.relations} == {"="}:
                 words = f"${statement.display.latex}$"
                 self.within += [(words, each) for each in self.memory.premises_of(statement, formula, formula.sides)]

@@ -123,12 +123,13 @@ def gives_if_open(memory: Memory, statement: Statement, formula: Parsed) -> bool
     A letter that equations above it give is given anew by new letters alone, and by nothing that is said to follow.
     """
     left, right = formula.sides[:2]
-    above = _said_of(memory, left)
+    known = memory.vocabulary.definitions.get(_letter_of(left)[0])
+    above = [*_said_of(memory, left), *([known.tree] if known else [])]
     old = {symbol for each in above for symbol in symbols_in(each)}
     again = bool(above) and (memory.beside.follows or {*symbols_in(right)} <= old)
-    known = _base_of(left) is not left and _letter_of(left)[0] in memory.vocabulary.definitions
+    inside = known is not None and _base_of(left) is not left
     renames = memory.beside.follows and bool(defined_by(right)[0])
-    return not (again or known or renames) and _may_give(memory, statement, left, right)
+    return not (again or inside or renames) and _may_give(memory, statement, left, right)
 
 
 def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:

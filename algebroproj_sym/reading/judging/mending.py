@@ -38,7 +38,7 @@ def likely_repairs(way: Way, *, chained: bool) -> list[Repaired]:
     ]
     if is_lettered(way):
         return changed[:MOST_REPAIRS_OF_LETTERS]
-    samples = samples_of(way.vocabulary, *way.sides)
+    samples = [each for each in samples_of(way.vocabulary) if any(each.at(side) is not None for side in way.sides)]
     return [*islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)]
 
 
@@ -54,7 +54,7 @@ def _changed(way: Way) -> list[Repaired]:
 
 def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
     """Yield likewise the changes in a way that refutes nothing."""
-    if any(each.data in ("along", "direction") for tree in way.sides for each in tree.iter_subtrees()):
+    if any(each.data in ("along", "direction", "applied") for tree in way.sides for each in tree.iter_subtrees()):
         return
     turned = next(along_directions_in(way), None) is not None
     if not turned and answer.verdict != "refuted":

@@ -47,6 +47,8 @@ class Sample:
 
     def agrees(self, sides: Sides) -> bool | None:
         """Whether two sides have one value; None if one of them has none."""
+        if any(self._values.get(id(side), (side, ()))[1] is None for side in sides):
+            return None
         left, right = map(self.at, sides)
         if left is None or right is None or len(left) != len(right):
             return None

@@ -206,7 +206,8 @@ class Survey:
 
     def left_of(self, statement: Statement) -> frozenset[str]:
         """Return the letters on the left of a statement that cannot be read: it may give them."""
-        (left, *right) = split_pieces(statement.pieces, tuple(RELATIONS))
+        relations = tuple(sign for sign, meaning in RELATIONS.items() if meaning in EQUALITIES)
+        left, *right = split_pieces(statement.pieces, relations)
         try:
             found = self.parsed(replace(statement, pieces=tuple(left))) if right and left else None
         except UnreadableError:

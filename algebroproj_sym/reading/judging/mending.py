@@ -20,9 +20,11 @@ from algebroproj_sym.reading.parsing.grammar import symbols_in
 Repaired = tuple[Repair, Way]
 MOST_REPAIRS = 8
 MOST_REPAIRS_OF_LETTERS = 40
-MOST_ASKED = 24
+MOST_ASKED = 16
 """How many changes of a relation are asked of the prover that no point refutes, in all the ways that prove and refute
 nothing."""
+MOST_CONSTRAINTS = 4
+"""Under how many constraints a change is tried: under more, the proofs take too long."""
 _SLIPS = STRONG | {"factor", "transpose"}
 
 
@@ -57,7 +59,7 @@ def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
     if any(each.data in ("along", "direction", "applied") for tree in way.sides for each in tree.iter_subtrees()):
         return
     turned = next(along_directions_in(way), None) is not None
-    if not turned and answer.verdict != "refuted":
+    if not turned and (answer.verdict != "refuted" or _is_hard(way)):
         return
     changed = [(each, other) for each, other in _changed(way) if each.kind in _SLIPS and other.left != other.right]
     if turned:
@@ -68,6 +70,11 @@ def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
     else:
         point = {name: value for name, value in (answer.counterexample or {}).items() if isinstance(value, str)}
         yield from (pair for pair in changed[:MOST_REPAIRS_OF_LETTERS] if not _differs(pair[1], point))
+
+
+def _is_hard(way: Way) -> bool:
+    questions = asked_under(way) if way.under else ""
+    return not isinstance(questions, str) and any(len(each.constraints) > MOST_CONSTRAINTS for each in questions)
 
 
 def _differs(way: Way, point: Mapping[str, str]) -> bool:

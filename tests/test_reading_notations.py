@@ -87,6 +87,8 @@ def test_operators_stand_in_a_matrix() -> None:
         (r"\[ x^{N}(t) = \sqrt{N}(t) \]", r"\[ x^{N} (t) = \sqrt{N} (t) \]"),
         (r"\[ M_{i}(t) = \mathbf{H}(t) + V_{a}(x) \]", r"\[ M_i (t) = \mathbf H (t) + V_a (x) \]"),
         (r"\[ c = 2 - -10 \]", r"\[ c = 2 - (-10) \]"),
+        (r"\begin{align} \MoveEqLeft a = b \end{align}", r"\begin{align} a = b \end{align}"),
+        (r"\[ a \not= b \] \[ x \not\in A \]", r"\[ a \ne b \] \[ x \notin A \]"),
         (r"\begin{align} \MoveEqLeft[10] a = b \end{align}", r"\begin{align} a = b \end{align}"),
     ],
 )

@@ -43,11 +43,11 @@ def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
         if not is_lone or lone_letter(side) not in frames:
             elsewhere |= {*_not_raised(side, frames)}
     alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
-    return iterates_in(equations).union(alone, _frames_with_numbers(equations), _at_the_start(equations))
+    return iterates_in(equations).union(alone, _frames_with_numbers(equations), _at_the_start(equations, alone))
 
 
-def _at_the_start(equations: Sequence[Sides]) -> set[str]:
-    r"""Return the letters with a 0 above them that stand with no other number or letter above: no power is meant."""
+def _at_the_start(equations: Sequence[Sides], labelled: Collection[str]) -> set[str]:
+    r"""Return the letters with a 0 above them that have nothing else there but labels: no power is meant."""
     above: dict[str, set[str]] = {}
     for side in _every(equations):
         for power in side.find_data("power"):
@@ -55,7 +55,11 @@ def _at_the_start(equations: Sequence[Sides]) -> set[str]:
             if isinstance(base, Tree) and base.data == "symbol" and isinstance(exponent, Tree):
                 number = "".join(map(str, exponent.scan_values(lambda _: True)))
                 above.setdefault(str(base.children[0]), set()).add(number)
-    return {_with_above(symbol, "0") for symbol, numbers in above.items() if numbers == {"0"}}
+    return {
+        _with_above(symbol, "0")
+        for symbol, others in above.items()
+        if "0" in others and all(_with_above(symbol, each) in labelled for each in others - {"0"})
+    }
 
 
 def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:

@@ -9,6 +9,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import require_bounded
 from algebroproj_sym.reading.defining.dependence import letters_in, letters_of_symbol
+from algebroproj_sym.reading.defining.labels import lone_letter
 from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -121,6 +122,8 @@ def is_indexed_above(tree: Formula) -> bool:
         exponent = exponent.children[0]
     if not (isinstance(base, Tree) and isinstance(exponent, Tree)) or base.data != "symbol" or base is exponent:
         return False
+    if str(base.children[0]).startswith(r"\mathbf") and lone_letter(exponent):
+        return True
     step = _STEP.fullmatch(" ".join(map(str, exponent.scan_values(lambda _: True))))
     return step is not None and base.children[0] != "e" and (step[1] is not None or "_" in str(base.children[0]))
 
@@ -163,6 +166,8 @@ def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:
 
     It does so in the indices of ``R(q) = a q_1 + b q_2``, and in the conditions of a distinction of cases.
     """
+    if value.data == "cases":
+        return False
     scripts = frozenset[str]().union(*map(letters_of_symbol, symbols_in(value)))
     conditions = " ".join(
         str(each) for each in value.scan_values(lambda each: isinstance(each, Token) and each.type == "CONDITION")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -134,6 +134,21 @@ class Survey:
             and len(self._arguments.get(function, ())) == 1
             and function not in self._without_arguments
         )
+
+    def are_variables(self, letters: Collection[str]) -> bool:
+        """Whether several functions are taken at each of some letters without an index: they stand for any value."""
+        bare = all(re.fullmatch(r"\\?[a-zA-Z]+", each) for each in letters)
+        return bool(letters) and bare and all(len(self._taken_at.get(each, ())) > 1 for each in letters)
+
+    @cached_property
+    def _taken_at(self) -> dict[str, set[str]]:
+        """The functions that are taken at each letter."""
+        found: dict[str, set[str]] = {}
+        for side in _sides(self.formulas):
+            for call in side.find_data("call"):
+                for letter in defined_by(call)[1]:
+                    found.setdefault(letter, set()).add(str(call.children[0]))
+        return found
 
     @cached_property
     def _without_arguments(self) -> frozenset[str]:

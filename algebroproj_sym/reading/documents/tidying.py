@@ -32,6 +32,7 @@ _ENDS = frozenset((*RELATIONS, r"\left", r"\,", r"\;", r"\quad", r"\qquad", r"\\
 """Commands behind which braces hold no argument."""
 _OVER = frozenset((r"\overset", r"\stackrel", r"\underset"))
 _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbracket"))
+_NEGATED = {"=": r"\ne", r"\in": r"\notin", r"\equiv": r"\ne"}
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
 _OTHERWISE = {r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\xfrac": r"\frac", r"\space": "\\ ", r"\nobreakspace": "~"}
 _OTHERWISE |= dict.fromkeys((r"\begin{dcases}", r"\begin{dcases*}", r"\begin{cases*}"), r"\begin{cases}")
@@ -67,6 +68,7 @@ _SIZES = frozenset(
         "large",
         "Large",
         "centering",
+        "MoveEqLeft",
         "IEEEnonumber",
     )
 )
@@ -375,6 +377,13 @@ def _unequal(page: _Page, piece: Piece) -> bool:
     return found
 
 
+def _not(page: _Page, piece: Piece) -> bool:
+    r"""Write ``\not\in`` and ``\not=`` as one relation."""
+    if (relation := _NEGATED.get(page.waiting.next)) is not None:
+        page.waiting.turn(page.waiting.next, relation)
+    return relation is not None
+
+
 def _prime_behind_nothing(page: _Page, piece: Piece) -> bool:
     if [each.text for each in page.out[-2:]] == ["{", "}"]:
         raise UnreadableError("a prime behind nothing may be that of a sum", piece.place)
@@ -484,6 +493,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     (_INFIX, _infix),
     (_ROOM, _room),
     (("!",), _unequal),
+    ((r"\not",), _not),
     (("'",), _prime_behind_nothing),
     (("e",), _scientific),
     ((r"\,", r"\;", "\\ "), _between_numbers),

@@ -79,6 +79,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         (index == 0 and introduces(memory, statement, formula))
         or (index > 0 and is_matrix(right) and _are_new(memory, introduced_by(right), left, statement))
         or (first and _gives(memory, statement, left, right))
+        or (formula.relations[index] == ":=" and not memory.beside.is_rejected)
         or _is_free(memory, statement, left, right, value=index > 0)
         or _is_new_value(memory, left, right)
         or any(_is_instance(memory, each, right) for each in others)
@@ -107,7 +108,8 @@ def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
     parameters = defined_by(left)[1]
     values = [str(each.children[0]) for each in left.iter_subtrees() if each.data == "call"]
     value = not defined_by(right)[0] and (bool(parameters) or all(map(memory.survey.has_one_argument, values)))
-    everywhere = not values or (bool(parameters) and not is_one_value(parameters, right))
+    one_value = is_one_value(parameters, right) and not memory.survey.are_variables(parameters)
+    everywhere = not values or (bool(parameters) and not one_value)
     return (
         _are_new(memory, introduced_by(left), right, statement)
         and (everywhere or value)
@@ -141,9 +143,8 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
         return False
     if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
         return False
-    is_case = is_case_of(parameters, right) and (
-        symbol in memory.asserted or not memory.survey.has_one_argument(symbol)
-    )
+    is_case = is_case_of(parameters, right) and not memory.survey.are_variables(parameters)
+    is_case = is_case and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol))
     if (is_case and not memory.beside.defines) or (without_power(left) is not left and symbol in memory.asserted):
         return False
     if not memory.beside.defines:

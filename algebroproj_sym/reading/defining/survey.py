@@ -147,7 +147,7 @@ class Survey:
         for side in _sides(self.formulas):
             for call in side.find_data("call"):
                 for letter in defined_by(call)[1]:
-                    found.setdefault(letter, set()).add(str(call.children[0]))
+                    found.setdefault(letter, set()).add(str(call.children[0]).replace("'", ""))
         return found
 
     @cached_property

@@ -47,6 +47,12 @@ def test_an_equation_with_the_space_of_its_letter_gives_the_letter(latex):
         (r"The vectors $x$ and $y$ are rows. \[ s = x^T y \] \[ s = y^T x \]", "independent"),
         (r"$A$ is a matrix whose vectors are known. \[ S = A^T B \] \[ S = B^T A \]", "independent"),
         (r"Let $X, Y \in \mathbb{R}^{n \times m}$. \[ S = X^T Y \] \[ S = Y^T X \]", "independent"),
+        (
+            r"\[ u = \begin{pmatrix} a & b \end{pmatrix} \] \[ u^T = \begin{pmatrix} a & b \end{pmatrix} \]",
+            "not decided",
+        ),
+        (r"\[ u = \begin{pmatrix} a & b \end{pmatrix} \] \[ u^T = \begin{pmatrix} a \\ b \end{pmatrix} \]", "follows"),
+        (r"\[ a^T (b - c a) = 0 \] Hence \[ b = c a \]", "independent"),
         (r"\[ \mathbf e^\top \mathbf J = \mathbf J^\top \mathbf e \]", "not decided"),
         (r"\[ \mathbf e^\top \mathbf x = \mathbf x^\top \mathbf e \]", "follows"),
     ],

@@ -5,6 +5,7 @@ No factor changes its side: what stands before the letter is inverted before it,
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -130,8 +131,22 @@ def _inverse(terms: list[tuple[bool, Formula]]) -> Formula | None:
         return None
     if len(terms) == 1 and any(each.children[-1] == "hat" for each in terms[0][1].find_data("marked")):
         raise _OtherwiseError
+    if any(_is_row(term) for _, term in terms):
+        raise _OtherwiseError
     exponent: Formula = Tree("sum", [Token("SIGN", "-"), _ONE])
     return Tree("power", [Tree("group", [_sum(terms)]), exponent])
+
+
+def _is_row(term: Formula) -> bool:
+    """Whether a product begins with a small letter that is transposed, and ends with no small one: a row."""
+    first, *others = trees_in(term) if term.data == "run" else [term]
+    row = first.data == "marked" and first.children[1] == "T" and _is_small(first.children[0])
+    return row and not (others and _is_small(others[-1]))
+
+
+def _is_small(tree: Any) -> bool:
+    name = str(tree.children[0]) if tree.data == "symbol" else ""
+    return re.fullmatch(r"(?:\\\w+\{)*[a-z]\}*(?:_.*)?", name) is not None
 
 
 _ONE: Formula = Tree("number", [Token("NUMBER", "1")])

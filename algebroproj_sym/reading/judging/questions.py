@@ -20,6 +20,7 @@ from algebroproj_sym.reading.defining.dependence import captured_in, require_no_
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
+from algebroproj_sym.reading.defining.recognising import without_brackets
 from algebroproj_sym.reading.defining.values import Uncomputed, values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -107,6 +108,7 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
         require_no_value(str(part.children[0]), symbols_in(part), vocabulary.definitions)
     values = [vocabulary.value(tree) for tree in (left, right)]
     shapes = [shape(value) for value in values]
+    turned = any(tree.data == "marked" and tree.children[1] == "T" for tree in map(without_brackets, (left, right)))
     if shapes[0] != shapes[1]:
         for place, other in ((0, 1), (1, 0)):
             if values[place] == 0 and shapes[other]:
@@ -114,6 +116,7 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
             elif (
                 shapes[place]
                 and shapes[other]
+                and not turned
                 and values[place].shape == values[other].shape[::-1]
                 and values[place].rows == 1
             ):

@@ -30,6 +30,7 @@ def texts(latex: str) -> list[str | None]:
         ),
         (r"A = a \qc b = c", r"A = a, \quad b = c"),
         (r"n = 16,777,216", r"n = 16777216"),
+        (r"R_1{(t)} = 16,777,216", r"R_1(t) = 16777216"),
         (r"n = 10 \times -1 + 2", r"n = 10 \times (-1) + 2"),
         (r"n = x \cdot -2.5", r"n = x \cdot (-2.5)"),
         (r"A = \begin{bmatrix} a \\ b. \end{bmatrix}", r"A = \begin{bmatrix} a \\ b \end{bmatrix}"),

@@ -144,10 +144,9 @@ class Survey:
     def _taken_at(self) -> dict[str, set[str]]:
         """The functions that are taken at each letter."""
         found: dict[str, set[str]] = {}
-        for side in _sides(self.formulas):
-            for call in side.find_data("call"):
-                for letter in defined_by(call)[1]:
-                    found.setdefault(letter, set()).add(str(call.children[0]).replace("'", ""))
+        for function, calls in self._arguments.items():
+            for letter in (each for call in calls for each in defined_by(call)[1]):
+                found.setdefault(letter, set()).add(function.replace("'", ""))
         return found
 
     @cached_property

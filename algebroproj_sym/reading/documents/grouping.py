@@ -30,7 +30,6 @@ def grouped(pieces: Sequence[Piece]) -> list[Piece]:
     place, depth = 0, 0
     while place < len(pieces):
         text = pieces[place].text
-        depth += (text in "([{") - (text in ")]}")
         if text == "," and not depth and out and out[-1].text.isdigit() and (more := _thousands(pieces[place:][:40])):
             out += more
             place += len(more) * 4 // 3
@@ -47,6 +46,7 @@ def grouped(pieces: Sequence[Piece]) -> list[Piece]:
             out += [Piece(each.text, pieces[place].place) for each in pieces_of(name)]
             place = end + 1 + behind
         else:
+            depth += (text in "([{") - (text in ")]}")
             out.append(pieces[place])
             place += 1
     return out

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from algebroproj_sym.reading.lexing.commands import LETTERS, RELATIONS, SIGNS
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of, split_pieces
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, pieces_of, split_pieces
 
 _ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
 _LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
@@ -186,13 +186,13 @@ class Pending(list[Piece]):
 
 def is_raised(pieces: Sequence[Piece]) -> bool:
     """Whether a script begins last, perhaps with primes."""
-    last = next((piece.text for piece in reversed(pieces) if not piece.text.isspace()), "")
+    last = first_text(reversed(pieces))
     return last in ("^", "_", "{", "'", r"\prime", "")
 
 
 def ends_value(pieces: Sequence[Piece]) -> bool:
     """Whether a letter, a number or a bracket comes last."""
-    last = next((piece.text for piece in reversed(pieces) if not piece.text.isspace()), "")
+    last = first_text(reversed(pieces))
     return last.isalnum() or last in (")", "]", "}") or last in LETTERS
 
 

@@ -12,6 +12,7 @@ from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     begins_with_relation,
     ends_with_relation,
+    first_text,
     has_relation,
     split_pieces,
 )
@@ -383,7 +384,7 @@ def _groups_digits(column: Sequence[Piece], place: int) -> bool:
 
 def _is_script(before: Sequence[Piece]) -> bool:
     r"""Whether words are a script, as in ``x^\text{min}``."""
-    last = next((piece.text for piece in reversed(before) if not piece.text.isspace()), "")
+    last = first_text(reversed(before))
     return last in ("^", "_")
 
 
@@ -402,7 +403,7 @@ _LEADS = re.compile(
 
 def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> bool:
     r"""Whether words stand in a formula, as in ``3 \text{ m} + 4 \text{ m}``."""
-    last = next((piece.text for piece in reversed(before) if not piece.text.isspace()), "")
+    last = first_text(reversed(before))
     if last in ("+", "-", "/", r"\cdot", r"\times") or last in RELATIONS:
         return words not in _BETWEEN
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")

@@ -26,7 +26,7 @@ from algebroproj_sym.reading.documents.pending import (
 )
 from algebroproj_sym.reading.documents.systems import as_rows
 from algebroproj_sym.reading.lexing.commands import BIG, BOXES, MAX_PIECES, RELATIONS, SIGNS
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text
 
 _ENDS = frozenset((*RELATIONS, r"\left", r"\,", r"\;", r"\quad", r"\qquad", r"\\", r"\cdot", r"\times"))
 """Commands behind which braces hold no argument."""
@@ -290,7 +290,7 @@ def _cross(page: _Page, piece: Piece) -> bool:
 
 def _needless_braces(page: _Page, piece: Piece) -> bool:
     r"""Leave out braces round nothing before a mark of alignment, and round a name before a bracket: ``{N}(t)``."""
-    before = next((each.text for each in reversed(page.out) if not each.text.isspace()), "")
+    before = first_text(reversed(page.out))
     argument = before in ("^", "_", "]", "}") or (before.startswith("\\") and before not in _ENDS)
     if argument or (inside := page.waiting.name_in_braces()) is None:
         return False
@@ -419,7 +419,7 @@ def _ket(page: _Page, piece: Piece) -> bool:
 
 def _number_with_sign(page: _Page, piece: Piece) -> bool:
     r"""Put a number with a sign behind another sign in brackets, as in ``10 \times -1``."""
-    before = next((each.text for each in reversed(page.out) if not each.text.isspace()), "")
+    before = first_text(reversed(page.out))
     if before not in (r"\times", r"\cdot", "-", "+") or not page.waiting.next.isdigit():
         return False
     number = page.waiting.number()

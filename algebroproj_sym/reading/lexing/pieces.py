@@ -98,9 +98,14 @@ def has_relation(pieces: Sequence[Piece]) -> bool:
     return any(piece.text in RELATIONS for piece in outside_environments(pieces))
 
 
+def first_text(pieces: Iterable[Piece]) -> str:
+    """Return the text of the first piece that is no space; empty for none."""
+    return next((piece.text for piece in pieces if not piece.text.isspace()), "")
+
+
 def begins_with_relation(pieces: Iterable[Piece]) -> bool:
     """Whether the first piece that is no space is a relation."""
-    return next((piece.text for piece in pieces if not piece.text.isspace()), "") in RELATIONS
+    return first_text(pieces) in RELATIONS
 
 
 def ends_with_relation(pieces: Sequence[Piece]) -> bool:

@@ -40,11 +40,26 @@ def texts(latex: str) -> list[str | None]:
         (r"\ma J = \ve a^T \ve b", r"\mathbf J = \mathbf a^T \mathbf b"),
         (r"\ve = a + b \ve x", r"\ve = a + b \ve x"),
         (r"\min_t \, - f + g", r"\min_t -f + g"),
+        (r"c = \frac{f}{k}\> \sin t", r"c = \frac{f}{k} \sin t"),
+        (r"q = (-½ m + a₀ b₁⁴) c", r"q = (-\frac{1}{2} m + a_0 b_1^4) c"),
+        (r"g \buildrel {\text{def}}\over{=} a b", r"g \overset{\text{def}}{=} a b"),
+        (r"a &= b \\* &+ c", r"a &= b \\ &+ c"),
+        (r"y = \underset{i \to}{\mathrm{softmax}}(x)", r"y = \mathrm{softmax}_{i \to}(x)"),
+        (r"\label{x} {N}(t, s) = a", r"N(t, s) = a"),
+        (r"y = \ln\det A", r"y = \ln(\det A)"),
+        (r"y = \left(\det A^{-1}\right)^2", r"y = (\det(A^{-1}))^2"),
+        (r"A = \frac{1}{2} \| \ a \ \| + b", r"A = \frac{1}{2} \|a\| + b"),
+        (r"A = \begin{pmatrix} 0,1,0 \\ 1,0,0 \end{pmatrix}", r"A = \begin{pmatrix} 0&1&0 \\ 1&0&0 \end{pmatrix}"),
+        (r"X = \set*{a + b} c", r"X = \{a + b\} c"),
+        (r"x = a \pmod{m}", r"x = a \bmod m"),
+        (r"x = \wide{f(y)} + \wide x", r"x = \left\lVert f(y) \right\rVert + \left\lVert x \right\rVert"),
+        (r"y = \tr \xyz \, z", r"y = \tr(\xyz) z"),
         ("x = a \\times \\\\ \\times b", "x = a \\times b"),
     ],
 )
 def test_a_notation_is_read_as_the_plain_one(written: str, plain: str) -> None:
-    found = texts(rf"\begin{{align}} {written} \end{{align}}")
+    wide = r"\newcommand{\wide}[1]{\left\lVert#1\right\rVert}"
+    found = texts(rf"{wide} \begin{{align}} {written} \end{{align}}")
     assert found == texts(rf"\begin{{align}} {plain} \end{{align}}")
     assert all(found)
 
@@ -141,3 +156,21 @@ def test_words_below_letters_tell_them_apart() -> None:
 def test_operators_do_not_commute() -> None:
     latex = r"\[ \left(\frac{d}{dx} + a\right) f = f \left(\frac{d}{dx} + a\right) \]"
     assert read_document(document_of(latex))[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ A = \begin{minipage}{5cm} \verb|a| \end{minipage} \] \[ B = \begin{minipage}{5cm} \verb|b| \end{minipage} \]"
+        r" Hence \[ A = B. \]",
+        r"\[ y = x + 3 \pmod 4 \] Hence \[ y - x = 3. \]",
+        r"\[ y = (a b)^{n,+} \qquad z = (a b)^{n,-} \] Hence \[ y = z. \]",
+    ],
+)
+def test_what_is_only_read_gives_nothing(latex: str) -> None:
+    assert read_document(document_of(latex))[-1].verdict not in ("follows", "contradicts")
+
+
+def test_a_congruence_contradicts_nothing() -> None:
+    found = read_document(document_of(r"Let $x = 7$. Then \[ x = 3 \pmod{4}. \]"))
+    assert found[-1].verdict not in ("contradicts", "follows")

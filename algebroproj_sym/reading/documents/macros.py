@@ -58,9 +58,9 @@ _OF_PACKAGES = {
     **{
         f"{name}{star}": (1, rf"\left{opening}#1\right{closing}")
         for names, opening, closing in (
-            (r"\paren \parens \pqty", "(", ")"),
+            (r"\paren \parens \pqty \of", "(", ")"),
             (r"\brk \bbrack \bqty", "[", "]"),
-            (r"\Bqty", r"\{", r"\}"),
+            (r"\Bqty \set \Set", r"\{", r"\}"),
         )
         for name in names.split()
         for star in ("", "*")
@@ -87,6 +87,7 @@ _GROUPS = re.compile(
     r"(?P<opens>\\begin\s*\{[^{}]*\}|\\begingroup\b|\\bgroup\b|(?<!\\)\{)|\\end\s*\{[^{}]*\}|\\endgroup\b|\\egroup\b|(?<!\\)\}"
 )
 _PARAMETER = re.compile(r"#([1-9])")
+_ENDS_COMMAND = re.compile(r"\\[a-zA-Z]+$")
 
 
 @dataclass(frozen=True)
@@ -258,8 +259,14 @@ def _filled(macro: Macro, call: Piece, waiting: list[Piece]) -> str:
             arguments.append(_optional(waiting, macro.default))
         else:
             arguments.append(_argument(call, waiting))
-    return _PARAMETER.sub(
-        lambda found: arguments[int(found[1]) - 1] if int(found[1]) <= macro.count else "", macro.body
+    return _PARAMETER.sub(lambda found: _put_in(found, arguments), macro.body)
+
+
+def _put_in(found: re.Match[str], arguments: Sequence[str]) -> str:
+    """Return what stands for a parameter: no letter of it goes on with the command before it."""
+    argument = arguments[int(found[1]) - 1] if int(found[1]) <= len(arguments) else ""
+    return (
+        f" {argument}" if argument[:1].isalpha() and _ENDS_COMMAND.search(found.string, 0, found.start()) else argument
     )
 
 

@@ -14,7 +14,7 @@ _IN_BRACES = re.compile(
     r"\s*(?P<style>\\cal\s*)?(?P<name>[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{[a-zA-Z]+\})?)\s*\}(?=\s*\()|\s*\}(?=\s*[&=])"
 )
 """What stands in braces for its looks alone, and their end."""
-_SKIP = re.compile(r"\*?\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
+_SKIP = re.compile(r"\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
 
 
 def at(piece: Piece, text: str) -> list[Piece]:
@@ -141,6 +141,13 @@ class Pending(list[Piece]):
                 return taken
         raise UnreadableError(f"{opening} is not closed", taken[0].place)
 
+    def before(self, mark: str) -> list[Piece]:
+        """Take what stands before a mark, and the mark, if it comes in the same group."""
+        parts = split_pieces(self[::-1], (mark,), brackets=False)
+        if len(parts) > 1:
+            del self[-len(parts[0]) - 1 :]
+        return parts[0] if len(parts) > 1 else []
+
     def close_group(self, piece: Piece) -> None:
         """Put a closing brace at the end of the group in which the next piece stands."""
         depth, place = 0, len(self)
@@ -150,7 +157,9 @@ class Pending(list[Piece]):
         self.insert(place + 1 if depth < 0 else 0, renamed(piece, "}"))
 
     def skip(self) -> None:
-        r"""Go over the length behind ``\\``, as in ``\\[1ex]``."""
+        r"""Go over the length behind ``\\``, as in ``\\[1ex]``, or the star."""
+        if self.follows("*"):
+            self.pop()
         if match := _SKIP.match("".join(each.text for each in self[-1:-20:-1])):
             del self[-len(pieces_of(match.group())) :]
 
@@ -194,6 +203,13 @@ def ends_value(pieces: Sequence[Piece]) -> bool:
     """Whether a letter, a number or a bracket comes last."""
     last = first_text(reversed(pieces))
     return last.isalnum() or last in (")", "]", "}") or last in LETTERS
+
+
+def without_label(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    """Return pieces without a label at their end."""
+    bare = [each for each in pieces if not each.text.isspace()]
+    start = group_start(bare[:-1]) if bare[-1:] and bare[-1].text == "}" else None
+    return bare[: start - 2] if start is not None and start > 1 and bare[start - 2].text == r"\label" else pieces
 
 
 def group_start(pieces: Sequence[Piece]) -> int | None:

@@ -23,9 +23,10 @@ from algebroproj_sym.reading.documents.pending import (
     group_start,
     is_raised,
     renamed,
+    without_label,
 )
 from algebroproj_sym.reading.documents.systems import as_rows
-from algebroproj_sym.reading.lexing.commands import BIG, BOXES, MAX_PIECES, RELATIONS, SIGNS
+from algebroproj_sym.reading.lexing.commands import BIG, BOXES, MAX_PIECES, RELATIONS, SIGNS, UPRIGHT
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text
 
 _ENDS = frozenset((*RELATIONS, r"\left", r"\,", r"\;", r"\quad", r"\qquad", r"\\", r"\cdot", r"\times"))
@@ -35,6 +36,7 @@ _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbra
 _NEGATED = {"=": r"\ne", r"\in": r"\notin", r"\equiv": r"\ne"}
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
 _OTHERWISE = {r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\xfrac": r"\frac", r"\space": "\\ ", r"\nobreakspace": "~"}
+_OTHERWISE |= {r"\>": r"\:", r"\pmod": r"\bmod", r"\mod": r"\bmod"}
 _OTHERWISE |= dict.fromkeys((r"\begin{dcases}", r"\begin{dcases*}", r"\begin{cases*}"), r"\begin{cases}")
 _OTHERWISE |= dict.fromkeys((r"\end{dcases}", r"\end{dcases*}", r"\end{cases*}"), r"\end{cases}")
 _OTHERWISE |= dict.fromkeys((r"\triangledown", r"\bigtriangledown"), r"\nabla")
@@ -86,7 +88,7 @@ _OF_UNICODE = (
     "ρ#rho σ#sigma τ#tau υ#upsilon φ#varphi ϕ#phi χ#chi ψ#psi ω#omega Γ#Gamma Δ#Delta Θ#Theta Λ#Lambda Ξ#Xi Π#Pi "
     "Σ#Sigma Φ#Phi Ψ#Psi Ω#Omega ϵ#epsilon ×#times ·#cdot ⋅#cdot ≤#le ≥#ge ≠#ne ±#pm ∓#mp ∂#partial ∇#nabla ∞#infty "
     "≈#approx ≡#equiv ∈#in →#to ⇒#Rightarrow ⇔#Leftrightarrow ∥#| ∑#sum ∫#int ∏#prod ℓ#ell ∝#propto "
-    "⋮#vdots ⋯#cdots …#ldots ∧#wedge ⊗#otimes ⊕#oplus ⊙#odot"
+    "⋮#vdots ⋯#cdots …#ldots ∧#wedge ⊗#otimes ⊕#oplus ⊙#odot ⟂#perp ⊥#perp"
 )
 _SIGNS = {sign: rf"\{name}" for sign, _, name in (pair.partition("#") for pair in _OF_UNICODE.split())}
 _ACCENTS = {
@@ -100,7 +102,9 @@ _ACCENTS = {
     "\u20d7": r"\vec",
 }
 """The marks that Unicode writes above the letter before them."""
-_SIGNS |= {"°": r"^\circ", "²": "^2", "³": "^3", "′": "'", "″": "''"}
+_SIGNS |= {"°": r"^\circ", "′": "'", "″": "''", "½": r"\frac{1}{2}", "¼": r"\frac{1}{4}", "¾": r"\frac{3}{4}"}
+_SIGNS |= {sign: f"^{number}" for number, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}
+_SIGNS |= {sign: f"_{number}" for number, sign in enumerate("₀₁₂₃₄₅₆₇₈₉")}
 
 
 def _accented(pieces: Iterable[Piece]) -> list[Piece]:
@@ -290,7 +294,7 @@ def _cross(page: _Page, piece: Piece) -> bool:
 
 def _needless_braces(page: _Page, piece: Piece) -> bool:
     r"""Leave out braces round nothing before a mark of alignment, and round a name before a bracket: ``{N}(t)``."""
-    before = first_text(reversed(page.out))
+    before = first_text(reversed(without_label(page.out)))
     argument = before in ("^", "_", "]", "}") or (before.startswith("\\") and before not in _ENDS)
     if argument or (inside := page.waiting.name_in_braces()) is None:
         return False
@@ -341,6 +345,9 @@ def _over(page: _Page, piece: Piece) -> bool:
     if piece.text == r"\underset" and above.startswith(r"\text") and base[:1] and base[0].text in _BRACES:
         page.waiting.put(braced(piece, base))
         return True
+    if piece.text == r"\underset" and base[:1] and base[0].text in UPRIGHT:
+        page.waiting.put([*base, renamed(piece, "_"), *braced(piece, over)])
+        return True
     if above in _ACCENTS_ABOVE:
         page.waiting.put([renamed(piece, _ACCENTS_ABOVE[above]), *braced(piece, base)])
         return True
@@ -350,6 +357,13 @@ def _over(page: _Page, piece: Piece) -> bool:
     plain = [piece, *braced(piece, over), *braced(piece, base)]
     page.out.extend(at(piece, ":=" if defines else relation) if relation in RELATIONS else plain)
     return True
+
+
+def _built(page: _Page, piece: Piece) -> bool:
+    r"""Read ``\buildrel a \over =`` as what stands above a relation."""
+    above = page.waiting.before(r"\over")
+    page.waiting.put([renamed(piece, r"\overset"), *braced(piece, above)] if above else [])
+    return bool(above)
 
 
 def _infix(page: _Page, piece: Piece) -> bool:
@@ -489,6 +503,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     (("{",), _brace),
     (BOXES, _box),
     ((r"\mathrm",), _upright),
+    ((r"\buildrel",), _built),
     (_OVER, _over),
     (_INFIX, _infix),
     (_ROOM, _room),

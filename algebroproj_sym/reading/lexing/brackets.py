@@ -59,6 +59,8 @@ def read_bracket(cursor: Cursor) -> None:
             return
     if text in BARS:
         kind = BARS[text]
+        if kind in cursor.opened and cursor.out[-1:] == [Token("SEPARATOR", " ")]:
+            cursor.out.pop()
         left = text.startswith(r"\l") or not (cursor.ends_value() and kind in cursor.opened)
         cursor.emit(f"{kind}_OPEN" if left else f"{kind}_CLOSE", text)
         if left:
@@ -155,6 +157,10 @@ def read_environment(cursor: Cursor) -> None:
     if name == r"\begin{cases}":
         _read_cases(cursor, start)
         return
+    if _PICTURE.fullmatch(name):
+        _take_environment(cursor, name, start)
+        cursor.emit("SHOWN", f"{name} {cursor.pieces[start].place}")
+        return
     if not MATRIX.match(name):
         raise UnreadableError(f"the environment {name} is not known inside a formula", cursor.pieces[start].place)
     if "array" in name:
@@ -172,6 +178,10 @@ def read_environment(cursor: Cursor) -> None:
     read_after(cursor)
 
 
+_PICTURE = re.compile(r"\\begin\{(?:minipage|tabular|picture|tikzpicture)\*?\}")
+"""What holds words or a picture."""
+
+
 def _with_columns(body: list[Piece]) -> list[Piece]:
     """Return the rows of a matrix with marks of columns for commas, if all rows have as many of them, and no marks.
 
@@ -179,7 +189,8 @@ def _with_columns(body: list[Piece]) -> list[Piece]:
     """
     rows = split_pieces(body, (r"\\",))
     counts = {len(split_pieces(row, (",",))) for row in rows if bare(row)}
-    decimal = re.search(r"\d,\d", "".join(piece.text for piece in body)) is not None
+    text = "".join(piece.text for piece in body)
+    decimal = re.search(r"\d,\d", text) is not None and re.search(r"\d,\d+,\d", text) is None
     if len(counts) != 1 or counts == {1} or decimal or any(len(split_pieces(row, ("&",))) > 1 for row in rows):
         return body
     depth, kept = 0, list[Piece]()

@@ -128,7 +128,7 @@ VALUE_ENDS = frozenset(
 ELLIPSES = frozenset((r"\ldots", r"\dots", r"\cdots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb", "…"))
 CIRCLED = _words(
     r"\circ \otimes \oplus \odot \ominus \star \ast \bullet \cup \cap \setminus \backslash \land \lor \wedge \vee \mid "
-    r"\boxplus \boxminus \bigoplus \bigotimes \colon :"
+    r"\boxplus \boxminus \bigoplus \bigotimes \bmod \colon :"
 )
 """Signs between two values that are read, and not computed."""
 DIFFERENTIALS = frozenset(("d", r"\partial", r"\delta", r"\Delta", r"\mathrm{d}"))

@@ -26,6 +26,7 @@ from algebroproj_sym.reading.lexing.commands import (
 from algebroproj_sym.reading.lexing.cursor import Cursor
 from algebroproj_sym.reading.lexing.names import (
     at_symbol,
+    at_unknown_letter,
     bracket_ahead,
     function_at,
     read_after,
@@ -83,7 +84,7 @@ def read_fraction(cursor: Cursor) -> None:
         _read_body(cursor)
 
 
-_ENDS_OF_VALUES = frozenset(("", "+", "-", ",", "&", r"\\", ")", "]", "}", r"\right"))
+_ENDS_OF_VALUES = frozenset(("", "+", "-", ",", "&", r"\\", ")", "]", "}", r"\right", r"\rangle"))
 """What comes behind an operator of which nothing is taken."""
 
 
@@ -233,6 +234,11 @@ def _read_argument(cursor: Cursor) -> None:
     if cursor.text in ("(", "[", r"\{", "{") or cursor.text in CLOSING_BARS or MATRIX.match(cursor.text):
         cursor.inner(_take_bracket(cursor))
         return
+    if function_at(cursor) and cursor.functions is not None:
+        cursor.emit("OPEN", "{")
+        read_function(cursor)
+        cursor.emit("CLOSE", "}")
+        return
     values, last = 0, ""
     while cursor.index < len(cursor.pieces):
         here = cursor.index
@@ -240,7 +246,8 @@ def _read_argument(cursor: Cursor) -> None:
             cursor.index += 1
             continue
         number = cursor.text.isdigit() or cursor.text == "."
-        if not (number or cursor.text in FRACTIONS or cursor.text == r"\sqrt" or at_symbol(cursor)):
+        unknown = not values and cursor.functions is not None and at_unknown_letter(cursor)
+        if not (number or unknown or cursor.text in FRACTIONS or cursor.text == r"\sqrt" or at_symbol(cursor)):
             if cursor.index > start and cursor.peek() in ("(", "["):
                 cursor.chose = ARGUMENT
             break

@@ -362,6 +362,8 @@ def emit_power(cursor: Cursor, above: str, raised: Sequence[Piece]) -> None:
         cursor.emit("SLASH", "/")
         cursor.emit("NUMBER", "180")
         cursor.emit("CLOSE", "}")
+    elif any(each.text == "," for each in raised) or above in ("+", "-", "**"):
+        cursor.emit("MARK", f"_^{above}")
     elif above:
         cursor.emit("SUP", "^")
         cursor.inner(raised)

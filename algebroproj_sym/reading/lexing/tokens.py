@@ -162,6 +162,8 @@ def _read_operator(cursor: Cursor) -> None:
             raise cursor.fail(f"the command {text} is read above a relation only")
         cursor.emit("RELATION", ":=" if "def" in over or "triangle" in over else RELATIONS[relation])
         return
+    elif text in RELATIONS and RELATIONS[text] == "⟂" and cursor.depth:
+        cursor.emit("CIRCLED", text.removeprefix("\\"))
     elif text in RELATIONS:
         if not (cursor.out and cursor.out[-1].type == "RELATION" and cursor.out[-1] == RELATIONS[text]):
             cursor.emit("RELATION", RELATIONS[text])
@@ -173,7 +175,7 @@ def _read_operator(cursor: Cursor) -> None:
         return
     elif text == "!" and cursor.out and cursor.out[-1].type == "FACTORIAL":
         raise cursor.fail("a double factorial is not read")
-    elif text in kinds:
+    elif text in kinds and not (text == r"\div" and not cursor.ends_value()):
         cursor.emit(kinds[text], text)
     elif text in ELLIPSES and cursor.functions is not None:
         cursor.emit("SHOWN", text)

@@ -53,6 +53,10 @@ def texts(latex: str) -> list[str | None]:
         (r"X = \set*{a + b} c", r"X = \{a + b\} c"),
         (r"x = a \pmod{m}", r"x = a \bmod m"),
         (r"x = \wide{f(y)} + \wide x", r"x = \left\lVert f(y) \right\rVert + \left\lVert x \right\rVert"),
+        (r"\ourhighbox{F = a b}", r"F = a b"),
+        (r"{\dot s}(t, u) = a", r"\dot s(t, u) = a"),
+        (r"RCut(S) = a b + b c + c u + u t", r"\mathrm{RCut}(S) = a b + b c + c u + u t"),
+        (r"\texttt{mean} = a + b", r"\mathrm{mean} = a + b"),
         (r"y = \tr \xyz \, z", r"y = \tr(\xyz) z"),
         ("x = a \\times \\\\ \\times b", "x = a \\times b"),
     ],
@@ -161,7 +165,8 @@ def test_operators_do_not_commute() -> None:
 @pytest.mark.parametrize(
     "latex",
     [
-        r"\[ A = \begin{minipage}{5cm} \verb|a| \end{minipage} \] \[ B = \begin{minipage}{5cm} \verb|b| \end{minipage} \]"
+        r"\[ A = \begin{minipage}{5cm} \verb|a| \end{minipage} \]"
+        r" \[ B = \begin{minipage}{5cm} \verb|b| \end{minipage} \]"
         r" Hence \[ A = B. \]",
         r"\[ y = x + 3 \pmod 4 \] Hence \[ y - x = 3. \]",
         r"\[ y = (a b)^{n,+} \qquad z = (a b)^{n,-} \] Hence \[ y = z. \]",

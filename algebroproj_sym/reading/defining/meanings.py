@@ -301,6 +301,13 @@ class Meanings:
                 found |= {(symbol, flag) for symbol in symbols_in_list(match[1] or match[2]) for flag in numbers}
         return frozenset(found)
 
+    def is_label(self, tree: Formula) -> bool:
+        """Whether what stands above a letter is said, or looks, to be an index."""
+        if tree.data != "power":
+            return False
+        base, exponent = map(_text, tree.children)
+        return (base, exponent.isdigit()) in self._labelled
+
     @cached_property
     def _primes(self) -> frozenset[str]:
         """The letters by which words say that a prime is the derivative."""
@@ -364,10 +371,8 @@ class Meanings:
                     return "the base of logarithms is not e"
             if part.data == "fraction" and all(_is_material(each) and not _text(each) for each in part.children):
                 return "D may be a derivative"
-            if part.data == "power":
-                base, exponent = map(_text, part.children)
-                if (base, exponent.isdigit()) in self._labelled:
-                    return "what stands above a letter may be an index"
+            if self.is_label(part):
+                return "what stands above a letter may be an index"
             if part.data in ("run", "product", "power", "fraction", "quotient"):
                 factors = {_text(each) for each in part.children} & self._functions
                 if factors:

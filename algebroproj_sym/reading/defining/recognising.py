@@ -169,11 +169,20 @@ def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:
     if value.data == "cases":
         return False
     scripts = frozenset[str]().union(*map(letters_of_symbol, symbols_in(value)))
-    conditions = " ".join(
-        str(each) for each in value.scan_values(lambda each: isinstance(each, Token) and each.type == "CONDITION")
-    )
-    named = any(each in scripts or each in conditions for each in parameters)
+    tokens = [each for each in value.scan_values(lambda each: isinstance(each, Token)) if isinstance(each, Token)]
+    shown = " ".join(each for each in tokens if each.type in ("CONDITION", "SHOWN") or " " in each)
+    named = any(each in scripts or re.search(_alone(each), shown) for each in parameters)
     return is_one_value(parameters, value) and not named
+
+
+def _alone(symbol: str) -> str:
+    """Return a pattern for a letter among others, in whatever style."""
+    return rf"(?<![a-zA-Z\\]){re.escape(re.sub(r'[{}]|.math[a-z]+', '', symbol))}(?![a-zA-Z])"
+
+
+def says_more_than_a_number(value: Formula) -> bool:
+    """Whether a value has letters, entries or cases, or is a set or the like, which is only shown."""
+    return bool(symbols_in(value)) or is_matrix(value) or value.data in ("cases", "shown")
 
 
 def is_arithmetic(value: Formula) -> bool:
@@ -191,6 +200,25 @@ def is_circular(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:
     """Whether a value depends on the letter that it would define."""
     used = {each.symbol for each in vocabulary.used_in(value)}
     return symbol in used | {*symbols_in(value)} | vocabulary.letters_of(value)
+
+
+def without_others(left: Formula, value: Formula) -> Formula:
+    """Return a value without what the letter on its left is not: p(x, y) and p(0) beside p(x), and its length.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> [str(without_others(*parsed(each).sides).data) for each in ("x = |x|", "x = |y|")]
+    ['number', 'absolute']
+    """
+    symbol, parameters = defined_by(left)
+    if value.data == "call" and str(value.children[0]) == symbol:
+        inside = trees_in(value.children[1])  # type: ignore[arg-type]
+        if len(inside) != len(parameters) or not any(map(symbols_in, inside)):
+            return Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
+    if value.data in ("norm", "absolute") and not parameters and [*symbols_in(value)] == [symbol]:
+        return Tree("number", [Token("NUMBER", "1")])
+    return Tree(value.data, [without_others(left, x) if isinstance(x, Tree) else x for x in value.children])
 
 
 def is_update(left: Formula, right: Formula) -> bool:

@@ -17,7 +17,7 @@ _CAPITAL = re.compile("[A-Z]")
 _FILLERS = ("noise", "const", "pH", "pK")
 _WORD = re.compile(r"(?<![\\\w])[A-Za-z]{3,}(?!\w)")
 _SAYS_ITSELF = re.compile(r"[A-Z]{3,}|[a-z]{4,}")
-_WITH_MORE = re.compile(r"[A-Z][a-z]{2,}\([^()=]*\)|([A-Z])\1_\{[^{}]*(?:\{[^{}]*\})?\}|[A-Z]{3,}_(?:\w|\{[^{}]*\})")
+_WITH_MORE = re.compile(r"[A-Z]+[a-z]{2,}\([^()=]*\)|([A-Z])\1_\{[^{}]*(?:\{[^{}]*\})?\}|[A-Z]{3,}_(?:\w|\{[^{}]*\})")
 """Names with an argument or a subscript, as in Mean(x) and SS_{total}."""
 _OF_CAPITALS = re.compile(r"[A-Z]{2,}(?:\([^()=]*\)|_(?:\w|\{[^{}]*\}))?")
 """What is a name if its letters stand nowhere else, as in TV(x) and OP_1."""

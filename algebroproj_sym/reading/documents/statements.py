@@ -178,10 +178,12 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
 
 
 def _without_brackets(pieces: list[Piece]) -> list[Piece]:
-    """Return an equation without the brackets, or the braces, round the whole of it."""
+    """Return an equation without the brackets, the braces, or the frame that a command draws, round the whole of it."""
     kept = [place for place, piece in enumerate(pieces) if not piece.text.isspace()]
     sizes = (r"\left", r"\right", r"\displaystyle")
     bare = [place for place in kept if pieces[place].text not in sizes]
+    if [pieces[place].text == "{" for place in bare[:2]] == [False, True] and _FRAME.fullmatch(pieces[bare[0]].text):
+        bare = bare[1:]
     depth = 0
     for place in bare:
         text = pieces[place].text
@@ -190,6 +192,10 @@ def _without_brackets(pieces: list[Piece]) -> list[Piece]:
             return pieces
     inside = [piece for piece in pieces[bare[0] + 1 : bare[-1]] if piece.text != r"\right"] if bare else []
     return inside if has_relation(inside) else pieces
+
+
+_FRAME = re.compile(r"\\(?![hm]box)[a-zA-Z]*(?:box(?:ed)?|high(?:light|math)?|frame[a-z]*|hl)")
+"""A command that draws a box round a whole equation, whoever defines it."""
 
 
 def _implied(pieces: Sequence[Piece]) -> list[list[Piece]]:

@@ -345,7 +345,8 @@ def _over(page: _Page, piece: Piece) -> bool:
     if piece.text == r"\underset" and above.startswith(r"\text") and base[:1] and base[0].text in _BRACES:
         page.waiting.put(braced(piece, base))
         return True
-    if piece.text == r"\underset" and base[:1] and base[0].text in UPRIGHT:
+    extreme = re.search(r"\{(?:arg)?(?:min|max|lim|inf|sup)", relation)
+    if piece.text == r"\underset" and base[:1] and base[0].text in UPRIGHT and not extreme:
         page.waiting.put([*base, renamed(piece, "_"), *braced(piece, over)])
         return True
     if above in _ACCENTS_ABOVE:

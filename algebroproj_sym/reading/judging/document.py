@@ -23,6 +23,7 @@ from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.deciding import OPEN, Asked, decide
 from algebroproj_sym.reading.judging.introducing import (
+    begins_anew,
     definition_in,
     gives_if_open,
     is_only_one,
@@ -297,7 +298,10 @@ class _Pass:
         chained = len(formula.sides) > 2
         link = Link("not decided", rests_on=rests)
         may = index == 0 and gives_if_open(self.memory, statement, formula)
-        asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, self.memory.beside.follows)
+        anew = begins_anew(self.memory, right)
+        asked = Asked(
+            place, index, ways, link, identity, certain, chained, gives, may, anew, self.memory.beside.follows
+        )
         return asked.link, asked
 
     def _standing(self, statement: Statement) -> Standing:

@@ -23,10 +23,12 @@ from algebroproj_sym.reading.defining.recognising import (
     is_one_value,
     is_step,
     is_table,
+    says_more_than_a_number,
     without_numbers,
+    without_others,
     without_power,
 )
-from algebroproj_sym.reading.defining.vocabulary import Definition
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.memory import Memory, where_of
 from algebroproj_sym.reading.judging.words import beside
@@ -82,6 +84,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         or (formula.relations[index] == ":=" and not memory.beside.is_rejected)
         or _is_free(memory, statement, left, right, value=index > 0)
         or _is_new_value(memory, left, right)
+        or (index == 0 and _is_told(memory, left, right))
         or any(_is_instance(memory, each, right) for each in others)
         or (index == 0 and (_brings(memory, statement, left, right) or _names_arguments(left, right)))
     )
@@ -128,10 +131,19 @@ def gives_if_open(memory: Memory, statement: Statement, formula: Parsed) -> bool
     known = memory.vocabulary.definitions.get(_letter_of(left)[0])
     above = [*_said_of(memory, left), *([known.tree] if known else [])]
     old = {symbol for each in above for symbol in symbols_in(each)}
-    again = bool(above) and (memory.beside.follows or {*symbols_in(right)} <= old)
-    inside = known is not None and _base_of(left) is not left
+    again = bool(above) and not begins_anew(memory, right)
+    again = again and (memory.beside.follows or {*symbols_in(right)} <= old)
+    inside = known is not None and _base_of(left) is not left and not memory.survey.meanings.is_label(left)
     renames = memory.beside.follows and bool(defined_by(right)[0])
     return not (again or inside or renames) and _may_give(memory, statement, left, right)
+
+
+def begins_anew(memory: Memory, right: Formula) -> bool:
+    """Whether nothing above an equation can say anything of it: its value has a letter of which nothing was said.
+
+    So does an item of a list, which speaks of another thing than the items above it.
+    """
+    return memory.is_item or not {*symbols_in(right)} <= memory.seen | {*memory.vocabulary.definitions}
 
 
 def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
@@ -139,19 +151,33 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
     symbol, parameters = _letter_of(left)
     if not symbol or memory.beside.is_rejected or memory.beside.exchanged:
         return False
-    if not (symbols_in(right) or is_matrix(right) or memory.survey.is_parameter(statement)):
+    if not (says_more_than_a_number(right) or memory.survey.is_parameter(statement)):
         return False
     if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
         return False
     is_case = is_case_of(parameters, right) and not memory.survey.are_variables(parameters)
     is_case = is_case and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol))
-    if (is_case and not memory.beside.defines) or (without_power(left) is not left and symbol in memory.asserted):
+    power = without_power(left) is not left and not memory.survey.meanings.is_label(left)
+    if (is_case and not memory.beside.defines) or (power and symbol in memory.asserted):
         return False
     if not memory.beside.defines:
         condition = memory.beside.is_condition and not memory.beside.names
         if condition or derivatives_in((left,), memory.vocabulary, memory.survey.occurring):
             return False
-    return not is_circular(symbol, right, memory.vocabulary)
+    others = without_others(left, right)
+    by_more = others == right or says_more_than_a_number(others)
+    circular = is_circular(symbol, others, memory.vocabulary)
+    return by_more and not (circular and is_circular(symbol, others, _known_here(memory)))
+
+
+def _known_here(memory: Memory) -> Vocabulary:
+    """Return what the letters stand for by the section that is read, and by what words cite."""
+    found, names = memory.vocabulary.copied(), tuple(f"({name})" for name in memory.cited)
+    for known in [*found.definitions.values()]:
+        if known.part not in (memory.part, 0) and not known.where.startswith(names):
+            del found.definitions[known.symbol]
+    found.forget()
+    return found
 
 
 def _base_of(left: Formula) -> Formula:
@@ -214,7 +240,7 @@ def _is_free(memory: Memory, statement: Statement, left: Formula, right: Formula
         bool(symbols)
         and (value or everywhere or not calls)
         and not symbols & restricted.union(symbols_in(right))
-        and (bool(symbols_in(right)) or is_matrix(right) or is_arithmetic(right) or alone)
+        and (says_more_than_a_number(right) or is_arithmetic(right) or alone)
         and not any(is_circular(each, right, memory.vocabulary) for each in symbols)
         and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
         and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)
@@ -238,6 +264,22 @@ def _is_new_value(memory: Memory, left: Formula, right: Formula) -> bool:
         and not any(value == part for side in (right, *above) for part in side.iter_subtrees())
         and not (
             memory.beside.follows or memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged
+        )
+    )
+
+
+def _is_told(memory: Memory, left: Formula, right: Formula) -> bool:
+    """Whether words say what a formula with a new letter is, as in "The displacement is $r - s = a b$"."""
+    letters, known = {*symbols_in(left)}, memory.tied.union(memory.vocabulary.definitions, memory.given.whole.symbols)
+    return (
+        (memory.beside.tells or (memory.beside.defines and left.data in ("inner", "run")))
+        and not defined_by(left)[0]
+        and not any(part.data in ("opaque", "slope") for part in left.iter_subtrees())
+        and bool(letters - known - {*symbols_in(right)} or left.data == "inner")
+        and says_more_than_a_number(right)
+        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
+        and not (
+            memory.beside.follows or memory.beside.is_condition or memory.beside.is_denied or memory.beside.exchanged
         )
     )
 

@@ -399,6 +399,12 @@ class Memory:
                 vocabulary.drop(known.symbol)
 
     @property
+    def is_item(self) -> bool:
+        """Whether another item of a list begins before the display, and what it says is not said to follow."""
+        new = self.display is not None and r"\item" in self.display.before
+        return new and not self.beside.follows
+
+    @property
     def cited(self) -> frozenset[str]:
         """The labels and numbers of the equations that words before the display name."""
         return cited_in(self.display.before) if self.display is not None else frozenset()

@@ -24,7 +24,8 @@ CASES = re.compile(
 )
 """Words by which an equation may be about a case, so that it contradicts nothing."""
 CONDITIONAL = re.compile(
-    r"\b(?:if|when|whenever|unless|provided|(?:in|for) (?:the|this|that) (?:special |particular )?case|"
+    r"\b(?:if|when|whenever|unless|provided(?! (?:by|to|in|with)\b)|"
+    r"(?:in|for) (?:the|this|that) (?:special |particular )?case|"
     r"for (?:very |sufficiently |all )?(?:small|large|weak|thin|low|high|slow|fast|short|long))\b",
     re.IGNORECASE,
 )
@@ -33,7 +34,8 @@ _REJECTED = re.compile(
     r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|refuted|dispro\w+|absurd|"
     r"(?:a|was) slip|typo|misprint\w*|erratum|errata|impossible|contradict\w*|invalid|untenable|neither|nor|no longer|"
     r"naive\w*|tempt\w+|sign error|in error|ceases?|fails? (?:to hold|in general)|if only|wrongly|"
-    r"earlier (?:version|draft|edition)|(?<!one )(?:writes|claims|asserts|believes|claimed|believed|wrote)|"
+    r"earlier (?:version|draft|edition)|(?<!one )(?<!as )(?:writes|claims|asserts|believes|claimed|believed|wrote)"
+    r"(?! (?:it|this|them) (?:as|in)\b)|"
     r"not (?:\w+ )?(?:true|equal|hold|follow|valid|correct|right|so|work|the case)|"
     r"superseded|obsolete|outdated|retracted|withdrawn|fallac(?:y|ies|ious))\b",
     re.IGNORECASE,
@@ -84,19 +86,35 @@ _NOT_QUITE = re.compile(
 )
 """Words by which an equation is not quite what a letter is, wherever they stand in its sentence."""
 _ONLY_SOMETIMES = re.compile(
-    CONDITIONAL.pattern + r"|\b(?:cases?|assum\w+|suppos\w+|otherwise|instead|special\w*)\b", re.IGNORECASE
+    CONDITIONAL.pattern + r"|\b(?:cases?|assum\w+|suppos\w+|otherwise|instead|special\w*(?! (?:form|structure)))\b",
+    re.IGNORECASE,
 )
 """Words by which an equation says what a letter is in a case; in its own clause, that it is the condition itself."""
 _FORM = re.compile(r"\b(?:assum\w+|suppos\w+)\b.*\b(?:form|given by|as)\W*$", re.IGNORECASE | re.DOTALL)
 """What is assumed to have a form is given by it."""
 _IN_THIS_CASE = re.compile(
-    r"\b(?:in (?:this|that|which|such a|the (?!limit|station|stead|ideal)[a-z]+) case|"
-    r"(?:for|in) the (?:special )?case of)\b",
+    r"\b(?:(?:in|for) (?:this|that|which|such a|the (?:\w+ )?(?!limit|station|stead|ideal|special)[a-z]+) case|"
+    r"(?:for|in) the (?:special )?case of|under (?:this|these|that|those) (?:assumption|condition)s?)\b",
     re.IGNORECASE,
 )
 """Words for a case of which an earlier sentence speaks, so that they are no condition themselves."""
+_CASE_BEFORE = re.compile(
+    r"(?:^|[.:;}]\s*)\s*(?:and )?(?:if|when|for)\b[^.,;:]*"
+    r"\$[^$]*(?:[=<>]|\\(?:le|ge|ne|in|to)(?:q|slant)?(?![a-z]))[^$]*\$\s*:\s*$",
+    re.IGNORECASE,
+)
+"""A case that stands before a colon, and so before what holds in it: "If $n > 0$:"."""
+_AND_THEN = re.compile(
+    r"(\b(?:if|when|whenever|assuming)\s+\S+(?:\s+(?!(?:if|when|whenever)\b)\S+){2,}?"
+    r"\s+(?<!\bthat\s)(?<!\bwhich\s)(?<!\bwhere\s)(?<!\band\s)(?<!\bor\s)(?<!\bas\s)(?<!\bhow\s))"
+    r"((?:(?:we|you|they)\s+(?:(?:can|may|will|then|now|also)\s+)*(?:(?:re)?write|get|obtain|find|have)"
+    r"|(?:it|this)\s+(?:then )?(?:generali[sz]es|reduces|becomes|simplifies|gives|yields|reads|results))\b)",
+    re.IGNORECASE,
+)
+"""How a condition is followed by the main clause without a comma: "If there are two we can write"."""
 _ASSERTS = re.compile(
-    r"\b(?:then|we|one|it|this|is|are|be|becomes?|gives?|yields?|holds?|reads?|has|have|equals?|follows)\b",
+    r"\b(?:then|we|one|it|this|is|are|be|becomes?|gives?|yields?|holds?|reads?|has|have|equals?|follows|"
+    r"results?|reduces?|simplif(?:y|ies)|obeys?|satisf(?:y|ies)|will)\b",
     re.IGNORECASE,
 )
 _GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
@@ -202,7 +220,9 @@ class Beside:
     @property
     def is_condition(self) -> bool:
         """Whether the equation is the condition itself of which its sentence speaks: "If" stands in its own clause."""
-        return _ONLY_SOMETIMES.search(main_clause(self.sentence)) is not None
+        clause = _IN_THIS_CASE.sub(" then ", main_clause(self.sentence))
+        told = _FORM.search(clause) or _CASE_BEFORE.search(self.sentence)
+        return not told and _ONLY_SOMETIMES.search(clause) is not None
 
     @property
     def is_supposed(self) -> bool:
@@ -214,6 +234,12 @@ class Beside:
     def names(self) -> bool:
         """Whether its own sentence says what something is or stands for."""
         return _NAMES.search(self.sentence) is not None
+
+    @property
+    def tells(self) -> bool:
+        """Whether its own sentence ends by saying what something is, and speaks of no equation or condition."""
+        own = without_formulas(self.sentence)
+        return bool(_TELLS.search(own)) and not (_EQUATIONS.search(own) or _LAWS.search(own) or self.case_of_sentence)
 
     @property
     def defines(self) -> bool:
@@ -407,7 +433,7 @@ def main_clause(sentence: str) -> str:
     (' its period is', 'If $a$ is real, and $b$ is')
     """
     bare = FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)
-    bare = _IN_THIS_CASE.sub(" then ", bare)
+    bare = _AND_THEN.sub(r"\1, \2", _IN_THIS_CASE.sub(" then ", bare))
     clauses = [each for each in re.split(r"[,;:]|\b(?=then\b)", bare) if each.strip()]
     last = clauses[-1] if clauses else ""
     return last if _ASSERTS.search(FORMULA.sub(" ", last)) and not _GOES_ON.match(last) else sentence
@@ -425,7 +451,7 @@ def last_sentence(words: str) -> str:
 
 def sentences_of(words: str) -> list[str]:
     """Return the sentences of words; what stands behind the last full stop is the last one."""
-    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())
+    return re.split(r"[.!?]}*(?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())
 
 
 def words_of(text: str) -> frozenset[str]:
@@ -477,6 +503,8 @@ _NAMES = re.compile(
     re.IGNORECASE,
 )
 _DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe (?:\w+ )?define\b", re.IGNORECASE)
+_TELLS = re.compile(r"\b(?:is|are|given by|defined (?:as|by)|denoted (?:as|by)|written as)\W*$", re.IGNORECASE)
+_LAWS = re.compile(r"\b(?:conservation|continuity|dynamics|kinematics|problem|model)\b", re.IGNORECASE)
 _LENGTH = re.compile(
     r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|positive|"
     r"(?:square )?roots?)\b",

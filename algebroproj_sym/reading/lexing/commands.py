@@ -41,7 +41,7 @@ STYLES = _words(
     r"\mathbf \mathcal \mathscr \mathfrak \mathbb \mathds \mathsf \mathit \mathtt \tilde \bar \hat \dot \ddot \dddot "
     r"\vec \overline \underline \widehat \widetilde \check \breve \mathring \acute \grave \overrightarrow"
 )
-UPRIGHT = _words(r"\mathrm \operatorname \operatorname* \text \textrm \mathop \textit")
+UPRIGHT = _words(r"\mathrm \operatorname \operatorname* \text \textrm \mathop \textit \texttt")
 BOXES = _words(r"\mbox \hbox \textnormal \textup \textsf \text \textrm")
 """Boxes of words within a formula."""
 DROPPED = _words(

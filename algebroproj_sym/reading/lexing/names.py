@@ -335,8 +335,15 @@ def _at_argument(cursor: Cursor) -> bool:
     if not body or any(piece.text in "+-*/()=|" for piece in body):
         return False
     inner = Cursor(body, cursor.known)
-    return [piece.text for piece in body] == ["0"] or (
-        at_symbol(inner) and bool(take_letter(inner)) and take_scripts(inner) is not None and inner.index == len(body)
+    return (
+        [piece.text for piece in body] == ["0"]
+        or (len(body) == 1 and at_unknown_letter(inner))
+        or (
+            at_symbol(inner)
+            and bool(take_letter(inner))
+            and take_scripts(inner) is not None
+            and inner.index == len(body)
+        )
     )
 
 

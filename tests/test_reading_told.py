@@ -67,3 +67,23 @@ def test_a_condition_a_law_or_a_number_is_none(latex: str) -> None:
 
 def test_what_is_said_to_follow_and_fails_stays_a_new_statement() -> None:
     assert verdict(r"\[ y = b + w x. \] Hence \[ y = b - w x. \]") in ("contradicts", "independent")
+
+
+@pytest.mark.parametrize(
+    ("words", "follows"),
+    [
+        (r"Here $V$ is the set voltage.", True),
+        (r"Here $V$ is the set of voltages.", False),
+        (r"Here $V$ is the set.", False),
+        (r"Here $V$ is an event.", False),
+        (r"Let $V$ be the derivative.", False),
+    ],
+)
+def test_what_is_set_is_a_number_and_a_set_is_none(words: str, follows: bool) -> None:
+    assert (verdict(rf"{words} \[ m = q V r. \] Hence \[ m - V q r = 0. \]") == "follows") == follows
+
+
+def test_the_rate_of_a_letter_is_a_number() -> None:
+    latex = r"The derivative $u_x$ is constant. \[ m = q u_x r. \] Hence \[ m - u_x q r = 0. \]"
+    assert verdict(latex) == "follows"
+    assert verdict(latex.replace("u_x", "D_x")) != "follows"

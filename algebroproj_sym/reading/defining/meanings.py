@@ -15,7 +15,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.acting import acted_on
 from algebroproj_sym.reading.defining.inner import products_in
-from algebroproj_sym.reading.defining.phrases import called, symbols_in_list
+from algebroproj_sym.reading.defining.phrases import SET, called, symbols_in_list
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -132,10 +132,10 @@ _OF_SIGNS = re.compile(
     r"\b(?:hat|wedge|vee|skew(?:-symmetric)?|boxplus|boxminus|oplus) operators\b"
 )
 """Operators that are signs: no letter with a hat stands for one."""
-_OPERATORS = (
-    r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
-    r"(?<=the )set|(?<=a )set|(?<!data )sets|events?)"
-)
+_DERIVATIVE = r"(?:derivative|expectation|expected value)(?! (?:of|with)\b)"
+_RATE = re.compile(r"[a-ce-z]_.+")
+"""What is a derivative, and none that acts: ``u_x``."""
+_OPERATORS = rf"(?:(?<!projection )(?<!rotation )operators?|{SET})"
 _MAPS = r"(?:(?:maps?|mappings?)(?! of\b)|activations?|kernels?(?! (?:matri|evaluated\b)))"
 _FUNCTIONS = rf"(?:(?:functions?|functionals?)(?! of\b)|{_MAPS})"
 _SIGNALS = (
@@ -260,7 +260,8 @@ class Meanings:
     @cached_property
     def _letters(self) -> dict[str, str]:
         """Letters that are no numbers, each with what it may be."""
-        found = dict.fromkeys(called(self.statements, _OPERATORS), "is no number")
+        acting = (each for each in called(self.statements, _DERIVATIVE) if not _RATE.fullmatch(each))
+        found = dict.fromkeys(called(self.statements, _OPERATORS).union(acting), "is no number")
         for each in self.statements:
             before, after = each.display.before[-60:], each.display.after[:60]
             is_named = _CALLED.match(after) or _IS_NAME_OF.search(before)

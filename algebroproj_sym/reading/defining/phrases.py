@@ -135,6 +135,14 @@ def _called_otherwise(statements: Iterable[Statement]) -> Iterator[tuple[str, in
                 yield from ((symbol, each.display.part) for symbol in symbols_in_list(each.latex, 1))
 
 
+SET = (
+    r"(?:(?:(?<=the )|(?<=a ))"
+    r"set(?! (?!(?:of|in|is|are|has|and|with|on|over|that|which|where|for|to|as|from|such)\b)[a-z])"
+    r"|(?<!data )sets|events?)"
+)
+"""Words for a set, and not for a value that is set, as "the set voltage"."""
+
+
 def matrices_in(statements: Iterable[Statement], angles: frozenset[str]) -> frozenset[str]:
     r"""Return the symbols that are said to be vectors, matrices, operators or quaternions: their order matters.
 
@@ -144,7 +152,7 @@ def matrices_in(statements: Iterable[Statement], angles: frozenset[str]) -> froz
     return frozenset().union(
         called(
             every,
-            rf"(?:{_VECTORS}|quaternions?|operators?|(?<=the )set|(?<=a )set|sets|events?|groups?|maps?|"
+            rf"(?:{_VECTORS}|quaternions?|operators?|{SET}|groups?|maps?|"
             r"homograph(?:y|ies))",
             of_time=True,
         ),

@@ -126,12 +126,16 @@ def _accented(pieces: Iterable[Piece]) -> list[Piece]:
     return found
 
 
+_BEFORE_VALUES = frozenset(("", *RELATIONS, *SIGNS, "{", "(", "[", r"\left", r"\displaystyle"))
+"""What stands before a value, and behind none."""
+
+
 def _with_bars(pieces: Sequence[Piece]) -> Sequence[Piece]:
-    r"""Return pieces with ``\|`` for two signs of parallels, and ``|`` for two ``\mid``, that enclose a value."""
+    r"""Return pieces with ``\|`` for signs of parallels, and ``|`` for ``\mid``, of which pairs enclose values."""
     for sign, bar in ((r"\parallel", r"\|"), (r"\mid", "|")):
         places = [place for place, each in enumerate(pieces) if each.text == sign]
-        before = [each.text for each in pieces[: places[0]] if not each.text.isspace()][-1:] if places else ["x"]
-        if len(places) == 2 and not (before and before[0] not in RELATIONS and before[0] not in SIGNS):
+        before = [first_text(reversed(pieces[:place])) for place in places[::2]]
+        if len(places) % 2 == 0 and all(each in _BEFORE_VALUES for each in before):
             pieces = [renamed(each, bar) if place in places else each for place, each in enumerate(pieces)]
     return pieces
 
@@ -443,10 +447,12 @@ def _number_with_sign(page: _Page, piece: Piece) -> bool:
 
 
 def _ellipsis(page: _Page, piece: Piece) -> bool:
-    if found := page.waiting.follows(".", "."):
-        del page.waiting[-2:]
-        page.out.append(renamed(piece, r"\ldots"))
-    return found
+    """Read three dots as an ellipsis, and two between values as one in a list: ``1..N``."""
+    dots = 1 + page.waiting.follows(".") + page.waiting.follows(".", ".")
+    del page.waiting[len(page.waiting) - dots + 1 :]
+    listed = dots == 2 and ends_value(page.out)
+    page.out.extend(at(piece, r",\ldots," if listed else r"\ldots") if dots > 1 else [])
+    return dots > 1
 
 
 def _row(page: _Page, piece: Piece) -> bool:

@@ -53,7 +53,10 @@ def read_bracket(cursor: Cursor) -> None:
         if cursor.peek(1) == "_":
             _read_place(cursor)
             return
-        if text == "|" and not any(piece.text in BARS for piece in outside_braces(cursor.pieces[cursor.index + 1 :])):
+        behind = outside_braces(cursor.pieces[cursor.index + 1 :])
+        if cursor.opened[-1:] == ["ANGLE_OPEN"]:
+            behind = split_pieces(behind, (r"\rangle",), brackets=False)[0]
+        if text == "|" and not any(piece.text in BARS for piece in behind):
             cursor.emit("CIRCLED", text)
             cursor.index += 1
             return
@@ -140,7 +143,7 @@ def _is_shown(inside: Sequence[Piece]) -> bool:
     """Whether a bracket is no expression: a set, a condition, or one with a relation."""
     curly = bool(inside) and inside[0].text in (r"\{", r"\lbrace")
     listed = outside_brackets([piece.text for piece in outside_braces(inside)])
-    return says_more(inside) or (curly and any(text in (",", *ELLIPSES) for text in listed))
+    return says_more(inside) or (curly and any(text in (",", ";", *ELLIPSES) for text in listed))
 
 
 def _close(cursor: Cursor, kind: str) -> None:

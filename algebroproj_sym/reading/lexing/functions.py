@@ -26,6 +26,7 @@ from algebroproj_sym.reading.lexing.commands import (
 from algebroproj_sym.reading.lexing.cursor import Cursor
 from algebroproj_sym.reading.lexing.names import (
     at_symbol,
+    at_unknown_command,
     at_unknown_letter,
     bracket_ahead,
     function_at,
@@ -234,9 +235,9 @@ def _read_argument(cursor: Cursor) -> None:
     if cursor.text in ("(", "[", r"\{", "{") or cursor.text in CLOSING_BARS or MATRIX.match(cursor.text):
         cursor.inner(_take_bracket(cursor))
         return
-    if function_at(cursor) and cursor.functions is not None:
+    if cursor.functions is not None and (function_at(cursor) or at_unknown_command(cursor)):
         cursor.emit("OPEN", "{")
-        read_function(cursor)
+        cursor.step(cursor)
         cursor.emit("CLOSE", "}")
         return
     values, last = 0, ""

@@ -11,10 +11,13 @@ from lark import Token
 
 from algebroproj_sym.reading.lexing.commands import (
     AXIS,
+    BEFORE_LETTER,
+    BINOMIALS,
     BOLD,
     CLOSING,
     DIFFERENTIALS,
     DROPPED,
+    FRACTIONS,
     FUNCTIONS,
     GREEK,
     INDICES,
@@ -28,6 +31,7 @@ from algebroproj_sym.reading.lexing.commands import (
     SIZE,
     STYLES,
     UPRIGHT,
+    WITH_ARGUMENT,
 )
 from algebroproj_sym.reading.lexing.cursor import Cursor
 from algebroproj_sym.reading.lexing.pieces import (
@@ -185,6 +189,10 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
     elif cursor.functions is not None and _has_indices(cursor, letter, below, above):
         cursor.chose = "letters above may be indices"
         emit_name(cursor, whole, start)
+    elif cursor.functions is not None and re.fullmatch("[2-9]", above) and says_more(bracket_ahead(cursor)):
+        raised = cursor.raised
+        emit_name(cursor, bare, start)
+        emit_power(cursor, above, raised)
     elif cursor.functions is not None and re.fullmatch("[2-9]", above) and _is_called(cursor, bare):
         raised, inside = cursor.raised, bracket_ahead(cursor)
         argument = cursor.within(inside)
@@ -224,6 +232,15 @@ def at_unknown_letter(cursor: Cursor) -> bool:
     """Whether a command of the document that nothing defines may be a letter: it takes no argument."""
     named = re.fullmatch(r"\\[a-zA-Z]+", cursor.text) is not None
     return named and cursor.text not in NO_LETTERS and cursor.peek(1) != "{"
+
+
+def at_unknown_command(cursor: Cursor) -> bool:
+    """Whether a command of the document that nothing defines takes arguments."""
+    named = re.fullmatch(r"\\[a-zA-Z]+", cursor.text) is not None
+    return named and cursor.text not in NO_LETTERS | _WITH_ARGUMENTS and cursor.peek(1) == "{"
+
+
+_WITH_ARGUMENTS = FRACTIONS | BINOMIALS | BEFORE_LETTER | WITH_ARGUMENT | {r"\sqrt", *STYLES, *UPRIGHT, *BOLD}
 
 
 def _has_indices(cursor: Cursor, letter: str, below: str, above: str) -> bool:

@@ -25,7 +25,6 @@ from algebroproj_sym.reading.lexing.commands import (
     FRACTIONS,
     MAX_DIGITS,
     MAX_PIECES,
-    NO_LETTERS,
     OPENING,
     RELATIONS,
     SIGNS,
@@ -43,6 +42,7 @@ from algebroproj_sym.reading.lexing.functions import (
 )
 from algebroproj_sym.reading.lexing.names import (
     at_symbol,
+    at_unknown_command,
     at_unknown_letter,
     function_at,
     read_after,
@@ -187,7 +187,7 @@ def _read_operator(cursor: Cursor) -> None:
         cursor.index += 1
         read_scripted(cursor, text, start)
         return
-    elif cursor.functions is not None and _at_unknown_command(cursor):
+    elif cursor.functions is not None and at_unknown_command(cursor):
         _read_unknown(cursor)
         return
     elif text.startswith("\\"):
@@ -198,12 +198,6 @@ def _read_operator(cursor: Cursor) -> None:
 
 
 _PRODUCTS = ("DOT", "CROSS")
-
-
-def _at_unknown_command(cursor: Cursor) -> bool:
-    """Whether a command of the document that nothing defines takes arguments."""
-    named = re.fullmatch(r"\\[a-zA-Z]+", cursor.text) is not None
-    return named and cursor.text not in NO_LETTERS and cursor.peek(1) == "{"
 
 
 def _read_unknown(cursor: Cursor) -> None:

@@ -362,7 +362,7 @@ def _of_function(symbol: str, definition: Definition, order: int, vocabulary: Vo
 
 
 def _of_time(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
-    r"""Return the derivative of a function of t by its dots, as ``\ddot x(t)`` of ``x(t)``, or of ``x = \cos\omega t``."""
+    r"""Return the derivative by its dots of a function of t, as ``\ddot x(t)`` of ``x(t)``, or of what has a t."""
     known, bare, dots = _by_bare(vocabulary.definitions), _without_dot(symbol), 1
     while bare and bare not in known:
         bare, dots = _without_dot(bare), dots + 1

@@ -1,4 +1,4 @@
-r"""Formulas that repeat another one: with numbers put in for letters, as in ``m a = 2 \cdot 3``, or raised to a power."""
+r"""Formulas that repeat another one: with numbers put in for letters, as in ``m a = 2 \cdot 3``, or as its power."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def _match(one: Any, other: Any, found: dict[str, str]) -> bool:
 
 @dataclass(frozen=True)
 class Powers:
-    """The powers of both sides of an equation of a letter and a root.
+    r"""The powers of both sides of an equation of a letter and a root.
 
     Attributes
     ----------
@@ -59,7 +59,7 @@ class Powers:
     degree : int
         Of which degree they are.
     is_open : bool
-        Whether the sign of the root is open, as in ``\\pm\\sqrt{a}``.
+        Whether the sign of the root is open, as in ``\pm\sqrt{a}``.
     """
 
     left: Formula

@@ -358,17 +358,21 @@ def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[
 
 
 def _at_other_indices(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
-    """Yield a relation with what equations above it say at another index."""
+    """Yield a relation with what equations above it say at another index: of a lone letter, and of all letters."""
     known, indices = standing.vocabulary, standing.survey.indices
     if not indices.counted or excludes(standing.beside.words):
         return
     given, others = sources_of(standing.premises, known, indices, standing.part, standing.cited)
     shown = " = ".join(map(known.text, (left, right)))
     told = extended(known, given)
-    found = [*instances(given, told, indices, (left, right))]
-    if found:
-        put = "; ".join(f"{how} in {each.where}" for each, how in found)
-        yield Way(left, right, extended(told, [each for each, _ in found]), A_VALUE, f"{shown}, with {put}")
+    seen: list[tuple[Definition, str]] = []
+    both: Formula = Tree("items", [left, right])
+    for sides in ((left, right), (both,)):
+        found = [*instances(given, told, indices, sides)]
+        if found and found != seen:
+            put = "; ".join(f"{how} in {each.where}" for each, how in found)
+            yield Way(left, right, extended(told, [each for each, _ in found]), A_VALUE, f"{shown}, with {put}")
+        seen = found
     for each in others[-MOST_TOGETHER:]:
         if (instance := instance_of(each, known, indices, {*symbols_in(left), *symbols_in(right)})) is not None:
             premise, how = instance

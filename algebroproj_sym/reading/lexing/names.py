@@ -279,8 +279,8 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
         return
     bracket = cursor.peek() if cursor.functions is not None and not raised else ""
     index = _INDEX.fullmatch(_inside_of(cursor)) if bracket == "[" and whole in (cursor.functions or ()) else None
-    of_chance = _OF_CHANCE.fullmatch(whole) or (_EXPECTATION.fullmatch(whole) and index and _VARIABLE.fullmatch(index[0]))
-    if index and not of_chance:
+    of_chance = index and _EXPECTATION.fullmatch(whole) and _VARIABLE.fullmatch(index[0])
+    if index and not (of_chance or _OF_CHANCE.fullmatch(whole)):
         letter, primes, below, above = split_symbol(whole)
         cursor.index += len(bracket_ahead(cursor))
         indexed = written(letter, primes, f"{below},{index[0]}" if below else index[0], above)

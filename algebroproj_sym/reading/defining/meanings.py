@@ -132,9 +132,12 @@ _OF_SIGNS = re.compile(
     r"\b(?:hat|wedge|vee|skew(?:-symmetric)?|boxplus|boxminus|oplus) operators\b"
 )
 """Operators that are signs: no letter with a hat stands for one."""
-_DERIVATIVE = r"(?:derivative|expectation|expected value)(?! (?:of|with)\b)"
+_DERIVATIVE = r"derivative(?! (?:of|with)\b)"
 _RATE = re.compile(r"[a-ce-z]_.+")
 """What is a derivative, and none that acts: ``u_x``."""
+_EXPECTATIONS = r"(?:expectation|expected value)(?! (?:of|with)\b)"
+_MEAN = re.compile(r"(?:\\math[a-z]+\{)?[EM]\}?")
+"""How the operator of an expected value may look; another letter is a value."""
 _OPERATORS = rf"(?:(?<!projection )(?<!rotation )operators?|{SET})"
 _MAPS = r"(?:(?:maps?|mappings?)(?! of\b)|activations?|kernels?(?! (?:matri|evaluated\b)))"
 _FUNCTIONS = rf"(?:(?:functions?|functionals?)(?! of\b)|{_MAPS})"
@@ -260,8 +263,9 @@ class Meanings:
     @cached_property
     def _letters(self) -> dict[str, str]:
         """Letters that are no numbers, each with what it may be."""
-        acting = (each for each in called(self.statements, _DERIVATIVE) if not _RATE.fullmatch(each))
-        found = dict.fromkeys(called(self.statements, _OPERATORS).union(acting), "is no number")
+        acting = {each for each in called(self.statements, _DERIVATIVE) if not _RATE.fullmatch(each)}
+        means = {each for each in called(self.statements, _EXPECTATIONS) if _MEAN.fullmatch(split_symbol(each)[0])}
+        found = dict.fromkeys(called(self.statements, _OPERATORS) | acting | means, "is no number")
         for each in self.statements:
             before, after = each.display.before[-60:], each.display.after[:60]
             is_named = _CALLED.match(after) or _IS_NAME_OF.search(before)

@@ -247,8 +247,13 @@ class Beside:
 
     @property
     def speaks_of_a_length(self) -> bool:
-        """Whether its own sentence speaks of a root, or of a quantity that is never negative, such as a speed."""
+        """Whether its own sentence speaks of a quantity that is never negative, such as a speed."""
         return _LENGTH.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
+
+    @property
+    def speaks_of_a_root(self) -> bool:
+        """Whether its own sentence speaks of a root, or of what is positive."""
+        return _ROOT.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
 
     @property
     def lists(self) -> bool:
@@ -491,9 +496,13 @@ def without_laws(text: str) -> str:
 _LAW = re.compile(
     r"(?:[A-Z][\w-]*(?:['’]s?)?\s+)*(?:(?:[Ff]irst|[Ss]econd|[Tt]hird)\s+)?"
     r"\b[Ll]aws?\b(?: of (?:motion|cosines|sines))?"
+    r"|\b(?:[Bb]alance|[Cc]onservation|[Ee]quilibrium) of (?:the )?"
+    r"(?:forces|moments|torques|energy|momentum|mass|charge)\b"
+    r"|\b(?:[Ff]orce|[Mm]oment|[Tt]orque|[Ee]nergy|[Mm]omentum|[Mm]ass|[Cc]harge) balance\b"
 )
 _SIDE = re.compile(
     r"\b(?:left|right)(?:[ -]?hand)?[ -](?:sides?|terms?|factors?)\b|\b(?:[Oo]n|[Tt]o|[Ff]rom) the (?:left|right)\b"
+    r"|\b[Oo]n the other hand\b"
 )
 _NAMES = re.compile(
     r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
@@ -507,10 +516,11 @@ _DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe 
 _TELLS = re.compile(r"\b(?:is|are|given by|defined (?:as|by)|denoted (?:as|by)|written as)\W*$", re.IGNORECASE)
 _LAWS = re.compile(r"\b(?:conservation|continuity|dynamics|kinematics|problem|model)\b", re.IGNORECASE)
 _LENGTH = re.compile(
-    r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|positive|"
-    r"(?:square )?roots?)\b",
+    r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|temperature|"
+    r"volume|mass|density)\b",
     re.IGNORECASE,
 )
+_ROOT = re.compile(r"\b(?:positive|(?:square )?roots?)\b", re.IGNORECASE)
 _SEVERAL = re.compile(r"\b(?:are|were|have|give|read|become|follow|equal)\b(?![^.]*\b(?:we|you|it)\b)", re.IGNORECASE)
 _EQUATIONS = re.compile(
     r"\b(?:equations?|relations?|conditions?|expressions?|laws?|balances?|formula\w*|constraints?|identit(?:y|ies)|"

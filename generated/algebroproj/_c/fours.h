@@ -10,12 +10,11 @@ are rows.
 /* How many points are computed before it is seen what exceptions they raised. */
 enum { TOGETHER = 256 };
 
-static const four most_headroom = {(DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MAX / 4096)};
+static const four most_headroom = {HEADROOM, HEADROOM, HEADROOM, HEADROOM};
 
 #define real four
 #define multiply_add(a, b, c) ((four)_mm256_fmadd_pd((__m256d)(a), (__m256d)(b), (__m256d)(c)))
 #define headroom ranges[i]
-#define splitter 134217729.0
 #define constant(number) ((four){number, number, number, number})
 #define VERSION FUSED_INLINE
 #define INLINED FUSED_INLINE
@@ -27,7 +26,6 @@ static const four most_headroom = {(DBL_MAX - DBL_MAX / 4096), (DBL_MAX - DBL_MA
 #undef real
 #undef multiply_add
 #undef headroom
-#undef splitter
 #undef constant
 #undef VERSION
 #undef INLINED
@@ -1322,7 +1320,7 @@ static int lie_by_fours(double **placed, npy_intp *steps_of_four, double *copies
         if (is_shared) {
             layout.point_step = entries * sizeof(double);
         }
-        if (!is_usual_double(layout)) {
+        if (!is_usual(layout)) {
             return 0;
         }
         placed[k] = is_shared ? copies : (double *)data[k];
@@ -1362,7 +1360,7 @@ static int copies_are_valid(const struct kernel *kernel, char *const *data, cons
         placed[k] = copy;
         steps_of_four[k] = 4 * entries;
         if (k < kernel->arguments) {
-            copied_in_double(copy, data[k], layouts[k], points);
+            copied_in(copy, data[k], layouts[k], points);
             for (npy_intp entry = points * entries; entry < all * entries; entry++) {
                 copy[entry] = copy[entry - entries];
             }
@@ -1371,7 +1369,7 @@ static int copies_are_valid(const struct kernel *kernel, char *const *data, cons
     }
     const int is_valid = is_valid_by_fours(kernel, placed, steps_of_four, all);
     for (int k = kernel->arguments; is_valid && k < operands; k++) {
-        copied_out_double(placed[k], data[k], layouts[k], points);
+        copied_out(placed[k], data[k], layouts[k], points);
     }
     return is_valid;
 }
@@ -1388,7 +1386,7 @@ static void loop_fours(char **data, const npy_intp *dimensions, const npy_intp *
     npy_intp left = dimensions[0];
 
     if (!fused_is_available || kernel->fours == NULL) {
-        loop_double(data, dimensions, steps, given);
+        loop_rows(data, dimensions, steps, given);
         return;
     }
     lay_out(layouts, kernel->shapes, operands, steps);
@@ -1405,7 +1403,7 @@ static void loop_fours(char **data, const npy_intp *dimensions, const npy_intp *
         if (!(is_placed ? is_valid_by_fours(kernel, placed, steps_of_four, points)
                         : copies_are_valid(kernel, here, layouts, points))) {
             feclearexcept(EXCEPTIONS);
-            loop_double(here, &points, steps, given);
+            loop_rows(here, &points, steps, given);
         }
         const int raised_here = fetestexcept(EXCEPTIONS);
         if (raised_here) {

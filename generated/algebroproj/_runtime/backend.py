@@ -17,7 +17,7 @@ from typing import Any, Literal
 __all__ = ["backend", "calls", "exceeded", "ufunc"]
 
 VARIABLE = "ALGEBROPROJ_BACKEND"
-DIGEST = "8bb77f6fb5e32250"
+DIGEST = "9814831137c99d70"
 """What identifies the C source that belongs to this package."""
 
 

@@ -36,8 +36,8 @@ EXTRA_DIGITS = {"null_vector", "solve", "wide"}
 BLOCK = 8192
 """How many points of a batch are computed at once."""
 
-COMPILED = (np.dtype(np.float64), np.dtype(np.float32))
-"""Of which dtypes there are compiled functions."""
+COMPILED = np.dtype(np.float64)
+"""Of which dtype there are compiled functions."""
 
 Shape = tuple[int, ...]
 Body = Callable[..., tuple[Any, ...]]
@@ -132,7 +132,7 @@ def evaluate(signature: Signature, body: Body, given: Sequence[Any], out: Any = 
         if called and body.__name__ == f"_{signature.name}":
             raise TypeError(f"{signature.name}: expected machine numbers, which {called[0]} takes, got dtype object")
         arrays, body = _exact(arrays, body)
-    is_compiled = signature.twin is not None and dtype in COMPILED
+    is_compiled = signature.twin is not None and dtype == COMPILED
     if is_compiled:
         arrays = [array.astype(dtype, copy=False) for array in arrays]
         if out is None and not is_large(batch):
@@ -249,7 +249,7 @@ def _are_alike(given: Sequence[Any]) -> bool:
     for array in given:
         if type(array) is not np.ndarray or array.dtype is not dtype or is_large(array.shape):
             return False
-    return dtype in COMPILED
+    return dtype == COMPILED
 
 
 def batch_of(signature: Signature, shapes: Sequence[Shape]) -> Shape:
@@ -329,7 +329,7 @@ def _fill(
 ) -> bool:
     """Compute results; return whether points are to be computed once more, as something overflowed or underflowed."""
     cores = [core for _, core in signature.arguments]
-    if signature.twin is not None and dtype in COMPILED:
+    if signature.twin is not None and dtype == COMPILED:
         if is_large(batch):
             given, wanted = zip(arrays, cores, strict=True), zip(results, signature.results, strict=True)
             return shared(signature.twin, batch, [*given], [*wanted])

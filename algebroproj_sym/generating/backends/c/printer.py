@@ -47,26 +47,6 @@ FEW = 32
 DIGEST = "DIGEST_OF_THE_SOURCE"
 """What stands, in templates, for a digest of the C source."""
 
-TYPES = (
-    {
-        "name": "float",
-        "loop": "float",
-        "absolute": "fabsf",
-        "multiply_add": "fmaf",
-        "headroom": "(FLT_MAX - FLT_MAX / 4096)",
-        "splitter": "4097.0f",
-    },
-    {
-        "name": "double",
-        "loop": "fours",
-        "absolute": "fabs",
-        "multiply_add": "fma",
-        "headroom": "(DBL_MAX - DBL_MAX / 4096)",
-        "splitter": "134217729.0",
-    },
-)
-"""The types of numbers that are compiled, and what belongs to each."""
-
 BLOCK = 64
 """How many points are gathered at a time: few enough that all entries of a kernel stay in the first-level cache."""
 
@@ -112,7 +92,6 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
     both = [*compiled, *plain]
     of_operations = [low for low in compiled if not low.kernel.solves_systems]
     of_systems = [low for low in compiled if low.kernel.solves_systems]
-    solvers = solvers_of([low.program for low in of_systems], refined=True)
     return {
         "kernels.h": rendered(
             "kernels.h.j2",
@@ -120,14 +99,15 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             errors=bool(of_systems) or any(_products(expanded(low.program)) for low in of_operations),
             kernels=list(map(_function, of_operations)),
         ),
-        "solvers.h": rendered("solvers.h.j2", notice=notice, solvers=solvers),
+        "solvers.h": rendered(
+            "solvers.h.j2", notice=notice, solvers=solvers_of([low.program for low in of_systems], refined=True)
+        ),
         "systems.h": rendered("systems.h.j2", notice=notice, kernels=list(map(_function, of_systems))),
         "loops.h": rendered("loops.h.j2", notice=notice),
         "moves.h": rendered("moves.h.j2", notice=notice),
         "fours.h": rendered(
             "fours.h.j2",
             notice=notice,
-            **next(kind for kind in TYPES if kind["loop"] == "fours"),
             kernels=[_by_fours(low.kernel) for low in compiled if _is_short(low)],
         ),
         "calls.h": rendered("calls.h.j2", notice=notice, many=POINTS),
@@ -136,8 +116,6 @@ def c_files(lowered: Sequence[Lowered], notice: str) -> dict[str, str]:
             notice=notice,
             digest=DIGEST,
             block=BLOCK,
-            types=TYPES,
-            solvers=solvers,
             kernels=[_table_row(low.kernel) | {"by_fours": _is_short(low)} for low in compiled],
             plain_kernels=[_table_row(low.kernel) for low in plain],
             operands=max((len(core_shapes(low.kernel)) for low in both), default=1),

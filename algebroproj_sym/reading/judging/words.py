@@ -429,7 +429,7 @@ def _begins_anew(behind: str) -> bool:
 
 
 def main_clause(sentence: str) -> str:
-    """Return the last clause of a sentence, if it asserts something; else all of it, but nothing of a case before a colon.
+    """Return the last clause of a sentence, if it asserts something; else all of it, without a case before a colon.
 
     Examples
     --------

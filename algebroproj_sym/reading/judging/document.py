@@ -298,7 +298,8 @@ class _Pass:
         chained = len(formula.sides) > 2
         link = Link("not decided", rests_on=rests)
         may = index == 0 and gives_if_open(self.memory, statement, formula)
-        anew = begins_anew(self.memory, right)
+        words = self.memory.beside
+        anew = begins_anew(self.memory, right) and not (words.follows or words.case_of_sentence)
         asked = Asked(
             place, index, ways, link, identity, certain, chained, gives, may, anew, self.memory.beside.follows
         )

@@ -221,8 +221,7 @@ class Beside:
     def is_condition(self) -> bool:
         """Whether the equation is the condition itself of which its sentence speaks: "If" stands in its own clause."""
         clause = _IN_THIS_CASE.sub(" then ", main_clause(self.sentence))
-        told = _FORM.search(clause) or _CASE_BEFORE.search(self.sentence)
-        return not told and _ONLY_SOMETIMES.search(clause) is not None
+        return _FORM.search(clause) is None and _ONLY_SOMETIMES.search(clause) is not None
 
     @property
     def is_supposed(self) -> bool:
@@ -425,13 +424,15 @@ def _begins_anew(behind: str) -> bool:
 
 
 def main_clause(sentence: str) -> str:
-    """Return the last clause of a sentence, if it asserts something; else the whole sentence.
+    """Return the last clause of a sentence, if it asserts something; else all of it, or nothing of a case and a colon.
 
     Examples
     --------
     >>> main_clause("If the orbit is closed, its period is:"), main_clause("If $a$ is real, and $b$ is")
     (' its period is', 'If $a$ is real, and $b$ is')
     """
+    if _CASE_BEFORE.search(sentence):
+        return ""
     bare = FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)
     bare = _AND_THEN.sub(r"\1, \2", _IN_THIS_CASE.sub(" then ", bare))
     clauses = [each for each in re.split(r"[,;:]|\b(?=then\b)", bare) if each.strip()]
@@ -451,7 +452,7 @@ def last_sentence(words: str) -> str:
 
 def sentences_of(words: str) -> list[str]:
     """Return the sentences of words; what stands behind the last full stop is the last one."""
-    return re.split(r"[.!?]}*(?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())
+    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())
 
 
 def words_of(text: str) -> frozenset[str]:

@@ -38,7 +38,7 @@ IMPORTS = {
 }
 REPEATABLE = settings(derandomize=True, deadline=None, print_blob=True, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("quick", REPEATABLE, max_examples=20)
-settings.register_profile("whole", REPEATABLE)
+settings.register_profile("whole", REPEATABLE, max_examples=50)
 
 
 def pytest_addoption(parser):

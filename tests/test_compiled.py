@@ -63,6 +63,7 @@ def test_the_bits_are_those_of_the_numpy_source(name):
     assert_same(KERNELS[name], arguments_of(KERNELS[name]))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize("name", KERNELS)
 def test_the_numpy_source_gives_a_batch_the_bits_of_its_points(name, dtype):
@@ -98,12 +99,14 @@ def extremes(shape, seed):
     return np.where(some, large_and_small, generator.uniform(-4, 4, shape))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", KERNELS)
 def test_the_bits_are_the_same_where_products_and_halves_overflow_and_underflow(name):
     kernel = KERNELS[name]
     assert_same(kernel, [extremes((3000, *a.shape), seed) for seed, a in enumerate(kernel.arguments)])
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", KERNELS)
 def test_the_bits_are_the_same_where_products_are_nearly_too_large(name):
     """Each number is near the root of the largest; of sums of such, products may overflow, and their halves before."""
@@ -159,6 +162,7 @@ def test_batches_of_any_length(kernel, count):
     assert_same(kernel, arguments_of(kernel, batch=(count,)))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", KERNELS)
 def test_points_that_make_up_no_block(name):
     arguments = arguments_of(KERNELS[name], batch=(300,))
@@ -166,6 +170,7 @@ def test_points_that_make_up_no_block(name):
         assert_same(KERNELS[name], [a[start:stop] for a in arguments])
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", [name for name, kernel in KERNELS.items() if len(kernel.arguments) > 1])
 def test_one_point_of_an_argument_for_all_of_the_others(name):
     arguments = arguments_of(KERNELS[name], batch=(270,))

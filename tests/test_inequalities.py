@@ -54,7 +54,7 @@ def judge_mutation(mutated):
     return found["verdict"]
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     "mutated", [m for _, m in SOME], ids=[f"{place}: {name}" for place, (name, _) in enumerate(SOME)]
 )

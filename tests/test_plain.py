@@ -67,6 +67,7 @@ def test_the_python_source_is_proved_without_compensation(name):
     assert source_is_proved(KERNELS[name], algebroproj, plain=True)
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", RATIONAL)
 def test_every_operation_of_the_program_rounds_once(name, lowered):
     low = lowered(name)
@@ -263,7 +264,12 @@ def is_accepted(kernel, source):
 
 
 @pytest.mark.parametrize(
-    "name", ["correlation.correlation_matrix", "projection.projection_matrix", "critical.determinant"]
+    "name",
+    [
+        "correlation.correlation_matrix",
+        "projection.projection_matrix",
+        pytest.param("critical.determinant", marks=pytest.mark.whole),
+    ],
 )
 def test_each_exchange_of_an_operator_or_of_two_rows_or_entries_is_found(name, lowered):
     source = source_of(plain_files([lowered(name)], "")["plain_kernels.h"])

@@ -182,3 +182,9 @@ def test_what_is_only_read_gives_nothing(latex: str) -> None:
 def test_a_congruence_contradicts_nothing() -> None:
     found = read_document(document_of(r"Let $x = 7$. Then \[ x = 3 \pmod{4}. \]"))
     assert found[-1].verdict not in ("contradicts", "follows")
+
+
+def test_an_argument_that_has_one_reading_only_is_read_so():
+    latex = r"\[ L = a - \log 2 \cosh \frac{1}{2} \sum_k z_k \] \[ L - a = - \log 2 \cosh \frac{1}{2} \sum_k z_k \]"
+    found = read_document(document_of(latex), seconds=5)
+    assert [each.verdict for each in found] == ["definition", "follows"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -40,6 +41,7 @@ from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_p
 from algebroproj_sym.reading.judging.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
 
 MOST_SOLVED = 4
@@ -151,8 +153,9 @@ def _others(standing: Standing, statement: Statement, formula: Parsed, index: in
     if (others := (regrouped(sides[0]), regrouped(sides[1]))) != sides:
         yield others
     if formula.chose:
-        narrow = standing.survey.parsed(statement, wide=False)
-        yield narrow.sides[index], narrow.sides[index + 1]
+        with suppress(UnreadableError):
+            narrow = standing.survey.parsed(statement, wide=False)
+            yield narrow.sides[index], narrow.sides[index + 1]
 
 
 def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:

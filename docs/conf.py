@@ -133,7 +133,7 @@ def _site_css(app, error):
 
 
 def _stars(app, what, name, subject, options, lines):
-    """Keep the star of a shape such as (..., *core), which is no markup."""
+    """Keep the star of a shape such as (..., *core), which is not markup."""
     lines[:] = [re.sub(r"(?<=[ (])\*(?=core)", r"\\*", line) for line in lines]
 
 

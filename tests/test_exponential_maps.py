@@ -618,7 +618,7 @@ def test_a_number_that_a_derivative_drops_has_a_value_at_the_points(right, verdi
 
 def test_there_is_no_derivative_by_a_size():
     record = record_of("diff(trace(eye(n)), n, 1)*A", "0*A", {"A": "nxn"})
-    assert (record["verdict"], record["reason"]) == ("error", "diff: expected a letter that is no size, got n")
+    assert (record["verdict"], record["reason"]) == ("error", "diff: expected a letter that is not a size, got n")
     other = record_of("diff(trace(eye(n))*m, m, 1)*A", "n*A", {"A": "nxn"})
     assert replay_identity(other).status == "replayed"
     forged = {**other, "lhs": "diff(trace(eye(n))*n, n, 1)*A"}

@@ -128,3 +128,19 @@ def test_a_prime_is_a_derivative_by_the_argument_unless_words_say_otherwise(word
 def test_a_number_above_a_letter_is_no_power_where_it_numbers_coordinates(words, follows):
     text = rf"Here {words} Let \[ y = x^2. \] Hence \[ x^2 y = x^4. \]"
     assert (last_of(text).verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("words", "follows"),
+    [
+        (r"We approximate, increasing $a$. With $a = 10$, for example:", False),
+        (r"For example, with $a = 10$ we find", False),
+        (r"It depends on $a$, e.g. with $a = 10$ it is", False),
+        (r"With $a = 10$ we find", True),
+        (r"With $a = 10$ we find \[ w = 2a \] \section{Two} For all integers", False),
+        (r"With $a = 10$ we find \[ w = 2a. \] Now", True),
+    ],
+)
+def test_a_number_within_the_text_is_given_for_its_section_and_not_by_an_example(words, follows):
+    text = rf"\section{{One}} {words} \[ z = a^2 + c. \] Hence \[ z - c = 100. \]"
+    assert (last_of(text).verdict == "follows") is follows

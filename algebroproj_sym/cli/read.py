@@ -43,9 +43,10 @@ def read(
     text = document_at(document)
     readings = read_document(text, given, seconds=seconds, jobs=jobs)
     if output == "json":
-        echo_json(reading_record(readings, text.missing))
+        echo_json(reading_record(readings, text.missing, text.whole))
     else:
-        console().print("\n".join(reading_lines(document.name, readings, text.missing, full=full)), soft_wrap=True)
+        lines = reading_lines(document.name, readings, text.missing, text.whole, full=full)
+        console().print("\n".join(lines), soft_wrap=True)
     if out is not None:
         folder = write_folder(document, readings, given, out)
         echo(f"written to {folder}; next: algebroproj check {folder}", err=True)

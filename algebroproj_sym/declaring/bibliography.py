@@ -23,7 +23,7 @@ class Publication:
     author, published : str
         Family name first; where it was published.  Empty if not known.
     year : int or None
-        None for what is no paper.
+        None for what is not a paper.
     """
 
     key: str

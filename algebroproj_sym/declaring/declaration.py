@@ -55,7 +55,7 @@ def declared(
         If the number is not of the form of the contract, a misprint or an illegible formula has no corrected form,
         or a false statement does not say what is true instead.
     NotRationalError
-        If a form is no rational expression over Q, and has no real functions or letters either.
+        If a form is not a rational expression over Q, and has no real functions or letters either.
     UnsupportedError
         If it has such, and claims of the kind do not take them.
     """

@@ -51,7 +51,7 @@ class Argument:
 
     @property
     def structure(self) -> str | None:
-        """One of `STRUCTURES`, None of a matrix that has none, and of what is no square matrix."""
+        """One of `STRUCTURES`, None of a matrix that has none, and of what is not a square matrix."""
         size = self.shape
         if len(size) < 2 or size[0] != size[1] or size[0] == 1:
             return None

@@ -39,7 +39,7 @@ def entry_by_entry(parts: Mapping[str, Any], label: str) -> dict[str, Any]:
     Raises
     ------
     DeclarationError
-        If a form speaks of a letter that is no argument, shapes do not fit, or a property is none of entries.
+        If a form speaks of a letter that is not an argument, shapes do not fit, or a property is none of entries.
     """
     try:
         letters = _Letters(parts["arguments"], parts.get("properties", {}))

@@ -106,7 +106,7 @@ class Kind:
     derived_first : bool
         Whether the derived form stands before the relation.
     text : callable or None
-        How a form is written for readers, if it is no formula.
+        How a form is written for readers, if it is not a formula.
     """
 
     name: str

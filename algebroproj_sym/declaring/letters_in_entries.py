@@ -110,7 +110,7 @@ def _rows(free: Coordinates) -> Rows:
 
 
 def require_rational(term: Term, name: str) -> None:
-    """Reject lengths, angles and derivatives, which are no rational functions of entries."""
+    """Reject lengths, angles and derivatives, which are not rational functions of entries."""
     others = {part.kind for part in factors_of(term)} & {*FUNCTIONS, *KINDS}
     if others:
         raise LetterError(f"{name}: expected rational functions of the entries, got {', '.join(sorted(others))}")

@@ -14,7 +14,7 @@ r"""Quotes: where a paper prints what a claim is about, word for word, from the 
     name = "4/a"                                    the cell of row 1 and column y2 is the claim 4/a#1.y2
     line = 976                                      of the first row
     columns = ["X1", "X2", "y1", "y2"]
-    given = ["X1", "X2"]                            columns that are no claims
+    given = ["X1", "X2"]                            columns that are not claims
     names = { "$O'$" = "O1" }                       what the claims call a row; "" for one with quotes of its own
     rows = "1\t292.50\t202.50\t-0.0\t0.5"             a line for each row: its name and its cells, with tabs between
 

@@ -53,7 +53,7 @@ class Given:
 
     @property
     def is_text(self) -> bool:
-        """Whether it is no statement about rational expressions."""
+        """Whether it is not a statement about rational expressions."""
         return bool(self.assumptions) or self.in_letters or any(map(has_functions, self.values))
 
 

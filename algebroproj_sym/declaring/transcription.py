@@ -155,7 +155,7 @@ def readings(quote: Quote, symbols: Symbols, build: Builder | None = None) -> li
     Raises
     ------
     UnreadableError
-        If the quote is no formula, has no such side, or a symbol of it is not known.
+        If the quote is not a formula, has no such side, or a symbol of it is not known.
     """
     found = [expression for piece in quote.read for expression in _readings(piece, quote, symbols, build)]
     return found if build else [in_canonical_order(expression) for expression in found]
@@ -198,7 +198,7 @@ def _parts(sides: tuple[Side, ...], quote: Quote, build: Builder | None) -> list
         return [sides[side]() for side in quote.sides]
     left, right = sides[0](), sides[-1]()
     if len(sides) < 2 or (shape(left) != shape(right) and right != 0):
-        raise UnreadableError("the formula is no equation whose two sides have one shape")
+        raise UnreadableError("the formula is not an equation whose two sides have one shape")
     if build and (quote.coefficients or shape(left)):
         raise UnreadableError("what is computed of both sides has no order")
     difference = left if right == 0 else sum_of(left, negated(right)) if build else left - right
@@ -212,7 +212,7 @@ def _coefficients(difference: Any, unknowns: tuple[str, ...]) -> list[Any]:
     constant = plain.xreplace(dict.fromkeys(symbols, sympy.Integer(0)))
     by_name = {symbol.name: plain.diff(symbol) for symbol in symbols}
     if any(value.has(*symbols) for value in by_name.values()):
-        raise UnreadableError(f"the formula is no equation that is linear in {', '.join(unknowns)}")
+        raise UnreadableError(f"the formula is not an equation that is linear in {', '.join(unknowns)}")
     if not {"1", "-1"} & {*unknowns} and prove(constant, 0).verdict != "proved":
         raise UnreadableError(f"the equation has a term without {', '.join(unknowns)}")
     return [{**by_name, "1": constant, "-1": -constant}[name] for name in unknowns]

@@ -144,7 +144,7 @@ def _members(given: Hypotheses, pairs: Sequence[tuple[Term, Term]], certificate:
         exponent = natural(part["exponent"])
         multiplier, raised = _split_by(bases, field.polynomial(formula_of(part["multiplier"])))
         if not multiplier.is_constant() or not multiplier:
-            raise NotExportable("the multiplier is no product of hypotheses")
+            raise NotExportable("the multiplier is not a product of hypotheses")
         claim, value = field.polynomial(formula_of(text)), field.value(difference(left, right))
         scale = Fraction(int(multiplier.leading_coefficient()))
         common = dict[int, int]()

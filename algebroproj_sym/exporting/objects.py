@@ -541,7 +541,7 @@ def _scalar(operation: str, *parts: Piece) -> Piece:
 
 def _power(base: Term, exponent: Term) -> Term:
     if exponent.kind != "int":
-        raise NotExportable("an exponent is no natural number")
+        raise NotExportable("an exponent is not a natural number")
     return power(base, int(exponent.value))
 
 

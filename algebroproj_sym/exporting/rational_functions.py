@@ -78,7 +78,7 @@ class Field:
                 raise NotExportable(f"the name {term.value} does not occur in the statement")
             return self.known[str(term.value)]
         if term.kind in FUNCTIONS:
-            raise NotExportable(f"{term.kind} of what is no number")
+            raise NotExportable(f"{term.kind} needs a number")
         first, *others = map(self.value, term.parts)
         if term.kind == "-":
             return Value(-first.numerator, first.exponents, first.denominator)

@@ -105,7 +105,7 @@ class Splitting:
             return tree(term, self.places, {})
         self.field.value(term)
         if len(self.field.divisors) > len(self.field.listed):
-            raise NotExportable("a division meets a factor that is no hypothesis")
+            raise NotExportable("a division meets a factor that is not a hypothesis")
         return tree(term, self.places, self.field.splits)
 
     def trees(self, terms: Sequence[Term]) -> str:

@@ -51,7 +51,7 @@ def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression
     Raises
     ------
     NotRationalError
-        If the value contains a float, another kind of number, another function, or a symbol that is no plain number.
+        If the value contains a float, another kind of number, another function, or a symbol that is not a plain number.
 
     Examples
     --------

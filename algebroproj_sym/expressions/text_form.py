@@ -1,4 +1,4 @@
-"""Forms that are no rational expressions, with real functions or in letters: text, which has readers of its own."""
+"""Forms that are not rational expressions, with real functions or in letters: text, which has readers of its own."""
 
 from __future__ import annotations
 

@@ -123,7 +123,7 @@ def without_unused(program: Program) -> Program:
 def with_names(program: Program, bindings: Iterable[tuple[str, Operand]]) -> Program:
     """Give steps other names.
 
-    A step gets the first name that it is bound to; a further one, or one of something that is no step, stands for what
+    A step gets the first name that it is bound to; a further name, or that of another thing, stands for what
     it is bound to.
 
     Examples

@@ -57,7 +57,7 @@ def prove(
 ) -> Proof:
     """Decide whether two rational expressions are equal; `algebroproj_sym.prove` says what the arguments are.
 
-    Here they are no text, and the symbols that are listed as assumptions stand for the plain ones of their names.  With
+    They are not text here, and symbols that are listed as assumptions stand for the plain ones of their names.  With
     constraints the verdict may be ``"open"``; without them it never is for lack of a method.  It is open where no point
     satisfies constraints, hypotheses and assumptions: anything is true there.
 

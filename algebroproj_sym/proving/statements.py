@@ -96,7 +96,7 @@ def prove(
     UndefinedError
         If a denominator is identically zero.
     UnsupportedError
-        If the relation of a statement in letters is no equality.
+        If the relation of a statement in letters is not an equality.
     LetterError
         If letters do not fit together, are not declared, or have a property that is unknown.
     ValueError

@@ -186,7 +186,7 @@ class _Worker:
 
 
 def _serve(connection: Any, engine: str) -> None:
-    import algebroproj_sym.proving.statements  # noqa: F401 - what takes long to import is no part of the time of a question
+    import algebroproj_sym.proving.statements  # noqa: F401 - a slow import must not count as time of a question
 
     with suppress(ImportError, ValueError, OSError):
         import resource

@@ -12,7 +12,8 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from algebroproj_sym.reading.defining.symbols import Symbols, SymbolsFile, Table, symbols_file, symbols_for, tables_in
-from algebroproj_sym.reading.documents.displays import Document, UnreadableDocumentError, document_at, document_of
+from algebroproj_sym.reading.documents.displays import Document, document_at, document_of
+from algebroproj_sym.reading.documents.files import UnreadableDocumentError
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Builder, Side, formula_of, read_formula
 from algebroproj_sym.reading.parsing.grammar import symbols_in

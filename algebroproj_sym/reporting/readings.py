@@ -12,16 +12,16 @@ from algebroproj_sym.showing.display import folded
 
 if TYPE_CHECKING:
     from algebroproj_sym.reading import Link, Reading
-    from algebroproj_sym.reading.documents.displays import Line
+    from algebroproj_sym.reading.documents.files import Line
 
 MOST_REASONS = 8
 MOST_LINES = 12
 
 
-def reading_record(readings: Sequence[Reading], missing: Sequence[str] = ()) -> dict[str, Any]:
-    """Return the equations for JSON, and the included files that are missing."""
+def reading_record(readings: Sequence[Reading], missing: Sequence[str] = (), whole: str = "") -> dict[str, Any]:
+    """Return the equations for JSON, the included files that are missing, and the document of which they are a part."""
     found = {"schema": 1, "equations": [_equation(each) for each in readings], "summary": dict(summary_of(readings))}
-    return {**found, "missing": list(missing)}
+    return {**found, "missing": list(missing), "whole": whole or None}
 
 
 def summary_of(readings: Iterable[Reading]) -> Counter[str]:
@@ -62,7 +62,9 @@ def reason_of(reading: Reading) -> str:
     return reading.reason or (link.reason if link else "")
 
 
-def reading_lines(name: str, readings: Sequence[Reading], missing: Sequence[str] = (), *, full: bool) -> Iterator[str]:
+def reading_lines(
+    name: str, readings: Sequence[Reading], missing: Sequence[str] = (), whole: str = "", *, full: bool
+) -> Iterator[str]:
     """Yield what a reader wants to see first: contradictions whole, and the others folded by verdict and reason."""
     if full:
         for each in readings:
@@ -83,6 +85,8 @@ def reading_lines(name: str, readings: Sequence[Reading], missing: Sequence[str]
             yield from _by_reason(verdict, claimed)
         for verdict in ("not decided", "not read"):
             yield from _by_reason(verdict, [each for each in readings if each.verdict == verdict])
+    if whole:
+        yield f"its macros are those of {whole}, of which it is a part"
     for file in dict.fromkeys(missing):
         yield f"the included file {file} is not in the folder of the document, or cannot be read; it was left out"
     counts = summary_of(readings)

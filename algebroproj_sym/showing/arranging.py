@@ -36,7 +36,7 @@ Part = Literal["printed", "derived", "corrected"]
 
 
 class _OtherwiseWrittenError(Exception):
-    """What is written is no sum, product, quotient or power of symbols and numbers."""
+    """What is written is not a sum, product, quotient or power of symbols and numbers."""
 
 
 def as_declared(claim: Claim, part: Part) -> Statement | None:

@@ -108,7 +108,7 @@ def _meanings(written: ast.expr, source: Source) -> tuple[Meaning, ...]:
 
 
 def named_latex(written: ast.expr, names: Mapping[str, Any]) -> str:
-    r"""Return what a module writes as LaTeX; what is no formula stays as it is written.
+    r"""Return what a module writes as LaTeX; what is not a formula stays as it is written.
 
     Examples
     --------

@@ -3,7 +3,7 @@
 This is C as far as the generator writes it: functions of declarations, assignments, array entries, arithmetic, the
 conditional operator, calls, and one loop over points.  Anything else is refused, so that nothing is proved of a source
 that is not understood.  Of the preprocessor's macros those are known that head a function or name one for its type.
-The name ``range`` is no variable here: what keeps the range of operands can be read by nothing that computes.
+The name ``range`` is not a variable here: what keeps the range of operands can be read by nothing that computes.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class Meaning:
     Attributes
     ----------
     constants : mapping of str to number
-        The values of names that are no variables.
+        The values of names that are not variables.
     is_larger : callable, optional
         Whether one absolute value is larger than another; for numbers without an order, a choice.  Without it, the
         conditional operator is refused.  Of magnitudes the first one is taken for larger: a matrix has full rank.

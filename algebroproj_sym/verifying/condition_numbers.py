@@ -69,7 +69,7 @@ def as_record(found: Analysis) -> dict[str, Any]:
 
 
 def a_priori_record(lowered: Lowered) -> dict[str, Any] | None:
-    """Return the bounds of a kernel as plain data; None if it is no rational function."""
+    """Return the bounds of a kernel as plain data; None if it is not a rational function."""
     return as_record(analysis(straight_line(lowered))) if lowered.kernel.is_rational else None
 
 
@@ -121,7 +121,7 @@ class _Writer:
         return text if binding >= within else f"({text})"
 
     def written(self, node: _Node) -> tuple[str, int]:
-        """Return the text of a node that is no abbreviation, and how strongly it binds."""
+        """Return the text of a node that is not an abbreviation, and how strongly it binds."""
         kind, place = node
         operator, operands = self.line.operations[place]
         if operator == "input":

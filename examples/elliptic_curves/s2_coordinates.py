@@ -100,7 +100,7 @@ section.identity(
     derived=added.subs({Z1: Z, Z2: Z}).xreplace(same),
     expect="false",
     instead="2.3/equal-points#zero",
-    note="The case must be told apart, or the result is no point at all.",
+    note="The case must be told apart, or the result is not a point at all.",
 )
 section.identity(
     "2.3/equal-points#zero",

@@ -65,7 +65,7 @@ def _worked_out(term: Term, statement: Statement) -> Term:
 
 
 def _require_free(kind: str, letter: Term, statement: Statement) -> None:
-    """Reject what is no letter, is bound by a constraint, or does not stay what it is where it is changed."""
+    """Reject what is not a letter, is bound by a constraint, or does not stay what it is where it is changed."""
     needed = "a letter without properties" if kind == "diff" else "a letter that is a rotation"
     good = letter.kind == "letter" or (kind == "diff" and letter.kind == "symbol")
     if good and letter.kind == "letter":
@@ -74,7 +74,7 @@ def _require_free(kind: str, letter: Term, statement: Statement) -> None:
     if not good:
         raise LetterError(f"{kind}: expected {needed}, got {letters_text(letter)}")
     if letter.kind == "symbol" and letter.value in statement.size_names:
-        raise LetterError(f"{kind}: expected a letter that is no size, got {letters_text(letter)}")
+        raise LetterError(f"{kind}: expected a letter that is not a size, got {letters_text(letter)}")
     if any(letter in factors_of(constraint) for constraint in statement.constraints):
         raise LetterError(f"{kind}: expected a letter that no constraint binds, got {letters_text(letter)}")
 

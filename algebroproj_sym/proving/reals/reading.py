@@ -76,7 +76,7 @@ def term_of(value: Any, argument: str, *, is_complex: bool = False) -> Term:
     ParseError
         If a text is not in the grammar.
     NotRationalError
-        If an expression has a part that is no real function known here.
+        If an expression has a part that is not a real function known here.
 
     Examples
     --------
@@ -304,9 +304,9 @@ def witness_of(given: Any, names: Collection[str]) -> dict[str, Fraction]:
     Raises
     ------
     TypeError
-        If it is no mapping.
+        If it is not a mapping.
     ValueError
-        If a name does not occur, or a value is no rational number.
+        If a name does not occur, or a value is not a rational number.
 
     Examples
     --------

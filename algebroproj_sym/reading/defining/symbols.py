@@ -32,7 +32,7 @@ import sympy
 
 from algebroproj_sym.expressions import Expression, Matrix, ParseError, parse
 from algebroproj_sym.proving.letters import PROPERTIES
-from algebroproj_sym.reading.documents.displays import UnreadableDocumentError
+from algebroproj_sym.reading.documents.files import UnreadableDocumentError
 from algebroproj_sym.reading.lexing.commands import GREEK
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError

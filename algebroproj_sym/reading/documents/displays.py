@@ -10,20 +10,24 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
 from pathlib import Path
-from typing import NamedTuple
 
 from algebroproj_sym.reading.documents.escapes import escapes_rows, escapes_subscripts, unescaped
+from algebroproj_sym.reading.documents.files import (
+    MAX_CHARACTERS,
+    Line,
+    UnreadableDocumentError,
+    source_at,
+    without_comments,
+)
 from algebroproj_sym.reading.documents.macros import Macro, expanded, macros_in, redefinitions
 from algebroproj_sym.reading.documents.tidying import tidied
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
 
-MAX_CHARACTERS = 5_000_000
 MAX_FORMULAS = 20_000
 _PICTURE = re.compile(r"\s*\\begin\{(?:tikzpicture|picture|tikzcd|pspicture)\}")
 """How a display begins that is no formula."""
 MAX_DISPLAY = 50_000
 MAX_WORDS = 2_000
-MAX_INCLUDED = 100
 
 _ENVIRONMENTS = (
     *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
@@ -46,7 +50,6 @@ _PARAGRAPH = re.compile(r"\n[ \t]*\n")
 """What no formula within the text goes over."""
 HEADING = "\f"
 """What stands in the words before a formula where a section begins."""
-_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 _CODE = re.compile(
     r"\\begin\{((?:[vV]erbatim|lstlisting|minted|comment|filecontents)\*?)\}|\\(?:verb\*?|lstinline)([^a-zA-Z*\s{\[])|\\iffalse\b"
 )
@@ -56,7 +59,6 @@ _SWITCH = re.compile(r"\\newif\s*\\if([a-zA-Z]+)")
 _UNREACHED = re.compile(
     r"(\\iftrue(?![a-zA-Z])(?:(?!\\if|\\fi|\\else).)*\\else(?![a-zA-Z]))((?:(?!\\if|\\fi).)*)", re.DOTALL
 )
-_INCLUDED = re.compile(r"\\(input|include|subfile|usepackage)\s*(?:\[[^\]]*\])?\s*\{\s*([^{}\s]+)\s*\}")
 _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 """Code within a line; what a role of MyST cites is none."""
 _HIDDEN = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
@@ -76,20 +78,6 @@ _SPACED = re.compile(
 )
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
-
-
-class UnreadableDocumentError(ValueError):
-    """A file is no document that can be read."""
-
-
-class Line(NamedTuple):
-    """A line of a document, counted from 1; the name of the file on which it stands, empty for the document itself."""
-
-    number: int
-    file: str = ""
-
-    def __str__(self) -> str:
-        return f"line {self.number} of {self.file}" if self.file else f"line {self.number}"
 
 
 @dataclass(frozen=True)
@@ -154,12 +142,15 @@ class Document:
         Where they stand in files.
     missing : tuple of str
         The files that it includes and that are not in its folder, or cannot be read.
+    whole : str
+        The document of which it is a chapter, as a path from its folder; empty for none.
     """
 
     formulas: tuple[Display, ...]
     starts: tuple[int, ...]
     lines: tuple[Line, ...]
     missing: tuple[str, ...] = ()
+    whole: str = ""
 
     def line_of(self, place: int) -> Line:
         """Return the line on which a character stands."""
@@ -188,56 +179,8 @@ def document_at(path: Path) -> Document:
         return _notebook(path, text)
     if path.suffix != ".tex":
         return document_of(text, latex=False)
-    lines, characters = list[tuple[str, Line]](), 0
-    missing = list[str]()
-    for line, where in _with_included(text, path.resolve().parent, {path.resolve()}, missing):
-        characters += len(line) + 1
-        if characters > MAX_CHARACTERS + 1:
-            raise UnreadableDocumentError(
-                f"{path}: expected at most {MAX_CHARACTERS} characters with its files, got more"
-            )
-        lines.append((line, where))
-    found = document_of("\n".join(line for line, _ in lines), lines=tuple(where for _, where in lines))
-    return replace(found, missing=tuple(missing))
-
-
-def _with_included(
-    text: str, folder: Path, seen: set[Path], missing: list[str], file: str = ""
-) -> Iterator[tuple[str, Line]]:
-    r"""Yield the lines of a text with those of the files that it includes.
-
-    Only files in the folder of the document are read, each once, also packages: they may define macros.  Those that
-    cannot be read are added to what is missing, but for packages.
-    """
-    for number, line in enumerate(text.split("\n"), 1):
-        place = 0
-        for match in _INCLUDED.finditer(_without_comments(line)):
-            included = _file_in(folder, match[2], ".tex" if match[1] in ("input", "include", "subfile") else ".sty")
-            if included is None:
-                missing += [match[2]] if match[1] != "usepackage" else []
-                continue
-            if included in seen:
-                continue
-            if len(seen) > MAX_INCLUDED:
-                raise UnreadableDocumentError(f"expected at most {MAX_INCLUDED} included files, got more")
-            seen.add(included)
-            try:
-                inside = included.read_text(encoding="utf-8") if included.stat().st_size <= MAX_CHARACTERS else ""
-            except (OSError, UnicodeDecodeError):
-                missing.append(match[2])
-                continue
-            yield line[place : match.start()], Line(number, file)
-            yield from _with_included(inside, folder, seen, missing, included.relative_to(folder).as_posix())
-            place = match.end()
-        yield line[place:], Line(number, file)
-
-
-def _file_in(folder: Path, name: str, suffix: str) -> Path | None:
-    for candidate in (name, name + suffix):
-        path = (folder / candidate).resolve()
-        if path.is_relative_to(folder) and path.is_file():
-            return path
-    return None
+    source = source_at(path, text)
+    return replace(document_of(source.text, lines=source.lines), missing=source.missing, whole=source.whole)
 
 
 def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None = None) -> Document:
@@ -260,7 +203,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbered = lines or tuple(map(Line, range(1, len(starts) + 1)))
     if latex:
-        plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(_without_comments(text))))
+        plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(without_comments(text))))
         plain = _without_versions(plain)
     else:
         plain = _STRUCK_IN_MARKDOWN.sub(
@@ -318,11 +261,6 @@ class _Following:
             found = self._text.find(mark, place)
             self._known[mark] = len(self._text) if found < 0 else found
         return self._known[mark]
-
-
-def _without_comments(text: str) -> str:
-    r"""Return LaTeX with spaces for its comments; what stands before them stays, also a line break ``\\``."""
-    return _COMMENT.sub(lambda found: found[1] + " " * (len(found.group()) - len(found[1])), text)
 
 
 def _blank(found: re.Match[str]) -> str:
@@ -410,7 +348,7 @@ def _formulas(
             place = end + len(ending)
             continue
         after = _HTML.sub(_blank, text[end + len(ending) : end + len(ending) + 300])
-        pieces, reason = _expanded(_without_comments(inside), place, macros)
+        pieces, reason = _expanded(without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")
         where = document.line_of(match.start())
         yield Display(where, environment, inside, pieces, reason, words, _up_to_formula(after), part, numbered, group)

@@ -47,6 +47,7 @@ from algebroproj_sym.reading.judging.words import (
     beside,
     ends_clause,
     has_ended,
+    is_example,
     is_given_within,
     is_item,
     last_sentence,
@@ -154,7 +155,9 @@ class _Pass:
         before, sentence = statement.display.before, last_sentence(statement.display.before)
         self.memory.leave(statement.display)
         number = not any(map(symbols_in, formula.sides[1:]))
-        elsewhere = number and leads_elsewhere(statement.display.after)
+        elsewhere = number and (
+            leads_elsewhere(statement.display.after) or is_example(sentence, statement.display.after)
+        )
         says = is_given_within(before, number=number) and not (elsewhere or beside(statement, "").is_denied)
         says = says and not ASKS.match(sentence)
         self.memory.stand_at(statement.display)
@@ -169,6 +172,8 @@ class _Pass:
                 and definition.symbol not in self.memory.vocabulary.definitions
             ):
                 self.memory.vocabulary.define(definition)
+                if number:
+                    self.memory.valued.add(definition.symbol)
             elif says and definition is None and ends_clause(statement.display) and self._introduces_within(formula):
                 given = self.memory.premises_of(statement, formula, formula.sides)
                 self.memory.premises += [replace(each, special=False) for each in given]

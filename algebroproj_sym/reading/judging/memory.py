@@ -84,13 +84,19 @@ class Memory:
         self.conditions = set[int]()
         self.running = set[int]()
         self.part = 0
+        self.valued = set[str]()
         self.beside = Beside("", "", "", "", False, 0, 0, True)
         self.display: Display | None = None
         self.carried = ""
         self.ended = True
 
     def leave(self, display: Display) -> None:
-        """Forget what a quotation or an example says where it ends, and what a theorem supposes."""
+        """Forget what a quotation, an example or a theorem says where it ends, and the numbers of another section."""
+        if display.part != self.part:
+            for symbol in self.valued & {*self.vocabulary.definitions}:
+                del self.vocabulary.definitions[symbol]
+            self.vocabulary.forget()
+            self.valued.clear()
         self.scopes, ended, supposed = self.scopes.at(display)
         for start in ended:
             self._retract_from(start)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
-from algebroproj_sym.reading.documents.displays import Line
+from algebroproj_sym.reading.documents.files import Line
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.parsing.grammar import Parsed
 

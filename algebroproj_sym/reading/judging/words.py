@@ -340,6 +340,17 @@ def is_given_within(words: str, *, number: bool) -> bool:
     return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
 
 
+def is_example(sentence: str, after: str) -> bool:
+    """Whether a formula within the text gives an example: "with $a = 10$, for example".
+
+    Examples
+    --------
+    >>> is_example("With ", ", for example:"), is_example("Say, with ", ","), is_example("With ", ", we say that")
+    (True, True, False)
+    """
+    return _EXAMPLE.search(without_formulas(sentence)) is not None or _EXAMPLE.match(after) is not None
+
+
 def is_item(before: str, after: str) -> bool:
     r"""Whether an inline formula is an item of a list, and stands there alone; the words before it speak of no case.
 
@@ -354,6 +365,7 @@ def is_item(before: str, after: str) -> bool:
     return ends and bool(items and leading) and not items[-1] and "?" not in leading and not CASES.search(leading)
 
 
+_EXAMPLE = re.compile(r"[\s,(]*\b(?:(?:for|as an?) (?:example|instance)\b|say,|such as\b|e\.\s?g\.)", re.IGNORECASE)
 _ITEM = re.compile(r"\n\s*(?:[*+-]|\d+[.)]|\\item)[ \t]+")
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
-from algebroproj_sym.reading.documents.displays import UnreadableDocumentError
+from algebroproj_sym.reading.documents.files import UnreadableDocumentError
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 
 _WIDTH = 100

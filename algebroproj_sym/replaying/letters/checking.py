@@ -241,7 +241,7 @@ def _multiple(words: Words, shapes: Mapping[str, Any], part: Mapping[str, Any], 
         require(part["trace"] is True and result.shape[0] == result.shape[1], "a trace of what is not square")
         result = words.trace(result)
     if "times" in given:
-        require(given["times"].shape == (1, 1), "a multiple by what is no number")
+        require(given["times"].shape == (1, 1), "expected a multiple by a number")
         result = words.times(given["times"], result)
     return words.times(result, given["then"]) if "then" in given else result
 

@@ -55,7 +55,7 @@ def _require_free(kind: str, letter: Node, statement: Statement) -> None:
     if kind == "diff" and letter.kind == "symbol":
         require(letter.value not in statement.sizes, "a derivative by a size")
         return
-    require(letter.kind == "letter", "a derivative by what is no letter")
+    require(letter.kind == "letter", "expected a derivative by a letter")
     properties = statement.letters[letter.value].properties
     kept = "orthogonal" in properties if kind != "diff" else not properties
     require(kept, "a derivative by a letter that does not stay what it is")

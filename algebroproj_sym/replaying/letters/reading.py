@@ -292,7 +292,7 @@ class _Reader:
         while operator := self.skip("*", "/"):
             factor = self.signed()
             if operator == "/":
-                require(factor.shape == NUMBER and factor != constant(0), "a divisor is no number, or zero")
+                require(factor.shape == NUMBER and factor != constant(0), "a divisor is not a number, or zero")
                 inverse = constant(1 / factor.value) if factor.kind == "number" else None
                 factor = inverse or made("power", factor, value=-1)
             factors.append(factor)

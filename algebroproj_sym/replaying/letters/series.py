@@ -243,7 +243,7 @@ class _Series:
             return changed(read(text, {}), lambda node: _at_zero(node.value) if node.kind == "symbol" else None)
         ratio = abs(angle.factor) / self.smallest[angle.of]
         doublings = ratio.numerator.bit_length() - 1
-        require(ratio == 2**doublings, "an angle that is no multiple by a power of 2")
+        require(ratio == 2**doublings, "an angle must be a multiple by a power of 2")
         return self._filled(text, angle.of, doublings)
 
     # -- nodes

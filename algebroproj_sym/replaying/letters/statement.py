@@ -68,14 +68,14 @@ def stated(record: Mapping[str, Any]) -> Statement:
     require(left.shape == right.shape, "the two sides have not the same shape")
     constraints = (*map(zero, texts(record["constraints"])),)
     nonzero = tuple(read(text, shapes) for text in texts(record["nonzero"]))
-    require(all(unit.shape == (1, 1) for unit in nonzero), "what is not zero is no number")
+    require(all(unit.shape == (1, 1) for unit in nonzero), "expected a number that is not zero")
     statement = Statement(left, right, letters, constraints, nonzero)
     require(not statement.sizes & letters.keys(), "a letter has the name of a size")
     return statement
 
 
 def read_alone(setting: Mapping[str, Any], *texts: str) -> None:
-    """Reject texts that are no matrices of one shape by themselves, before they become parts of another text."""
+    """Reject texts that are not matrices of one shape by themselves, before they become parts of another text."""
     letters = {name: declared(text).shape for name, text in setting["letters"].items()}
     shapes = {read(text, letters).shape for text in texts}
     require(len(shapes) == 1, "the two sides have not the same shape")

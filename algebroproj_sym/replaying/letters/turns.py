@@ -1,6 +1,6 @@
 """Points at which angles are multiples of one that is transcendental, while its sine and cosine are rational.
 
-acos(c) with a rational c between -1 and 1, and a rational sine, is no algebraic number (Lindemann), nor is pi/2.  A
+acos(c) with a rational c between -1 and 1, and a rational sine, is not an algebraic number (Lindemann), nor is pi/2.  A
 rational function of it that is not zero at some rational number is not zero there either; a homogeneous one that is
 zero at such a number, not zero itself, is zero there too.
 """
@@ -56,7 +56,7 @@ class Turn:
     def _require_angle(self, cosine: Fraction) -> None:
         sine = _root(1 - cosine**2) if abs(cosine) < 1 else None
         require(sine is not None, "an angle of which the sine is not rational")
-        require(self.cosine in (None, cosine), "two angles that are no multiples of one")
+        require(self.cosine in (None, cosine), "two angles must be multiples of one")
         self.cosine, self.sine = cosine, sine or self.sine
 
     def require_pure(self) -> None:

@@ -197,7 +197,7 @@ class Words:
                 part = self._size(poly.shape[0])
             elif cuts:
                 factor, (taken, rest) = self._term((), word[cuts[0] :] + word[: cuts[0]])
-                require(not rest, "a trace that is no number")
+                require(not rest, "a trace must be a number")
                 part = Poly(NUMBER, {(taken, ()): factor})
             else:
                 factor, least = self._least(word[k:] + word[:k] for k in range(len(word)))
@@ -322,7 +322,7 @@ class Words:
     def _vee(self, poly: Poly) -> Poly:
         total = self.constant(0, (3, 1))
         for (numbers, word), value in poly.terms.items():
-            require(len(word) == 1 and word[0].startswith("skew["), "vee of what is no cross-product matrix")
+            require(len(word) == 1 and word[0].startswith("skew["), "vee needs a cross-product matrix")
             part = self.times(Poly(NUMBER, {(numbers, ()): value}), self.inside[word[0]])
             total = self.plus(total, part)
         return total
@@ -365,5 +365,5 @@ class Words:
             "skew": self.skew,
             "vee": self._vee,
         }
-        require(kind in functions, f"{kind} is no function of words")
+        require(kind in functions, f"{kind} is not a function of words")
         return functions[kind](first)

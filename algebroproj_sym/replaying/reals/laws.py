@@ -325,7 +325,7 @@ def strict_bounds(theory: Theory, step: Step) -> None:
     """
     known = theory.applications.get(step["target"])
     if known is None or known.function not in ("root", "exp", "log"):
-        raise Rejected(f"{step['target']!r:.40} is no root, exponential or logarithm")
+        raise Rejected(f"{step['target']!r:.40} is not a root, exponential or logarithm")
     value, u, one = theory.variable(step["target"]), known.args[0], theory.number(1)
     if known.function == "root":
         theory.require(">", u, "the radicand")

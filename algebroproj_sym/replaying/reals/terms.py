@@ -64,7 +64,7 @@ _POWER = re.compile(r"(?:\*\*|\^)\s*[-+]?\s*(?:\(|[^\W\d]|[0-9]*\.)")
 
 
 def has_functions(text: str) -> bool:
-    """Whether a text has a function, or a power whose exponent may be no integer.
+    """Whether a text has a function, or a power whose exponent may not be an integer.
 
     Examples
     --------
@@ -86,7 +86,7 @@ def has_parts(text: str) -> bool:
 
 
 class UnreadableError(ValueError):
-    """A text is no term: where, what was expected there, and what was found."""
+    """A text is not a term: where, what was expected there, and what was found."""
 
     def __init__(self, position: int, expected: str, got: str) -> None:
         super().__init__(f"position {position}: expected {expected}, got {got}")

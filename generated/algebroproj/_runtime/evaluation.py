@@ -204,7 +204,7 @@ def placed(signature: Signature, arguments: Sequence[Any], named: Mapping[str, A
 
 
 def reals(signature: Signature, given: Sequence[Any]) -> list[NDArray[Any]]:
-    """Return arguments as arrays of the dtype of the results; refuse what are no real machine numbers."""
+    """Return arguments as arrays of the dtype of the results; refuse what are not real machine numbers."""
     require_no_mask(signature, given)
     arrays = [np.asarray(value) for value in given]
     for array in arrays:

@@ -31,7 +31,7 @@ def solve(*rows: Sequence[Any]) -> tuple[Any, ...]:
 
     Gaussian elimination with partial pivoting; real floating-point solutions are refined once, with residuals in twice
     the precision, for which the entries may have twice the digits.  Where a system is singular, the unknowns are not
-    finite.  Numbers that are no machine numbers (Fraction, mpmath) are taken for exact: any pivot but zero will do.
+    finite.  Numbers that are not machine numbers (Fraction, mpmath) are taken for exact: any pivot but zero will do.
 
     Parameters
     ----------

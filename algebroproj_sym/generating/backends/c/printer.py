@@ -51,7 +51,7 @@ BLOCK = 64
 """How many points are gathered at a time: few enough that all entries of a kernel stay in the first-level cache."""
 
 CONDITIONS = ("is_larger", "is_finite")
-"""The operators whose results are no numbers."""
+"""The operators whose results are not numbers."""
 
 _PATTERNS = {
     "neg": "-{0}",

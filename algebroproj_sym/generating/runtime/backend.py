@@ -22,8 +22,8 @@ DIGEST = "DIGEST_OF_THE_SOURCE"
 def backend() -> Literal["numpy", "compiled"]:
     """Return which version of the functions was chosen when the package was imported.
 
-    Some calls run the NumPy source in both cases: those with long doubles, objects or complex numbers, those with
-    arrays of other libraries, and those of functions that need a sine, cosine or arctangent.
+    Some calls run the NumPy source in both cases: those with float32, long doubles, objects or complex numbers, those
+    with arrays of other libraries, and those of functions that need a sine, cosine or arctangent.
     """
     return "numpy" if _COMPILED is None else "compiled"
 

@@ -187,6 +187,13 @@ def _summed(symbol: str, index: str) -> str:
     return f"{letter}_{{{SUMMED}{''.join(f' {each}' for each in sorted(letters - {index, letter, SUMMED}))}}}"
 
 
+def summed_like(pattern: str, letter: str, symbols: Iterable[str]) -> frozenset[str]:
+    r"""Return what a letter with one index depends on, summed over it if it stands for all of them, ``x_{\bullet}``."""
+    index, *others = letters_of_symbol(letter) - {split_symbol(letter)[0]} or ("",)
+    is_sum = SUMMED in pattern and not others and len(letters_of_symbol(pattern)) == 2
+    return frozenset(_summed(each, index) for each in {*symbols} - {index}) if is_sum else frozenset(symbols)
+
+
 def is_among(letter: str, symbols: Iterable[str]) -> bool:
     """Whether a symbol is among others, or among those over which one of them is summed."""
     letter, own = split_symbol(letter)[0], letter

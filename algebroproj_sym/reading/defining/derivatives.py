@@ -11,14 +11,15 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.chains import chained, slope_of
-from algebroproj_sym.reading.defining.premises import letter_of
+from algebroproj_sym.reading.defining.integrating import integral_in, is_integral
+from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, ZERO, rate_of
 from algebroproj_sym.reading.defining.recognising import without_brackets
 from algebroproj_sym.reading.defining.through import nested, through_arguments
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
 _DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
 _MIXED = re.compile(r"\\partial\^2(.+)/\\partial(.+?)\\partial(.+)")
@@ -64,15 +65,20 @@ def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: 
     return [*found.values()][::-1]
 
 
-def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tuple[Any, list[Definition]]:
-    r"""Return a formula in which each ``\frac{d}{dx}`` of something is a letter, and what these letters stand for.
+def computed(
+    tree: Any, vocabulary: Vocabulary, occurring: frozenset[str], own: frozenset[str] = frozenset()
+) -> tuple[Any, list[Definition]]:
+    r"""Return a formula in which each ``\frac{d}{dx}`` and ``\int_a^b`` is a letter, and what these letters stand for.
 
     The letters beside x do not change.  A derivative stays as it is if the document speaks of one of another letter.
+    The equation that is asked, with the symbols `own`, says of no letter that it changes with one of an integral.
     """
     if not isinstance(tree, Tree):
         return tree, []
-    parts = [computed(each, vocabulary, occurring) for each in tree.children]
+    parts = [computed(each, vocabulary, occurring, own) for each in tree.children]
     found, made = Tree(tree.data, [each for each, _ in parts]), [each for _, more in parts for each in more]
+    if is_integral(found):
+        return _integrated(found, made, vocabulary, occurring, own)
     match = _OPERATOR.fullmatch(str(tree.children[0])) if tree.data == "big" else None
     if match is None:
         return found, made
@@ -97,6 +103,32 @@ def computed(tree: Any, vocabulary: Vocabulary, occurring: frozenset[str]) -> tu
     return letter_of(symbol), made
 
 
+def _integrated(
+    tree: Formula, made: list[Definition], vocabulary: Vocabulary, occurring: frozenset[str], own: frozenset[str]
+) -> tuple[Formula, list[Definition]]:
+    """Return the letter of an integral, if it is computed, and what the letters in it and its own stand for."""
+    inner, body = extended(vocabulary, made), tree.children[1]
+    integrals = (each.tree for each in made if each.tree.data == "integral")
+    bound = {symbol for each in integrals for part in trees_in(each)[-2:] for symbol in symbols_in(part)}
+    letters = inner.letters_of(body) - bound if isinstance(body, Tree) else frozenset()
+    ordered = [*symbols_in(body), *sorted(letters)] if isinstance(body, Tree) else []
+    step = next((each for each in ordered if each.startswith("d ") and each in letters), "")
+    variable = step[2:]
+    plain = frozenset(each for each in letters if not each.startswith("d "))
+    others = sorted(plain - {variable})
+    calls = {str(each.children[0]) for each in tree.iter_subtrees() if each.data == "call"}
+    moving = (
+        {variable, *others} & calls or _change(others, variable, occurring) or inner.moves_with(others, variable, own)
+    )
+    is_open = others and variable not in letters and not _are_constant(others, inner)
+    if not step or moving or is_open or stands_within(variable, plain):
+        return tree, made
+    found = integral_in(tree, step, inner)
+    if found is None:
+        return tree, made
+    return letter_of(found.symbol), [*made, replace(found, where=f"{found.where}{_unchanged(others, vocabulary)}")]
+
+
 def _of_lone(tree: Any, variable: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
     """Return the derivative of a lone letter, or of a derivative that an equation above gives."""
     tree = without_brackets(tree)
@@ -107,10 +139,10 @@ def _of_lone(tree: Any, variable: str, vocabulary: Vocabulary, occurring: frozen
 
 
 def has_rate(letter: str, variable: str, occurring: frozenset[str]) -> bool:
-    """Whether a document has the derivative of a letter by a variable, also as a dot where that is the time."""
-    bare, below = frozenset(map(_bare, occurring)), _bare(variable)
-    rates = {f"{d}{_bare(letter)}/{d}{below}" for d in ("d", r"\partial")}
-    return not bare.isdisjoint(rates | ({_with_dot(letter)} if variable == "t" else set()))
+    """Whether a document has a derivative of a letter by a variable, also as dots where that is the time."""
+    bare, below, name = frozenset(map(_bare, occurring)), _bare(variable), _bare(letter)
+    rates = {f"{d}{n}{name}/{d}{below}{n}" for d in ("d", r"\partial") for n in ("", "^2")}
+    return not bare.isdisjoint(rates | ({_with_dot(name), _with_dot(_with_dot(name))} if variable == "t" else set()))
 
 
 def _change(letters: Iterable[str], variable: str, occurring: frozenset[str], sign: str = "d") -> bool:
@@ -142,9 +174,9 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
     bare = _without_dot(symbol)
     function = _by_bare(vocabulary.definitions).get(bare) if bare else None
     if function is None:
-        return _of_time(symbol, vocabulary)
+        return _of_time(symbol, vocabulary, occurring)
     if vocabulary.definitions[function].parameters == ("t",):
-        return _of_time(symbol, vocabulary)
+        return _of_time(symbol, vocabulary, occurring)
     is_computed = vocabulary.is_computed(vocabulary.definitions[function].tree)
     found = None if is_computed else _of_factors(symbol, bare, "t", vocabulary, occurring)
     return found or _rate(symbol, function, vocabulary, occurring)
@@ -329,15 +361,33 @@ def _of_function(symbol: str, definition: Definition, order: int, vocabulary: Vo
     return replace(_made(symbol, value, definition, others, vocabulary), parameters=(variable,))
 
 
-def _of_time(symbol: str, vocabulary: Vocabulary) -> Definition | None:
-    r"""Return the derivative of a function of t by its dots, as ``\ddot x(t)`` of ``x(t)``."""
+def _of_time(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
+    r"""Return the derivative by its dots of a function of t, as ``\ddot x(t)`` of ``x(t)``, or of what has a t."""
     known, bare, dots = _by_bare(vocabulary.definitions), _without_dot(symbol), 1
     while bare and bare not in known:
         bare, dots = _without_dot(bare), dots + 1
     definition = vocabulary.definitions.get(known.get(bare, ""))
+    if definition is not None and not definition.parameters and dots > 1:
+        return _of_the_time(symbol, definition, dots, vocabulary, occurring)
     if definition is None or definition.parameters != ("t",):
         return None
     return _of_function(symbol, definition, dots, vocabulary)
+
+
+def _of_the_time(
+    symbol: str, definition: Definition, dots: int, vocabulary: Vocabulary, occurring: frozenset[str]
+) -> Definition | None:
+    """Return a higher derivative by time of what t alone changes."""
+    letters = vocabulary.letters_of(definition.tree)
+    others = sorted(letters - {"t"})
+    known = {_bare(each) for each in occurring}
+    changes = any(_with_dot(each) in known for each in others) or vocabulary.moves_with(others, "t")
+    if "t" not in letters or changes or not (definition.usable and vocabulary.dependence.by_time):
+        return None
+    value = letter_of(definition.symbol)
+    for _ in range(dots):
+        value = slope_of(value, "t")
+    return _made(symbol, value, definition, others, vocabulary)
 
 
 def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:

@@ -36,6 +36,8 @@ _FROM = re.compile(r"(?<![a-zA-Z\\_{])([a-zA-Z])\s*(\\geq?(?:slant)?|>=?|≥)\s*
 _ABOVE = re.compile(r"(?<![a-zA-Z\\_{\d.])(\d+)\s*(\\leq?(?:slant)?|<=?|≤)\s*([a-zA-Z])(?![a-zA-Z])")
 _UP_TO = re.compile(r"(?<![a-zA-Z\\_{])([a-zA-Z])\s*(\\leq?(?:slant)?|<=?|≤)\s*(\d+)")
 _SUM = re.compile(r"\\(?:sum|prod)_\{?([a-zA-Z])=(\d+)\}?(?:\^\{?(\d+)(?!\w))?")
+_LIMITED = re.compile(r"(\\sum_\{([a-z])=\d\}\^\{)([a-zA-Z])([+-]\d)?\}")
+"""A sum up to a letter, and its parts."""
 _UNEQUAL = re.compile(
     r"(?<![a-zA-Z\\])([a-zA-Z])\s*(?:\\neq?(?![a-z])|\\not\s*=|≠|<|>|\\[lg]t(?![a-z]))\s*([a-zA-Z0-9])(?![a-zA-Z])"
 )
@@ -192,6 +194,11 @@ class Indices:
         return Tree(tree.data, parts)
 
     def _token(self, token: Token, put: Mapping[str, Item]) -> Token | None:
+        if (found := _LIMITED.fullmatch(token)) and token.type == "BIG" and found[2] not in put and found[3] in put:
+            letter, number = put[found[3]]
+            more = number + int(found[4] or 0)
+            last = f"{letter}{more:+d}" if letter and more else letter or str(more)
+            return Token("BIG", f"{found[1]}{last}}}") if letter or more > 0 else None
         if token.type not in ("SYMBOL", "CALLEE"):
             return None if any(re.search(rf"(?<![a-zA-Z\\]){each}(?![a-zA-Z])", token) for each in put) else token
         small, symbol = _SMALL.fullmatch(token).groups()  # type: ignore[union-attr]  # it always matches

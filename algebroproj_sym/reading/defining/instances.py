@@ -1,16 +1,18 @@
-r"""Formulas that repeat another one: with numbers put in for letters, as in ``m a = 2 \cdot 3``, or squared."""
+r"""Formulas that repeat another one: with numbers put in for letters, as in ``m a = 2 \cdot 3``, or as its power."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
 _PRODUCTS = ("run", "product")
 _AROUND = ("group", "bracket", "items")
-_TWO: Formula = Tree("number", [Token("NUMBER", "2")])
+MOST_DEGREE = 6
+"""The highest degree of a root that is taken away."""
 
 
 def numbers_put_in(left: Formula, right: Formula) -> dict[str, str]:
@@ -46,14 +48,72 @@ def _match(one: Any, other: Any, found: dict[str, str]) -> bool:
     return alike and all(_match(a, b, found) for a, b in zip(one[1:], other[1:], strict=True))
 
 
-def squares_of(left: Formula, right: Formula) -> tuple[Formula, Formula, bool] | None:
-    r"""Return the squares of a letter and of a root that it is, and whether the sign is open, as in ``\pm\sqrt{a}``.
+@dataclass(frozen=True)
+class Powers:
+    r"""The powers of both sides of an equation of a letter and a root.
 
-    A root may stand among factors.  None if the right side is something else.
+    Attributes
+    ----------
+    left, right : Tree
+        The powers.
+    degree : int
+        Of which degree they are.
+    is_open : bool
+        Whether the sign of the root is open, as in ``\pm\sqrt{a}``.
     """
-    signed = right.data == "sum" and len(right.children) == 2 and right.children[0] in ("±", "∓")
-    root: Any = right.children[1] if signed else right
-    factors = [root, *(root.children if root.data in _PRODUCTS else ())]
-    if left.data != "symbol" or not any(isinstance(each, Tree) and each.data == "root" for each in factors):
+
+    left: Formula
+    right: Formula
+    degree: int
+    is_open: bool
+
+
+def powers_of(left: Formula, right: Formula) -> Powers | None:
+    r"""Return the powers of a letter and of a root that it is; None if the right side is something else.
+
+    A root may stand among factors, and its sign may be open: ``x = a \pm \sqrt{b}`` has ``(x - a)^2 = b``.
+    """
+    above, *below = right.children if right.data == "fraction" else [right]
+    terms = above.children if isinstance(above, Tree) and above.data == "sum" else []
+    if left.data != "symbol" or not isinstance(above, Tree):
         return None
-    return Tree("power", [left, _TWO]), Tree("power", [Tree("group", [root]), _TWO]), signed
+    if len(terms) > 1 and terms[-2] in ("±", "∓"):
+        root: Any = terms[-1]
+        whole: Any = Tree("run", [left, *(Tree("group", [each]) for each in below)]) if below else left
+        rest: Any = Tree("sum", [whole, Token("SIGN", "-"), Tree("group", [Tree("sum", terms[:-2])])])
+        is_root = isinstance(root, Tree) and _degree(root) == 2 and not {"±", "∓"} & {*terms[:-2]}
+        return _raised(rest if terms[:-2] else whole, root, 2, is_open=True) if is_root else None
+    degree = _degree(right)
+    return _raised(left, right, degree, is_open=False) if 1 < degree <= MOST_DEGREE else None
+
+
+def _raised(left: Formula, right: Formula, degree: int, *, is_open: bool) -> Powers:
+    exponent: Formula = Tree("number", [Token("NUMBER", str(degree))])
+    both: list[Formula] = [Tree("power", [Tree("group", [each]), exponent]) for each in (left, right)]
+    return Powers(both[0], both[1], degree, is_open)
+
+
+def _degree(tree: Formula) -> int:
+    """Return the degree of the only root among the factors of a formula; 1 if there is none, or several differ."""
+    if tree.data == "root":
+        return 2
+    if tree.data == "nth_root":
+        return _whole(tree.children[0])
+    if tree.data == "power":
+        return _of_exponent(tree.children[1])
+    if tree.data in (*_PRODUCTS, *_AROUND, "fraction", "quotient"):
+        degrees = {each for part in trees_in(tree) if (each := _degree(part)) > 1}
+        return degrees.pop() if len(degrees) == 1 else 1
+    return 1
+
+
+def _of_exponent(exponent: Any) -> int:
+    while isinstance(exponent, Tree) and exponent.data in _AROUND and len(exponent.children) == 1:
+        (exponent,) = exponent.children
+    is_part = isinstance(exponent, Tree) and exponent.data in ("fraction", "quotient") and len(exponent.children) == 2
+    return _whole(exponent.children[1]) if is_part and _whole(exponent.children[0]) == 1 else 1
+
+
+def _whole(tree: Any) -> int:
+    text = str(tree.children[0]) if isinstance(tree, Tree) and tree.data == "number" else ""
+    return int(text) if text.isdigit() and len(text) < 3 else 1

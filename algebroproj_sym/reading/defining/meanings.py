@@ -133,9 +133,12 @@ _OF_SIGNS = re.compile(
 )
 """Operators that are signs: no letter with a hat stands for one."""
 _OPERATORS = (
-    r"(?:(?:derivative|expectation|expected value)(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
+    r"(?:derivative(?! (?:of|with)\b)|(?<!projection )(?<!rotation )operators?|"
     r"(?<=the )set|(?<=a )set|(?<!data )sets|events?)"
 )
+_EXPECTATIONS = r"(?:expectation|expected value)(?! (?:of|with)\b)"
+_MEAN = re.compile(r"(?:\\math[a-z]+\{)?[EM]\}?")
+"""How the operator of an expected value may look; another letter is a value."""
 _MAPS = r"(?:(?:maps?|mappings?)(?! of\b)|activations?|kernels?(?! (?:matri|evaluated\b)))"
 _FUNCTIONS = rf"(?:(?:functions?|functionals?)(?! of\b)|{_MAPS})"
 _SIGNALS = (
@@ -260,7 +263,8 @@ class Meanings:
     @cached_property
     def _letters(self) -> dict[str, str]:
         """Letters that are no numbers, each with what it may be."""
-        found = dict.fromkeys(called(self.statements, _OPERATORS), "is no number")
+        means = (each for each in called(self.statements, _EXPECTATIONS) if _MEAN.fullmatch(split_symbol(each)[0]))
+        found = dict.fromkeys((*called(self.statements, _OPERATORS), *means), "is no number")
         for each in self.statements:
             before, after = each.display.before[-60:], each.display.after[:60]
             is_named = _CALLED.match(after) or _IS_NAME_OF.search(before)

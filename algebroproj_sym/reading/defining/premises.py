@@ -213,13 +213,19 @@ def given_values(
         known = vocabulary.definitions.get(symbol) if parameters else None
         if known is not None and known.usable and known.parameters == parameters:
             found[value] = replace(known, symbol=f"{vocabulary.text(value)} ", parameters=())
-        elif value in said and not _is_defined(value, vocabulary) and value not in [*_within(said[value][1])]:
+        elif value in said and not _is_defined(value, vocabulary) and not _gives_itself(value, said[value][1], found):
             premise, other = said[value]
             found[value] = premise._of(f"{vocabulary.text(value)} ", (), other)
         else:
             continue
         waiting += _within(found[value].tree)
     return {value: replace(each, tree=with_given(each.tree, found)) for value, each in found.items()}
+
+
+def _gives_itself(value: Formula, other: Formula, found: Mapping[Formula, Definition]) -> bool:
+    """Whether a value stands in what it is said to be, or in what that is."""
+    inside = [*_within(other)]
+    return any(value in (each, *(_within(found[each].tree) if each in found else ())) for each in inside)
 
 
 def _is_defined(value: Formula, vocabulary: Vocabulary) -> bool:

@@ -157,7 +157,18 @@ class Uncomputed:
         if inside == 1 and counted and is_number(counted[2], varying, self._vocabulary.definitions):
             more = (counted[1] == "0") - bool(counted[3])
             return outside * (self._vocabulary.plain(counted[2]) + more)
-        return outside * self._whole(name, inside)
+        return outside * (self._exchanged(name, index, inside) or self._whole(name, inside))
+
+    def _exchanged(self, name: str, index: str, inside: Any) -> Any:
+        """Return a sum of a sum in the other order, if its name is the first of both in the alphabet; None if not."""
+        sums = [each for each in inside.free_symbols if each.name in self._sums]
+        inner, body = self._sums[sums[0].name] if len(sums) == 1 else ("", None)
+        within = index_of(inner)
+        rest, power = inside.as_independent(*sums, as_Add=False) if sums else (inside, None)
+        apart = index not in letters_in(inner) and within not in letters_in(name) | self._on(rest)
+        if not inner or power != sums[0] or inner >= name or not apart:
+            return None
+        return self.big(inner, self.big(name, rest * body))
 
     def _dependent(self, value: Any, varying: frozenset[str]) -> list[Any]:
         return [symbol for symbol in value.free_symbols if not varying.isdisjoint(self._on(symbol))]

@@ -13,7 +13,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import TooLargeError, require_bounded, shape
 from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
-from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free_symbols, is_among
+from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free_symbols, is_among, summed_like
 from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
@@ -268,9 +268,10 @@ class Vocabulary:
             last = waiting.pop()
             more: set[str] = set()
             for each in (one for one in given if is_among(one, (last,))) if SUMMED in last else (last,):
-                more |= self.dependence.equated.get(each, frozenset())
+                free = self.dependence.equated.get(each, frozenset())
                 if each in self.definitions:
-                    more |= self.definitions[each].free
+                    free |= self.definitions[each].free
+                more |= summed_like(last, each, free)
             waiting += more - found
             found |= more
         self._behind[symbol] = frozenset(found)
@@ -294,10 +295,14 @@ class Vocabulary:
             return True
         return is_among(letter, behind) or stands_within(letter, behind)
 
-    def moves_with(self, symbols: Iterable[str], letter: str) -> bool:
-        """Whether some symbols may change with a letter: likewise, or by an equation with none of them alone."""
+    def moves_with(self, symbols: Iterable[str], letter: str, own: frozenset[str] = frozenset()) -> bool:
+        """Whether some symbols may change with a letter: likewise, or by an equation with none of them alone.
+
+        What is asked is no such equation: it has the symbols `own`.
+        """
         every = {*symbols}
-        tied = (each.others for each in self.dependence.ties if not each.given and each.is_condition)
+        ties = (each for each in self.dependence.ties if not each.given and each.is_condition)
+        tied = (each.others for each in ties if each.others != own)
         return self.depends(every, letter) or any(letter in each and each & every for each in tied)
 
     def symbol_of(self, name: str) -> str:

@@ -37,7 +37,7 @@ from algebroproj_sym.reading.judging.questions import (
 )
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
-from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, supposes
+from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, states, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
 from algebroproj_sym.reading.judging.words import (
@@ -177,6 +177,9 @@ class _Pass:
             elif says and definition is None and ends_clause(statement.display) and self._introduces_within(formula):
                 given = self.memory.premises_of(statement, formula, formula.sides)
                 self.memory.premises += [replace(each, special=False) for each in given]
+        self.memory.give_anew(formula)
+        if not at_value and {*formula.relations} == {"="} and states(beside(statement, ""), statement.display):
+            self.memory.state(statement, formula)
         if len(formula.sides) > 1:
             if not at_value:
                 self.memory.note(statement, formula)
@@ -259,6 +262,7 @@ class _Pass:
         else:
             self.memory.note(statement, found)
             self.memory.renew(statement, found)
+        self.memory.give_anew(found)
         self.memory.take(statement, found, defines=definition is not None)
         return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
 

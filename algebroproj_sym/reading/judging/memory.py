@@ -47,12 +47,15 @@ from algebroproj_sym.reading.judging.words import (
     sentences_of,
     strange_word,
     takes_back,
+    without_formulas,
     words_of,
 )
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 _IS = re.compile(r"\b(?:is|are)\W*$")
 _IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")
+_NAMED = re.compile(r"(?<=[a-z] )[A-Z]\b")
+"""The letter of a thing in the text, as in "model B"."""
 _ONLY = re.compile(r"\W*([^.$]*?) only\b")
 """Words behind an equation that limit it, as in "in the first case only"."""
 
@@ -67,6 +70,7 @@ class Memory:
         self.asserted: dict[str, int] = {}
         self.seen = set[str]()
         self.premises: list[Premise] = []
+        self.stated: list[tuple[str, Premise]] = []
         self.alone: dict[str, int] = {}
         self.given_at: dict[str, int] = {}
         self.tied = set[str]()
@@ -124,6 +128,7 @@ class Memory:
         self.beside = beside(statement, self.carried)
         if before is not display:
             self._end_cases(display)
+            self._keep_stated(display)
         if before is not None and before is not display:
             same = bool(self.carried) and last_sentence(display.before) == display.before.rstrip()
             same = same and r"\item" not in display.before
@@ -217,6 +222,30 @@ class Memory:
     def is_named(self, statement: Statement, names: frozenset[str]) -> bool:
         """Whether a statement is one of those that the symbols file names."""
         return bool(names & {statement.number, statement.label, str(statement.display.where), "all"} - {""})
+
+    def state(self, statement: Statement, formula: Parsed) -> None:
+        """Keep an equation that a sentence states within the text, if nothing above it says what its letter is."""
+        lone = _lone_in(formula)
+        if lone.isdisjoint(self.given_at) and lone.isdisjoint(self.vocabulary.definitions):
+            words = words_of(last_sentence(statement.display.before))
+            given = self.premises_of(statement, formula, formula.sides)
+            latex = f"${statement.display.latex}$"
+            self.stated += [(latex, replace(each, special=True, words=words)) for each in given]
+
+    def give_anew(self, formula: Parsed) -> None:
+        """Forget what was stated within the text of letters that an equation gives."""
+        if formula.relations:
+            self.stated = [each for each in self.stated if _lone_in(formula).isdisjoint(each[1].symbols)]
+
+    def _keep_stated(self, display: Display) -> None:
+        """Forget what was stated within the text before words of another thing."""
+        kept = list[tuple[str, Premise]]()
+        for latex, premise in self.stated:
+            between = display.before.rpartition(latex)[2]
+            is_other = strange_word(between, premise.words) or _NAMED.search(without_formulas(between))
+            if not (is_other or self.beside.strange(premise.words)):
+                kept.append((latex, premise))
+        self.stated = kept
 
     def note(self, statement: Statement, formula: Parsed) -> None:
         """Take notice of the letters of a statement, and of those that are alone on a side."""
@@ -413,7 +442,8 @@ class Memory:
         """The premises that do not belong to another context, and those that words cite."""
         cited = self.cited
         changed = self.beside.exchanged
-        premises = (each for each in self.premises if not (changed & each.symbols or self.apart & each.names))
+        known = [*self.premises, *(each for _, each in self.stated)]
+        premises = (each for each in known if not (changed & each.symbols or self.apart & each.names))
         return [
             each
             for each in premises
@@ -425,6 +455,10 @@ class Memory:
         """The letters with a definition that rests on what is exchanged in the sentence."""
         known = self.vocabulary.definitions.values()
         return [each.symbol for each in known if self.beside.exchanged & {each.symbol, *each.symbols}]
+
+
+def _lone_in(formula: Parsed) -> set[str]:
+    return {defined_by(side)[0] for side in formula.sides} - {""}
 
 
 def where_of(statement: Statement) -> str:

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import re
 
-from algebroproj_sym.reading.judging.words import FORMULA, Beside, last_sentence, without_formulas
+from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.judging.words import (
+    CASES,
+    FORMULA,
+    Beside,
+    ends_clause,
+    last_sentence,
+    without_formulas,
+)
 
 _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"
@@ -44,6 +52,23 @@ _ELSEWHERE = re.compile(
     re.IGNORECASE,
 )
 """Words behind a formula that may lead elsewhere."""
+_STATES = re.compile(
+    r"(?:\b(?:we|you|one)(?: (?:can|may|then|thus|also|now|hence|therefore|immediately|easily|finally|clearly|directly|"
+    r"indeed))* (?:have|has|gets?|obtains?|finds?|sees?|knows?|concludes?|arrives? at)(?: that)?|"
+    r"\bfollows(?: (?:directly|immediately|easily))?(?: that)?|\b(?:hence|thus|therefore|so|so that|then|consequently)|"
+    r"\b(?:not(?:e|ing)|notice|recall(?:ing)?|observe)(?: that)?|\bthat is|\bi\.e\.|"
+    r"\b(?:gives?|yields?|implies|giving|yielding|implying)(?: that)?)[^\w$]*$",
+    re.IGNORECASE,
+)
+"""The words right before a formula that its sentence states."""
+_AND_ANOTHER = re.compile(r"\$[^$]*\$,?\s+and\s*$")
+_GOES_ON = re.compile(r"\s+and\s+\$|,?\s+(?:where|with)\s+\$[^$=]*\$\s+(?:is|are|denotes?|stands? for)\b")
+_WANTS = re.compile(
+    r"\b(?:want|wish|hope|need|try|tries|claim\w*|guess\w*|expect\w*|must|should|show\w*|prov(?:e|es|ed|ing)|verif\w+|"
+    r"check\w*|ask\w*|desir\w+|goal|aim|call\w*|simulat\w+|figure|table|code|would|initial\w*|final|at time)\b|\?",
+    re.IGNORECASE,
+)
+"""Words of what a sentence does not state, but wants or asks, or of a single moment."""
 _INSIDE = re.compile(r"\([^()$]*\)")
 _ORDER = re.compile(r"[<>≠≤≥≈∼∈]|\\(?:n?e?q?[lg]e?q?q?|neq?|approx|sim|in|lt|gt|to|ll|gg|not)(?![a-zA-Z])")
 
@@ -60,6 +85,16 @@ def supposes(beside: Beside, formula: str) -> bool:
     apart = _APART.search(f"{beside.sentence} {beside.condition}") or _ELSEWHERE.search(without_formulas(behind))
     formulas = (_INSIDE.sub("", each) for each in FORMULA.findall(beside.sentence))
     return bool(found) and leads and not (apart or beside.is_denied or any(map(_ORDER.search, formulas)))
+
+
+def states(beside: Beside, display: Display) -> bool:
+    """Whether a sentence states a formula within the text, as in "we have $c = a - b$.", and of no case."""
+    lead = beside.sentence
+    while (more := _AND_ANOTHER.sub("", lead)) != lead:
+        lead = more
+    apart = any(each.search(beside.sentence) for each in (CASES, _APART, _WANTS))
+    ends = ends_clause(display) or _GOES_ON.match(display.after) is not None
+    return _STATES.search(lead) is not None and ends and not (apart or beside.is_conditional)
 
 
 def goes_on_with(behind: str) -> bool:

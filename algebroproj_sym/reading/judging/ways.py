@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -9,12 +10,14 @@ from itertools import combinations
 from lark import Tree
 
 from algebroproj_sym.reading.defining.arguments import alike, known_without, premise_without, without_arguments
-from algebroproj_sym.reading.defining.dependence import index_of, letters_of_symbol
+from algebroproj_sym.reading.defining.dependence import free_symbols, index_of, letters_of_symbol
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
+from algebroproj_sym.reading.defining.ends import with_same_ends
 from algebroproj_sym.reading.defining.factors import base_of
 from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.indices import excludes
-from algebroproj_sym.reading.defining.instances import squares_of
+from algebroproj_sym.reading.defining.instances import powers_of
+from algebroproj_sym.reading.defining.integrating import OVER, is_integral, with_integrals
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
@@ -43,6 +46,8 @@ MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
 
 
+_SEVERAL = re.compile(r"(.+)_\{?(?:12|1,2|1/2|\\pm)\}?")
+"""A letter for both roots of an equation."""
 _CHANGES = frozenset(
     {
         *("loses", "gains", "burns", "ejects", "gathers", "hardens", "softens", "melts", "evaporates", "leaks"),
@@ -101,15 +106,19 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         special = special or f"the word {word!r} may speak of special values or products"
     doubt = special or doubt_of(standing.beside, formula, index, known)
     others = _others(standing, statement, formula, index)
+    above = [each.gives for each in applicable(standing.premises, standing.part, standing.cited) if each.gives]
+    told = extended(known, above)
     ways = [
         Way(left, right, known, doubt),
         *(Way(*each, known, reads=" = ".join(map(known.text, each))) for each in others),
         *(replace(each, doubt=special or each.doubt) for each in _with_premises(standing, formula, index)),
         *_under_equations(standing, left, right),
         *_as_its_sentence_supposes(standing, left, right),
-        *_squared(standing, formula, index),
+        *_from_integrals(standing, left, right),
+        *_raised(standing, formula, index),
         *_said_before(standing, left, right),
-        *_at_other_indices(standing, left, right),
+        *(at_others := [*_at_other_indices(standing, left, right)]),
+        *_with_same_ends(standing, [Way(left, right, told), *(each for each in at_others if not each.under)]),
         *_without_arguments(standing, formula, index),
     ]
     ways += [
@@ -157,12 +166,52 @@ def _with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[
             yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
     yield from _with_given_values(standing, left, right)
     above = [each.gives for each in applicable(standing.premises, standing.part, standing.cited) if each.gives]
-    told = extended(standing.vocabulary, above)
-    (ours, made), (theirs, more) = (computed(side, told, standing.survey.occurring) for side in (left, right))
-    if (made or more) and not any(_rests_on_what_changes(each, standing.beside) for each in (*made, *more)):
-        known = extended(standing.vocabulary, [*made, *more])
-        yield Way(ours, theirs, known, doubt_of(standing.beside, formula, index, standing.vocabulary))
-        yield Way(ours, theirs, extended(_with_rates(standing, (ours, theirs), told), [*made, *more]), A_VALUE)
+    yield from _with_computed(standing, formula, index, extended(standing.vocabulary, above))
+
+
+def _with_computed(standing: Standing, formula: Parsed, index: int, told: Vocabulary) -> Iterator[Way]:
+    r"""Yield a relation with what stands behind ``\frac{d}{dx}`` and ``\int_a^b`` computed, also in what is put in."""
+    left, right = formula.sides[index], formula.sides[index + 1]
+    occurring, own = standing.survey.occurring, free_symbols(left) | free_symbols(right)
+    (ours, made), (theirs, more) = (computed(side, told, occurring, own) for side in (left, right))
+    put_in = [each for each in used_by(told, left, right) if any(map(is_integral, each.tree.iter_subtrees()))]
+    worked = [computed(each.tree, told, occurring, own) for each in put_in]
+    made = [*made, *more, *(each for _, further in worked for each in further)]
+    if not made or any(_rests_on_what_changes(each, standing.beside) for each in made):
+        return
+    given = [replace(each, tree=tree) for each, (tree, _) in zip(put_in, worked, strict=True)]
+    known = extended(standing.vocabulary, [*made, *given])
+    plain = not any(each.where.startswith(OVER) for each in made)
+    doubt = doubt_of(standing.beside, formula, index, standing.vocabulary) if plain else A_VALUE
+    yield Way(ours, theirs, known, doubt)
+    yield Way(ours, theirs, extended(_with_rates(standing, (ours, theirs), told), [*made, *given]), A_VALUE)
+
+
+def _with_same_ends(standing: Standing, ways: Sequence[Way]) -> Iterator[Way]:
+    """Yield ways in which sums have the same ends, also in what is put in."""
+    for way in ways:
+        used = [each for each in used_by(way.vocabulary, *way.sides) if any(True for _ in each.tree.find_data("big"))]
+        trees = [*way.sides, *(each.tree for each in used)]
+        left, right, *others = with_same_ends(trees, standing.survey.indices)
+        if [left, right, *others] != trees:
+            given = [replace(each, tree=tree) for each, tree in zip(used, others, strict=True)]
+            yield Way(left, right, extended(way.vocabulary, given), A_VALUE, way.reads)
+
+
+def _from_integrals(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation with a letter for which a near or cited equation of integrals is solved."""
+    occurring, own = standing.survey.occurring, free_symbols(left) | free_symbols(right)
+    for each in neighbours(standing.premises, standing.part, standing.cited):
+        if not any(is_integral(part) for side in (each.left, each.right) for part in side.iter_subtrees()):
+            continue
+        sides = each.left, each.right
+        (one, made), (other, more) = (computed(side, standing.vocabulary, occurring, own) for side in sides)
+        trees = {letter.symbol: letter.tree for letter in (*made, *more)}
+        one, other = (with_integrals(side, trees, standing.vocabulary) for side in (one, other))
+        worked = replace(each, left=one, right=other)
+        for solution in _solutions(worked, standing.vocabulary, {*symbols_in(left), *symbols_in(right)}):
+            where = "; ".join((solution.where, *(letter.where for letter in (*made, *more))))
+            yield Way(left, right, extended(standing.vocabulary, [replace(solution, where=where)]), A_VALUE)
 
 
 def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -271,23 +320,28 @@ def _supposed(standing: Standing, left: Formula, right: Formula) -> list[Premise
     return [each for each in standing.own if (each.left, each.right) not in ((left, right), (right, left))]
 
 
-def _squared(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
-    """Yield the squares of a letter and of a root that it is, as they rest on others.
+def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield the powers of a letter and of a root that it is, as they rest on others.
 
-    Both have one sign, or words speak of a root, or of what is never negative.
+    Both have one sign, or its degree is odd, or words speak of a root, or of what is never negative.
     """
-    squares = squares_of(*formula.sides[index : index + 2])
-    if squares is None or standing.vocabulary.is_matrix(symbols_in(squares[0])[0]):
+    left, right = formula.sides[index : index + 2]
+    several = _SEVERAL.fullmatch(defined_by(left)[0])
+    alone = several is not None and not any(defined_by(left)[0] in each.symbols for each in standing.premises)
+    powers = powers_of(left, right)
+    if powers and powers.is_open and several and alone:
+        powers = powers_of(letter_of(several[1]), right)
+    if powers is None or standing.vocabulary.is_matrix(symbols_in(powers.left)[0]):
         return
-    left, right, is_open = squares
     branches = ({"branch", "lower"}, {"branch", "negative"})
     below = any(words <= each.words for words in branches for each in standing.premises[-MOST_PREMISES:])
-    if not (is_open or (standing.beside.speaks_of_a_length and not below)):
+    if not (powers.is_open or powers.degree % 2 or (standing.beside.speaks_of_a_length and not below)):
         return
-    of_squares = replace(formula, sides=(left, right), relations=("=",))
+    of_powers = replace(formula, sides=(powers.left, powers.right), relations=("=",))
     shown = " = ".join(map(standing.vocabulary.text, formula.sides[index : index + 2]))
-    reads = shown if is_open else f"{shown}, where both sides have one sign"
-    for way in (*_with_premises(standing, of_squares, 0), *_under_equations(standing, left, right)):
+    reads = shown if powers.is_open else f"{shown}, where both sides have one sign"
+    plain = Way(powers.left, powers.right, standing.vocabulary)
+    for way in (plain, *_with_premises(standing, of_powers, 0), *_under_equations(standing, *plain.sides)):
         yield replace(way, reads=reads, doubt=A_VALUE)
 
 
@@ -304,17 +358,21 @@ def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[
 
 
 def _at_other_indices(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
-    """Yield a relation with what equations above it say at another index."""
+    """Yield a relation with what equations above it say at another index: of a lone letter, and of all letters."""
     known, indices = standing.vocabulary, standing.survey.indices
     if not indices.counted or excludes(standing.beside.words):
         return
     given, others = sources_of(standing.premises, known, indices, standing.part, standing.cited)
     shown = " = ".join(map(known.text, (left, right)))
     told = extended(known, given)
-    found = [*instances(given, told, indices, (left, right))]
-    if found:
-        put = "; ".join(f"{how} in {each.where}" for each, how in found)
-        yield Way(left, right, extended(told, [each for each, _ in found]), A_VALUE, f"{shown}, with {put}")
+    seen: list[tuple[Definition, str]] = []
+    both: Formula = Tree("items", [left, right])
+    for sides in ((left, right), (both,)):
+        found = [*instances(given, told, indices, sides)]
+        if found and found != seen:
+            put = "; ".join(f"{how} in {each.where}" for each, how in found)
+            yield Way(left, right, extended(told, [each for each, _ in found]), A_VALUE, f"{shown}, with {put}")
+        seen = found
     for each in others[-MOST_TOGETHER:]:
         if (instance := instance_of(each, known, indices, {*symbols_in(left), *symbols_in(right)})) is not None:
             premise, how = instance

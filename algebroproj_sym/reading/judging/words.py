@@ -464,9 +464,13 @@ def without_laws(text: str) -> str:
 _LAW = re.compile(
     r"(?:[A-Z][\w-]*(?:['’]s?)?\s+)*(?:(?:[Ff]irst|[Ss]econd|[Tt]hird)\s+)?"
     r"\b[Ll]aws?\b(?: of (?:motion|cosines|sines))?"
+    r"|\b(?:[Bb]alance|[Cc]onservation|[Ee]quilibrium) of (?:the )?"
+    r"(?:forces|moments|torques|energy|momentum|mass|charge)\b"
+    r"|\b(?:[Ff]orce|[Mm]oment|[Tt]orque|[Ee]nergy|[Mm]omentum|[Mm]ass|[Cc]harge) balance\b"
 )
 _SIDE = re.compile(
     r"\b(?:left|right)(?:[ -]?hand)?[ -](?:sides?|terms?|factors?)\b|\b(?:[Oo]n|[Tt]o|[Ff]rom) the (?:left|right)\b"
+    r"|\b[Oo]n the other hand\b"
 )
 _NAMES = re.compile(
     r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
@@ -478,7 +482,7 @@ _NAMES = re.compile(
 )
 _DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe (?:\w+ )?define\b", re.IGNORECASE)
 _LENGTH = re.compile(
-    r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|positive|"
+    r"\b(?:speed|temperature|volume|mass|density|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|positive|"
     r"(?:square )?roots?)\b",
     re.IGNORECASE,
 )

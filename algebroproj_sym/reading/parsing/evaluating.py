@@ -28,6 +28,7 @@ from algebroproj_sym.expressions.bounds import MAX_BITS, MAX_EXPONENT
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of
 from algebroproj_sym.reading.parsing.gathering import _Gathering, paired, transformed
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, parsed, unaligned
+from algebroproj_sym.reading.parsing.integrals import INFINITE, integral_of
 
 Names = Callable[[str], Any]
 Side = Callable[[], Expression]
@@ -200,6 +201,10 @@ class _Expressions(_Gathering):
         if self.values is not None:
             return self.values.big(str(name), body)
         raise UnreadableError(f"{name} is read, and not computed", name.start_pos)
+
+    def integral(self, body: Any, low: Any, high: Any, variable: Any, step: Any) -> Any:
+        ends = (INFINITE[str(end)] if isinstance(end, Token) else end for end in (low, high))
+        return integral_of(body, variable, step, *ends)[0]
 
     def absolute(self, inside: Any) -> Any:
         is_table = len(shape(inside)) == 2

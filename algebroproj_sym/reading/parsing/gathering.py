@@ -62,5 +62,8 @@ class _Gathering(Transformer[Token, Any]):
 
     applied = gradient = along
 
+    def integral(self, *parts: Any) -> Any:
+        raise UnreadableError("an integral is computed of numbers only")
+
     def cases(self, *values: Any) -> Any:
         raise UnreadableError("a distinction of cases is read, and not computed")

@@ -1,0 +1,92 @@
+r"""What integrals between bounds are, such as ``\int_0^L k x \, dx``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from lark import Token, Tree
+
+from algebroproj_sym.expressions import shape
+from algebroproj_sym.reading.defining.premises import letter_of
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.lexing.commands import LETTERS
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula, parsed, symbols_in
+from algebroproj_sym.reading.parsing.integrals import INFINITE, integral_of
+
+_BETWEEN = re.compile(r"\\int_\{(.+)\}\^\{(.+)\}")
+_COMMAND = re.compile(r"\\[a-zA-Z]+")
+_READ = LETTERS | {r"\frac", r"\sqrt", r"\infty"}
+OVER = "the integral over"
+"""How the name of an integral begins."""
+
+
+def is_integral(tree: object) -> bool:
+    """Whether a formula is an integral between bounds."""
+    return isinstance(tree, Tree) and tree.data == "big" and _BETWEEN.fullmatch(str(tree.children[0])) is not None
+
+
+def integral_in(tree: Formula, step: str, vocabulary: Vocabulary) -> Definition | None:
+    """Return the value of an integral over the letter of a differential, with a letter for it; None if it stays."""
+    body, variable, ends = tree.children[1], step[2:], _ends(str(tree.children[0]))
+    if not ends or not isinstance(body, Tree) or variable in vocabulary.definitions or vocabulary.is_matrix(variable):
+        return None
+    letters = letter_of(variable), letter_of(step)
+    try:
+        bounds = [INFINITE[end] if isinstance(end, Token) else vocabulary.value(end) for end in ends]
+        values = [*map(vocabulary.value, (body, *letters)), *bounds]
+        if any(map(shape, values)):
+            return None
+        _, notes = integral_of(*values)
+    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+        return None
+    where = f"{OVER} {vocabulary.name(variable)}{''.join(f', with {each}' for each in notes)}"
+    symbol = f"{tree.children[0]} {vocabulary.text(body)}"
+    return Definition(symbol, (), Tree("integral", [body, *ends, *letters]), where, -1, True)
+
+
+def with_integrals(tree: Formula, made: Mapping[str, Formula], vocabulary: Vocabulary) -> Formula:
+    """Return a formula in which integrals stand where their letters were, over letters that stand nowhere else."""
+    if tree.data == "symbol" and str(tree.children[0]) in made:
+        return with_integrals(_over_another(made[str(tree.children[0])], vocabulary), made, vocabulary)
+    parts = [with_integrals(each, made, vocabulary) if isinstance(each, Tree) else each for each in tree.children]
+    return Tree(tree.data, parts)
+
+
+def _over_another(integral: Formula, vocabulary: Vocabulary) -> Formula:
+    """Return an integral over another letter, unless something else gives what stands in it."""
+    body, *ends, variable, step = integral.children
+    if not isinstance(body, Tree) or vocabulary.used_in(body):
+        return integral
+    ((letter,), (change,)) = (symbols_in(each) for each in (variable, step) if isinstance(each, Tree))
+    bare = re.sub(r"\W", "", letter)
+    others = {letter: rf"\bullet_{{{bare}}}", change: rf"d \bullet_{{{bare}}}"}
+    return Tree("integral", [_renamed(body, others), *ends, *map(letter_of, others.values())])
+
+
+def _renamed(tree: Formula, others: Mapping[str, str]) -> Formula:
+    if tree.data in ("symbol", "opaque") and str(tree.children[0]) in others:
+        return letter_of(others[str(tree.children[0])])
+    return Tree(tree.data, [_renamed(each, others) if isinstance(each, Tree) else each for each in tree.children])
+
+
+def _ends(name: str) -> list[Any]:
+    """Return the bounds in the name of an integral; none if they cannot be read."""
+    match = _BETWEEN.fullmatch(name)
+    found: list[Any] = []
+    for written in match.groups() if match else ():
+        if written in INFINITE:
+            found.append(Token("END", written))
+            continue
+        if not {*_COMMAND.findall(written)} <= _READ:
+            return []
+        try:
+            sides = parsed(written).sides
+        except UnreadableError:
+            return []
+        if len(sides) != 1:
+            return []
+        found.append(sides[0])
+    return found

@@ -85,6 +85,18 @@ def test_what_is_stated_of_another_thing_does_not(words):
 
 
 @pytest.mark.parametrize(
+    ("words", "then", "verdict"),
+    [
+        ("While $K$ is the energy, it is", "The speed is", "follows"),
+        ("While it stands,", "It drives off.", "independent"),
+    ],
+)
+def test_while_is_no_time_where_it_names_a_letter(words, then, verdict):
+    energy, speed = r"\[ K = \frac12 m v^2. \]", r"\[ v = w l. \] Hence \[ K = \frac12 m w^2 l^2. \]"
+    assert verdict_of(f"{words} {energy} {then} {speed}") == verdict
+
+
+@pytest.mark.parametrize(
     "latex",
     [
         r"We have $x = 1$. For every $x$, the area is \[ S = a x. \] So \[ S = a. \]",

@@ -70,7 +70,8 @@ _KINDS = {
         r"|upstream|downstream|far\s+(?:away|from|upstream|downstream)\b|away\s+from\s+(?:the\s+|an?\s+)?[a-z]+"
     ),
     "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)|until\b"
-    rf"|(?:before|after)\s+(?!{_STEP}|{_WORK})[a-z]+|(?:as|so)\s+long\s+as\b|while\b",
+    rf"|(?:before|after)\s+(?!{_STEP}|{_WORK})[a-z]+|(?:as|so)\s+long\s+as\b"
+    r"|while\b(?!\s+(?:\$[^$]*\$|[a-z])\s+(?:is|are|denotes?|represents?|stands?)\b)",
     "extent": r"(?:up to|beyond|past|below|above|under|over|within|less than|more than)\s+(?:the|an?|its|this|it|\$)"
     r"(?!\s+(?:assumptions?|conditions?|hypothes[ie]s|form|constraints?))[^,]*",
     "name": (

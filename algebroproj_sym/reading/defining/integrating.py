@@ -3,7 +3,7 @@ r"""What integrals between bounds are, such as ``\int_0^L k x \, dx``."""
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from lark import Token, Tree
@@ -70,6 +70,54 @@ def _renamed(tree: Formula, others: Mapping[str, str]) -> Formula:
     if tree.data in ("symbol", "opaque") and str(tree.children[0]) in others:
         return letter_of(others[str(tree.children[0])])
     return Tree(tree.data, [_renamed(each, others) if isinstance(each, Tree) else each for each in tree.children])
+
+
+def variables_of(sides: Iterable[Formula]) -> dict[tuple[str, str], str]:
+    """Return the letters over which the integrals of an equation run, by bounds that no other letter has."""
+    found: dict[tuple[str, str], str] = {}
+    for part in (part for side in sides for part in side.find_data("big") if is_integral(part)):
+        steps = [each[2:] for each in symbols_in(part) if each.startswith("d ")]
+        match = _BETWEEN.fullmatch(str(part.children[0]))
+        bounds = (match[1], match[2]) if match else ("", "")
+        found[bounds] = steps[0] if len(steps) == 1 and found.get(bounds, steps[0]) == steps[0] else ""
+    return {bounds: variable for bounds, variable in found.items() if variable}
+
+
+def between_bounds(tree: Formula, variables: Mapping[tuple[str, str], str], vocabulary: Vocabulary) -> Formula:
+    r"""Return a formula in which ``[F]_a^b`` is the difference of both values, where its equation has ``\int_a^b``."""
+    parts = [between_bounds(each, variables, vocabulary) if isinstance(each, Tree) else each for each in tree.children]
+    found = _bounds_of(tree)
+    if found is None or found not in variables:
+        return Tree(tree.data, parts)
+    inside: Any = tree.children[0].children[0] if tree.data == "power" else tree.children[0]  # type: ignore[union-attr]
+    variable, ends = variables[found], _ends(rf"\int_{{{found[0]}}}^{{{found[1]}}}")
+    hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(inside))
+    if hidden or variable in vocabulary.definitions or len(ends) != 2 or any(isinstance(each, Token) for each in ends):
+        return Tree(tree.data, parts)
+    low, high = (Tree("group", [_with(inside, variable, end)]) for end in ends)
+    return Tree("group", [Tree("sum", [high, Token("SIGN", "-"), low])])
+
+
+def _bounds_of(tree: Formula) -> tuple[str, str] | None:
+    """Return between which bounds the value of a bracket, or of what stands before a bar, is taken; None for others."""
+    first, *rest = tree.children
+    if tree.data == "marked" and (match := _AT.fullmatch(str(rest[0]))):
+        return match[1], match[2]
+    if tree.data == "power" and isinstance(first, Tree) and first.data == "marked" and isinstance(rest[0], Tree):
+        mark = str(first.children[1])
+        above = rest[0].children[0] if rest[0].data in ("symbol", "number") else ""
+        return (mark[1:], str(above)) if mark[:1] == "_" and above else None
+    return None
+
+
+_AT = re.compile(r"_at_([^^]+)\^([^^]+)")
+"""The mark of a bar behind which bounds stand."""
+
+
+def _with(tree: Formula, symbol: str, value: Formula) -> Formula:
+    if tree.data == "symbol" and tree.children[0] == symbol:
+        return Tree("group", [value])
+    return Tree(tree.data, [_with(each, symbol, value) if isinstance(each, Tree) else each for each in tree.children])
 
 
 def _ends(name: str) -> list[Any]:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 from typing import Any
 
@@ -233,8 +234,14 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
 
 def _hides_an_index(vocabulary: Vocabulary, *trees: Formula) -> str:
     """Return why letters under a sum may not be taken for fixed; empty if they may."""
-    letter, index = captured_in([*trees, *_trees_of(vocabulary, *trees)], vocabulary.hidden_in)
+    letter, index = captured_in([*trees, *_trees_of(vocabulary, *trees)], partial(_hidden_in, vocabulary))
     return f"{vocabulary.name(letter)} may depend on {index}, over which a sum or the like runs" if letter else ""
+
+
+def _hidden_in(vocabulary: Vocabulary, symbol: str) -> Collection[str]:
+    """Return on what a letter may depend: an expected value, a constant and the imaginary unit on nothing."""
+    is_fixed = symbol in vocabulary.kinds.averages.operators or symbol == vocabulary.imaginary
+    return () if is_fixed or vocabulary.constant(symbol) is not None else vocabulary.hidden_in(symbol)
 
 
 def out_of_range(vocabulary: Vocabulary, *trees: Formula) -> str:

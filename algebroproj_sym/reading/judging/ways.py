@@ -17,7 +17,7 @@ from algebroproj_sym.reading.defining.factors import base_of
 from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.indices import excludes
 from algebroproj_sym.reading.defining.instances import powers_of
-from algebroproj_sym.reading.defining.integrating import OVER, is_integral, with_integrals
+from algebroproj_sym.reading.defining.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     MOST_TOGETHER,
@@ -173,15 +173,17 @@ def _with_computed(standing: Standing, formula: Parsed, index: int, told: Vocabu
     r"""Yield a relation with what stands behind ``\frac{d}{dx}`` and ``\int_a^b`` computed, also in what is put in."""
     left, right = formula.sides[index], formula.sides[index + 1]
     occurring, own = standing.survey.occurring, free_symbols(left) | free_symbols(right)
-    (ours, made), (theirs, more) = (computed(side, told, occurring, own) for side in (left, right))
+    variables = variables_of(formula.sides)
+    sides = [between_bounds(side, variables, told) for side in (left, right)] if variables else [left, right]
+    (ours, made), (theirs, more) = (computed(side, told, occurring, own) for side in sides)
     put_in = [each for each in used_by(told, left, right) if any(map(is_integral, each.tree.iter_subtrees()))]
     worked = [computed(each.tree, told, occurring, own) for each in put_in]
     made = [*made, *more, *(each for _, further in worked for each in further)]
-    if not made or any(_rests_on_what_changes(each, standing.beside) for each in made):
+    if not (made or sides != [left, right]) or any(_rests_on_what_changes(each, standing.beside) for each in made):
         return
     given = [replace(each, tree=tree) for each, (tree, _) in zip(put_in, worked, strict=True)]
     known = extended(standing.vocabulary, [*made, *given])
-    plain = not any(each.where.startswith(OVER) for each in made)
+    plain = not variables and not any(each.where.startswith(OVER) for each in made)
     doubt = doubt_of(standing.beside, formula, index, standing.vocabulary) if plain else A_VALUE
     yield Way(ours, theirs, known, doubt)
     yield Way(ours, theirs, extended(_with_rates(standing, (ours, theirs), told), [*made, *given]), A_VALUE)
@@ -335,13 +337,18 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
         return
     branches = ({"branch", "lower"}, {"branch", "negative"})
     below = any(words <= each.words for words in branches for each in standing.premises[-MOST_PREMISES:])
-    if not (powers.is_open or powers.degree % 2 or (standing.beside.speaks_of_a_length and not below)):
+    certain = powers.is_open or powers.degree % 2 or (standing.beside.speaks_of_a_length and not below)
+    if not (certain or (standing.beside.speaks_of_a_root and not below)):
         return
     of_powers = replace(formula, sides=(powers.left, powers.right), relations=("=",))
     shown = " = ".join(map(standing.vocabulary.text, formula.sides[index : index + 2]))
     reads = shown if powers.is_open else f"{shown}, where both sides have one sign"
     plain = Way(powers.left, powers.right, standing.vocabulary)
-    for way in (plain, *_with_premises(standing, of_powers, 0), *_under_equations(standing, *plain.sides)):
+    for way in (
+        *[plain][: bool(certain)],
+        *_with_premises(standing, of_powers, 0),
+        *_under_equations(standing, *plain.sides),
+    ):
         yield replace(way, reads=reads, doubt=A_VALUE)
 
 

@@ -222,8 +222,13 @@ class Beside:
 
     @property
     def speaks_of_a_length(self) -> bool:
-        """Whether its own sentence speaks of a root, or of a quantity that is never negative, such as a speed."""
+        """Whether its own sentence speaks of a quantity that is never negative, such as a speed."""
         return _LENGTH.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
+
+    @property
+    def speaks_of_a_root(self) -> bool:
+        """Whether its own sentence speaks of a root, or of what is positive."""
+        return _ROOT.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
 
     @property
     def lists(self) -> bool:
@@ -482,10 +487,11 @@ _NAMES = re.compile(
 )
 _DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe (?:\w+ )?define\b", re.IGNORECASE)
 _LENGTH = re.compile(
-    r"\b(?:speed|temperature|volume|mass|density|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|positive|"
-    r"(?:square )?roots?)\b",
+    r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|temperature|"
+    r"volume|mass|density)\b",
     re.IGNORECASE,
 )
+_ROOT = re.compile(r"\b(?:positive|(?:square )?roots?)\b", re.IGNORECASE)
 _SEVERAL = re.compile(r"\b(?:are|were|have|give|read|become|follow|equal)\b(?![^.]*\b(?:we|you|it)\b)", re.IGNORECASE)
 _EQUATIONS = re.compile(
     r"\b(?:equations?|relations?|conditions?|expressions?|laws?|balances?|formula\w*|constraints?|identit(?:y|ies)|"

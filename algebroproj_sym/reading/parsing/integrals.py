@@ -73,6 +73,8 @@ def _parts(term: Any, variable: Any) -> tuple[Any, int, Any]:
         base, exponent = each.as_base_exp()
         if base == variable and exponent.is_Integer:
             power += int(exponent)
+        elif wave is None and base == sympy.log(variable) and exponent.is_Integer and exponent > 0:
+            wave = each
         elif isinstance(each, over):
             fixed, below = each.args[1].as_independent(variable, as_Add=False)
             base, exponent = below.as_base_exp()
@@ -86,7 +88,9 @@ def _parts(term: Any, variable: Any) -> tuple[Any, int, Any]:
             wave = each
         elif each != 1:
             raise UnreadableError(_REFUSED)
-    if power > MOST_PARTS or (wave is not None and power < 0) or (power and isinstance(wave, over)):
+    is_logarithm = wave is not None and wave.as_base_exp()[0] == sympy.log(variable)
+    fits = power == -1 if is_logarithm else wave is None or (power >= 0 and not (power and isinstance(wave, over)))
+    if power > MOST_PARTS or not fits:
         raise UnreadableError(_REFUSED)
     return factor, power, wave
 
@@ -110,7 +114,10 @@ def _at(factor: Any, power: int, wave: Any, variable: Any, end: Any) -> tuple[An
     """Return a primitive at a bound, and what is taken to hold there."""
     if end.is_infinite:
         return _at_infinity(factor, power, wave, variable, end)
-    primitive = _of_power(power, variable) if wave is None else _of_wave(power, wave, variable)
+    if wave is not None and power == -1:
+        primitive = wave * sympy.log(variable) * sympy.Rational(1, int(wave.as_base_exp()[1]) + 1)
+    else:
+        primitive = _of_power(power, variable) if wave is None else _of_wave(power, wave, variable)
     return factor * primitive.xreplace({variable: end}), []
 
 
@@ -137,8 +144,8 @@ def _of_wave_or_sign(power: int, wave: Any, variable: Any) -> Any:
 
 def _at_infinity(factor: Any, power: int, wave: Any, variable: Any, end: Any) -> tuple[Any, list[str]]:
     """Return zero where a primitive vanishes far away, and the sign of a rate that is taken for that."""
-    if wave is None:
-        if power >= -1:
+    if wave is None or power < 0:
+        if wave is not None or power >= -1:
             raise UnreadableError(_REFUSED)
         return sympy.S.Zero, []
     rate = _rate(wave, variable)

@@ -89,6 +89,7 @@ def test_what_is_stated_of_another_thing_does_not(words):
     [
         ("While $K$ is the energy, it is", "The speed is", "follows"),
         ("While it stands,", "It drives off.", "independent"),
+        ("While $v$ is small, we have", "In general,", "independent"),
     ],
 )
 def test_while_is_no_time_where_it_names_a_letter(words, then, verdict):

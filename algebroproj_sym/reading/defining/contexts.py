@@ -71,7 +71,8 @@ _KINDS = {
     ),
     "time": rf"(?:before|after|during)\s+{_ARTICLE}(?!{_STEP})[a-z]+|initially|finally(?!,)|until\b"
     rf"|(?:before|after)\s+(?!{_STEP}|{_WORK})[a-z]+|(?:as|so)\s+long\s+as\b"
-    r"|while\b(?!\s+(?:\$[^$]*\$|[a-z])\s+(?:is|are|denotes?|represents?|stands?)\b)",
+    r"|while\b(?!\s+(?:\$[^$=<>]*\$|[a-z])\s+(?:(?:is|are) the (?!(?:largest|smallest|only|same|first|last|larger|"
+    r"smaller)\b)[a-z]|denotes?\b|represents?\b|stands? for\b))",
     "extent": r"(?:up to|beyond|past|below|above|under|over|within|less than|more than)\s+(?:the|an?|its|this|it|\$)"
     r"(?!\s+(?:assumptions?|conditions?|hypothes[ie]s|form|constraints?))[^,]*",
     "name": (

@@ -37,7 +37,7 @@ def with_same_ends(trees: Sequence[Formula], indices: Indices) -> list[Formula]:
     >>> from algebroproj_sym.reading.parsing.writing import text_of
     >>> (side,) = parsed(r"\sum_{k=0}^{n-1} a_{k+1}").sides
     >>> text_of(with_same_ends([side], Indices("", frozenset(["a_{k+1}"])))[0], str)
-    '([\\sum_{k=1}^{n}](a_k))'
+    '[\\sum_{k=1}^{n}](a_k)'
     """
     trees = [*map(_with_terms, trees)]
     sums = [found for tree in trees for found in _sums_in(tree, indices)]
@@ -64,6 +64,11 @@ def _sum_of(tree: Formula, indices: Indices) -> _Sum | None:
     if moved is None or (least and last == r"\infty"):
         return None
     return _Sum(index, first + least, last, more + least, moved)
+
+
+def _is_indexed(found: _Sum, indices: Indices) -> bool:
+    """Whether the letters of a sum have its index, so that its last one is one of theirs, and no empty sum is meant."""
+    return bool(_shifts(found.index, {*symbols_in(found.body)} - {found.index}, indices))
 
 
 def _shifts(index: str, symbols: Iterable[str], indices: Indices) -> set[int]:
@@ -98,6 +103,8 @@ def _rewritten(tree: Formula, indices: Indices, first: int | None) -> Formula:
     if found is None or abs(found.more) > MOST_APART:
         return changed
     begins = found.first if first is None else first
+    if not (_is_indexed(found, indices) or found.more >= found.first - 1 <= begins - 1):
+        return changed
     name = rf"\sum_{{{found.index}={begins}}}^{{{found.last}}}"
     terms: list[Any] = [Token("SIGN", "+"), Tree("big", [Token("BIG", name), found.body])]
     ends = [("+", found.last, each) for each in range(1, found.more + 1)]

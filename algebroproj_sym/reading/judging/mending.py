@@ -25,6 +25,8 @@ MOST_ASKED = 16
 nothing."""
 MOST_CONSTRAINTS = 4
 """Under how many constraints a change is tried: under more, the proofs take too long."""
+MOST_PUT_IN = 12
+"""How many definitions are put in again for each change: with more, that takes too long."""
 _SLIPS = STRONG | {"factor", "transpose"}
 
 
@@ -73,6 +75,8 @@ def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
 
 
 def _is_hard(way: Way) -> bool:
+    if len(used_by(way.vocabulary, *way.sides)) > MOST_PUT_IN:
+        return True
     questions = asked_under(way) if way.under else ""
     return not isinstance(questions, str) and any(len(each.constraints) > MOST_CONSTRAINTS for each in questions)
 

@@ -90,6 +90,7 @@ def test_an_integral_between_bounds_is_computed(latex, rests_on):
         ),
         (r"\[ y = \int_0^1 x dx \int_0^1 u du + \left. x u \right|_0^1 = \frac14 + x \]", None),
         (r"\[ y = \left[ a \right]_i^2 = a_i^2 \]", ""),
+        (r"\[ v = \frac{dx}{dt} \] \[ s = \int_0^T v t \, dt = \frac12 v T^2. \]", ""),
         (r"The spring melts. \[ W = \int_0^L k x \, dx = \frac12 k L^2. \]", ""),
     ],
 )

@@ -117,9 +117,8 @@ def _integrated(
     plain = frozenset(each for each in letters if not each.startswith("d "))
     others = sorted(plain - {variable})
     calls = {str(each.children[0]) for each in tree.iter_subtrees() if each.data == "call"}
-    moving = (
-        {variable, *others} & calls or _change(others, variable, occurring) or inner.moves_with(others, variable, own)
-    )
+    moving = {variable, *others} & calls or any("/" in each for each in others)
+    moving = moving or _change(others, variable, occurring) or inner.moves_with(others, variable, own)
     is_open = others and variable not in letters and not _are_constant(others, inner)
     if not step or moving or is_open or stands_within(variable, plain):
         return tree, made

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 import sympy
 from click.testing import CliRunner
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from algebroproj_sym import prove
@@ -644,6 +644,8 @@ def of_size(size, *texts):
 
 @settings(max_examples=3 * settings.default.max_examples)
 @given(law=st.sampled_from(LAWS), parts=st.tuples(MATRICES | THREE, MATRICES), size=st.sampled_from("n123"))
+@example(law=("adj({0})*({0})", "det({0})*eye(n)"), parts=("skew(v)*A", "A"), size="3")
+@example(law=("adj({0})*({0})", "det({0})*eye(n)"), parts=("K*A", "A"), size="3")
 def test_a_proof_holds_for_what_it_uses(law, parts, size):
     sides = [side.format(*parts) for side in law]
     letters = {

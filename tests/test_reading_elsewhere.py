@@ -144,3 +144,17 @@ def test_a_number_above_a_letter_is_no_power_where_it_numbers_coordinates(words,
 def test_a_number_within_the_text_is_given_for_its_section_and_not_by_an_example(words, follows):
     text = rf"\section{{One}} {words} \[ z = a^2 + c. \] Hence \[ z - c = 100. \]"
     assert (last_of(text).verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (r"\[ n = 3 \] For any $n$ we find \[ n + 1 = 4. \]", False),
+        (r"We have $n = 3$. For any $n$ we find \[ n + 1 = 4. \]", False),
+        (r"\[ n - 3 = 0 \] For every integer $n$ we find \[ n + 1 = 4. \]", False),
+        (r"\[ n = 3 \] For all $x$ we find \[ n x = 3 x. \]", True),
+        (r"\[ f(x) = x + 1 \] For all $x$ we find \[ f(x) - x = 1. \]", True),
+    ],
+)
+def test_a_letter_that_is_any_has_no_number(latex, follows):
+    assert (last_of(latex).verdict == "follows") is follows

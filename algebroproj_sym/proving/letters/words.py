@@ -320,8 +320,12 @@ class Algebra:
         return of_scalar(Scalar("det", self._least_key(poly)))
 
     def _least_key(self, poly: Poly) -> object:
-        """Return the key of a matrix or of its transpose, which have one determinant."""
-        return min(poly.key, self.transposed(poly).key, key=str)
+        """Return the key of a matrix or of its transpose, which have one determinant.
+
+        A skew letter has its own: written as ``det(-K)``, it would be read as a multiple of ``det(K)``.
+        """
+        other = self.transposed(poly)
+        return poly.key if len(poly.terms) == 1 and other == -poly else min(poly.key, other.key, key=str)
 
     def inverse(self, poly: Poly) -> Poly:
         """Return the inverse: the product of the inverses of square factors, in reverse."""

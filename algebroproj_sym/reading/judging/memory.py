@@ -414,10 +414,11 @@ class Memory:
         return place in self.over or (place in self.conditions - self.running and here not in (None, place))
 
     def forget_elsewhere(self, vocabulary: Vocabulary) -> None:
-        """Drop the definitions that belong to another context or were conditions, but for those that words cite."""
+        """Drop definitions of another context, conditions, and numbers of letters that are any; not what words cite."""
         names = tuple(f"({name})" for name in self.cited)
         for known in [*vocabulary.definitions.values()]:
-            if self._is_over(known.place) and not known.where.startswith(names):
+            is_any = known.symbol in self.beside.quantified and not known.symbols
+            if is_any or (self._is_over(known.place) and not known.where.startswith(names)):
                 del vocabulary.definitions[known.symbol]
         vocabulary.forget()
         apart = tuple(f"({name})" for name in self.apart)
@@ -449,6 +450,7 @@ class Memory:
         cited = self.cited
         changed = self.beside.exchanged
         known = [*self.premises, *(each for _, each in self.stated)]
+        known = [each for each in known if not (len(each.symbols) == 1 and each.symbols & self.beside.quantified)]
         premises = (each for each in known if not (changed & each.symbols or self.apart & each.names))
         return [
             each

@@ -333,6 +333,11 @@ class Beside:
         return next((each for each in found if each not in known), "")
 
     @property
+    def quantified(self) -> frozenset[str]:
+        """The letters of which its own sentence says that they are any, as in "for any $n$": no number is theirs."""
+        return frozenset(symbol for each in _ANY.findall(self.sentence) for symbol in symbols_in_list(each))
+
+    @property
     def exchanged(self) -> frozenset[str]:
         """The letters that are not what they were in its own sentence, as in "replacing $x$ by $-x$"."""
         found = [each for match in _REVERSES.finditer(self.sentence) for each in symbols_of(match[1])]
@@ -540,6 +545,7 @@ _VARIABLES = re.compile(
     re.IGNORECASE,
 )
 _WIDER = re.compile(r"\b(all|every|everywhere|always|away|relaxed|violated)\b", re.IGNORECASE)
+_ANY = re.compile(r"\b(?:any|all|every|each|arbitrary)\b (?:[a-z]+ ){0,2}\$([^$=<>]*)\$", re.IGNORECASE)
 _DROPS = re.compile(r"\bdrop(?:ping|ped|s)? (?:the|all) (tilde|hat|bar|overline|prime)s?\b", re.IGNORECASE)
 _ANEW = re.compile(
     r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"

@@ -17,7 +17,7 @@ MOST_FOLDERS_ABOVE = 3
 """How many folders above a chapter may hold the document of which it is one."""
 MOST_CANDIDATES = 100
 """How many files of a folder may be looked at for one that includes a chapter."""
-COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
+_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 _NAME = r"\s*\{\s*([^{}]+?)\s*\}"
 _INCLUDED = re.compile(
     rf"\\(?:sub)?import\*?(?![a-zA-Z]){_NAME}{_NAME}"
@@ -97,7 +97,7 @@ def source_at(path: Path, text: str) -> Source:
 
 def without_comments(text: str) -> str:
     r"""Return LaTeX with spaces for its comments; what stands before them stays, also a line break ``\\``."""
-    return COMMENT.sub(lambda found: found[1] + " " * (len(found.group()) - len(found[1])), text)
+    return _COMMENT.sub(lambda found: found[1] + " " * (len(found.group()) - len(found[1])), text)
 
 
 def _whole_of(path: Path, text: str) -> Path | None:

@@ -304,9 +304,7 @@ class _Pass:
         may = index == 0 and gives_if_open(self.memory, statement, formula)
         words = self.memory.beside
         anew = begins_anew(self.memory, right) and not (words.follows or words.case_of_sentence)
-        asked = Asked(
-            place, index, ways, link, identity, certain, chained, gives, may, anew, self.memory.beside.follows
-        )
+        asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, anew, words.follows)
         return asked.link, asked
 
     def _standing(self, statement: Statement) -> Standing:

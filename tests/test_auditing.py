@@ -115,7 +115,7 @@ def test_a_side_that_cannot_be_read_hides_no_other():
         (r"x - \mathbf{M}", r"shapes \(\) and \(3, 3\) cannot be added"),
         (r"\mathbf{u}^2", r"shape \(3, 1\) cannot be raised to the power 2"),
         (r"(\mathbf{u} \mathbf{u}^T)^y", r"shape \(3, 3\) cannot be raised to the power y"),
-        (r"x^{\mathbf{M}}", r"an exponent is a number, got a matrix"),
+        (r"x^{\mathbf{M}}", r"an exponent must be a number, got a matrix"),
     ],
 )
 def test_what_has_no_value_is_refused_with_the_reason(latex, reason):

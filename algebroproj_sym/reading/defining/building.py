@@ -278,7 +278,7 @@ class _Parts(_Gathering):
 
     def inner(self, items: list[Part]) -> Part:
         if len(items) != 2:
-            raise UnreadableError("an inner product is of two vectors")
+            raise UnreadableError("an inner product takes two vectors")
         if all(each.is_table for each in items):
             return joined(":", *items)
         if any(each.is_number for each in items):

@@ -1,7 +1,7 @@
 r"""What words say of letters and signs by which an equation says something else than it looks like.
 
 ``y = \sigma(w + b)`` is no product where the text calls σ an activation, and ``x = y`` is no equality of numbers where
-everything is modulo 4.  Such an equation is read, and not decided.
+everything is modulo 4.  Such an equation is read, but not decided.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
 ITERATE = "a power of a function may be its iterate"
-VARIES = "is another number each time"
+VARIES = "may be a different number each time"
 _SIGNS = (
     (
         r"\b(?:computations?|calculations?|arithmetic|operations?|integers|numbers|everything)\b[^.]{0,30}\bmodulo\b"
@@ -91,7 +91,7 @@ _SIGNS = (
         r"\b(?:carry|carries|bear|bears|marked (?:by|with)|denoted (?:by|with)) (?:an? )?primes?\b"
         r"|\bprimes? (?:denotes?|means?|marks?|indicates?|stands? for|is|are)\b(?![^.]*\b(?:deriv|different|transpos))",
         r"'\s*\(",
-        "a prime may be no derivative",
+        "a prime may be something else than a derivative",
     ),
     (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
 )
@@ -265,13 +265,13 @@ class Meanings:
         """Letters that are no numbers, each with what it may be."""
         acting = {each for each in called(self.statements, _DERIVATIVE) if not _RATE.fullmatch(each)}
         means = {each for each in called(self.statements, _EXPECTATIONS) if _MEAN.fullmatch(split_symbol(each)[0])}
-        found = dict.fromkeys(called(self.statements, _OPERATORS) | acting | means, "is no number")
+        found = dict.fromkeys(called(self.statements, _OPERATORS) | acting | means, "is not a number")
         for each in self.statements:
             before, after = each.display.before[-60:], each.display.after[:60]
             is_named = _CALLED.match(after) or _IS_NAME_OF.search(before)
             is_inline = each.display.environment == "inline" and each.latex.strip() == r"\pi"
             if is_inline and is_named and not _NUMBER.search(before[-20:] + after):
-                found[r"\pi"] = "is called something else than the number"
+                found[r"\pi"] = "is not the number, for words call it something else"
         for match in _EACH_TIME.finditer(self.words):
             found |= dict.fromkeys(symbols_in_list(match[1]), VARIES)
         return found
@@ -381,7 +381,7 @@ class Meanings:
             if part.data in ("run", "product", "power", "fraction", "quotient"):
                 factors = {_text(each) for each in part.children} & self._functions
                 if factors:
-                    return f"{min(factors)} is a function, and no factor"
+                    return f"{min(factors)} is a function, so it is not a factor"
         return ""
 
 

@@ -164,8 +164,8 @@ def scalar(part: Part, what: str) -> Part:
     if not part.is_number:
         for size in part.shape:
             if size.value not in (None, 1):
-                raise UnreadableError(f"{what} is of a number, got a matrix")
-        raise UnreadableError(f"{what} is of a number, got a letter of unknown size")
+                raise UnreadableError(f"{what} takes a number, got a matrix")
+        raise UnreadableError(f"{what} takes a number, got a letter of unknown size")
     return part
 
 
@@ -179,7 +179,7 @@ def column(part: Part, size: int | None = None) -> Part:
 
 def refused(what: str) -> UnreadableError:
     """Return that something is not computed."""
-    return UnreadableError(f"{what} is read, and not computed with letters")
+    return UnreadableError(f"{what} is read, but not computed with letters")
 
 
 def of_blocks(rows: Blocks) -> Part:

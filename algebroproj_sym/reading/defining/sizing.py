@@ -90,7 +90,7 @@ class Reader:
         if vocabulary.constant(symbol) is not None:
             return self.whole(symbol, [], (Size(1), Size(1)))
         if symbol in vocabulary.given.symbols or symbol == r"\infty" or is_operator(symbol):
-            raise UnreadableError(f"{symbol} stands for no letter")
+            raise UnreadableError(f"{symbol} is not a letter")
         part = self._letter(symbol)
         part.symbols = vocabulary.behind(symbol)
         return part
@@ -247,7 +247,7 @@ class Reader:
             if symbol in self._vocabulary.kinds.oblong and shape[0].root is shape[1].root:
                 raise UnreadableError(f"{self._vocabulary.name(symbol)} may not be square")
             if self._is_jacobian(symbol) and "1" in text.split("x"):
-                raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is no matrix")
+                raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is not a matrix")
             if text != "1x1":
                 letters[self._vocabulary.name(symbol)] = f"{text} {listed}".strip()
             elif self._vocabulary.size_of(symbol) is None and self._vocabulary.is_no_number(symbol):

@@ -80,7 +80,7 @@ class Uncomputed:
         if name in self._vocabulary.kinds.averages.operators and len(arguments) == 1:
             return self._average(name, arguments[0])
         if self._vocabulary.is_matrix(name):
-            raise UnreadableError(f"no definition of the function {name} is known")
+            raise UnreadableError(f"the function {name} is not defined")
         key = f"{name}({', '.join(map(text, arguments))})"
         is_free = name not in self._vocabulary.definitions and self._first.setdefault(base_of(name), key) == key
         return self._value(name, arguments, FREE if is_free else WHOLE)
@@ -101,7 +101,7 @@ class Uncomputed:
 
     def _value(self, name: str, arguments: Sequence[Any], kind: str) -> Any:
         if any(map(shape, arguments)):
-            raise UnreadableError(f"{name} is of numbers, got a matrix")
+            raise UnreadableError(f"{name} takes numbers, got a matrix")
         key = f"{name}({', '.join(map(text, arguments))})"
         return self._letter(key, kind, self._on(*arguments) | letters_in(name) | letters_of_symbol(name))
 
@@ -140,7 +140,7 @@ class Uncomputed:
     def big(self, name: str, body: Any) -> Any:
         """Return a sum, a product, an integral or a limit."""
         if shape(body):
-            raise UnreadableError(f"{name} is read, and not computed")
+            raise UnreadableError(f"{name} is read, but not computed")
         require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
         index = index_of(name)
         terms = _terms(body) if index else []

@@ -326,9 +326,9 @@ class Vocabulary:
         if (constant := self.constant(symbol)) is not None:
             return constant
         if symbol == r"\infty":
-            raise UnreadableError("infinity is no number")
+            raise UnreadableError("infinity is not a number")
         if is_operator(symbol):
-            raise UnreadableError(f"{self.name(symbol)} is an operator, and not computed")
+            raise UnreadableError(f"{self.name(symbol)} is an operator, so it is not computed")
         size = self.size_of(symbol)
         if size is not None and not self.is_component(symbol):
             name = self.name(symbol)

@@ -142,7 +142,7 @@ def _doubt_of_refutation(way: Way) -> str:
         return "the sizes of its letters are not stated"
     if values := values_of(questions):
         if values == {FREE}:
-            return "nothing above it gives the function"
+            return "the function is not given above it"
         return f"a function, a sum or an integral in it {NOT_COMPUTED}"
     if letters is not None:
         return ""
@@ -203,7 +203,7 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
         )
     )
     asserted = certain or (plain and asked.identity and not (doubt and has_letters(way)))
-    reason = "" if asserted else doubt or "it holds for some values of its letters, and not for all"
+    reason = "" if asserted else doubt or "it holds for some values of its letters, but not for all"
     undecided = doubt.endswith(NOT_COMPUTED)
     return replace(
         asked.link,

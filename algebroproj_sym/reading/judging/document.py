@@ -285,7 +285,7 @@ class _Pass:
         gives = relation in EQUALITIES and (gives or tells(self.memory, statement, formula, index))
         self.memory.tie([left] if gives else [left, right])
         if relation not in EQUALITIES:
-            return Link("not decided", f"the relation {relation} is read, and not decided", rests), None
+            return Link("not decided", f"the relation {relation} is read, but not decided", rests), None
         known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
         if known is not None and known.tree == right and (word := self.memory.beside.amount(known.words)):
             return Link("not decided", f"the word {word!r} beside it may speak of another amount", rests), None

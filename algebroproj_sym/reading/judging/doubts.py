@@ -25,7 +25,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
 NOT_COMPUTED = "has a value that is not computed"
-NOT_GIVEN = "its letters are defined nowhere above it"
+NOT_GIVEN = "its letters are not defined above it"
 A_CONDITION = "it may be a condition"
 A_VALUE = "a value that it rests on may be one of another case"
 _MINUS_ONE = Tree("sum", [Token("SIGN", "-"), Tree("number", [Token("NUMBER", "1")])])

@@ -123,18 +123,21 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
             ):
                 values[place] = values[place].T
     if shape(values[0]) != shape(values[1]):
-        raise UnreadableError(f"the sides have shapes {shapes[0] or 'of numbers'} and {shapes[1] or 'of numbers'}")
+        one, other = (each or "a number" for each in shapes)
+        raise UnreadableError(f"the sides have different shapes: {one} and {other}")
     for value in values:
         require_bounded(value, "the equation")
         if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
-            raise UnreadableError("a value is no number")
+            raise UnreadableError("a value is not a number")
     if vocabulary.numbers != "real":
         return [_of_complex(vocabulary, *pair) for pair in zip(*map(entries, values), strict=True)]
     if any(value.has(sympy.I) for value in values):
-        raise UnreadableError("a value is no real number")
+        raise UnreadableError("a value is not a real number")
     is_elementary = any(map(has_functions, values))
     if is_elementary and (found := complex_letters_in(vocabulary, left, right)):
-        raise UnreadableError(f"{min(map(vocabulary.name, found))} may be complex, and functions are real")
+        raise UnreadableError(
+            f"{min(map(vocabulary.name, found))} may be complex, but functions are computed of real ones"
+        )
     if shape(values[0]) and (is_elementary or by_entries):
         return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
     return [Question(_text(values[0]), _text(values[1]))]
@@ -316,7 +319,7 @@ def asked_under(way: Way) -> list[Question] | str:
     with suppress(*_UNASKED):
         if any(map(way.vocabulary.is_matrix, way.vocabulary.letters_of(way.left))):
             return lettered(way.vocabulary, *way.sides, [(each.left, each.right) for each in way.under])
-    return "what it may rest on is not rational, and has no vectors"
+    return "what it may rest on is neither rational nor of vectors"
 
 
 def _is_rational(question: Question) -> bool:

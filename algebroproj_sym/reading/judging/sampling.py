@@ -123,7 +123,7 @@ def _numbers(value: Any) -> tuple[Any, ...]:
     except NotRationalError:
         found = tuple(complex(entry) for entry in entries(value.doit()))
     if any(map(isnan, found)):
-        raise ZeroDivisionError("a value is no number")
+        raise ZeroDivisionError("a value is not a number")
     return found
 
 

@@ -103,7 +103,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
     left, right = formula.sides[index], formula.sides[index + 1]
     known = standing.vocabulary
     ranged = sorted((known.letters_of(left) | known.letters_of(right)) & standing.survey.restricted)
-    special = f"{known.name(ranged[0])} is of a set" if ranged else ""
+    special = f"{known.name(ranged[0])} stands for the elements of a set" if ranged else ""
     if word := standing.survey.special:
         special = special or f"the word {word!r} may speak of special values or products"
     doubt = special or doubt_of(standing.beside, formula, index, known)

@@ -148,7 +148,7 @@ def _is_shown(inside: Sequence[Piece]) -> bool:
 
 def _close(cursor: Cursor, kind: str) -> None:
     if not cursor.opened or cursor.opened[-1] != kind:
-        raise cursor.fail("a bracket is closed that is not open")
+        raise cursor.fail("a bracket is closed, but it is not open")
     cursor.opened.pop()
 
 

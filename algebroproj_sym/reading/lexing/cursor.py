@@ -153,7 +153,7 @@ class Cursor:
         while self.index < len(self.pieces):
             self.step(self)
         if self.opened:
-            raise self.fail(f"a bracket is not closed, of kind {self.opened[-1]}")
+            raise self.fail(f"a bracket of the kind {self.opened[-1]} is not closed")
         self.out = _without_idle_separators(self.out)
 
     def ends_value(self) -> bool:

@@ -134,7 +134,7 @@ def read_underset(cursor: Cursor) -> None:
     cursor.index += 1
     below, name = bare(cursor.group()), bare(cursor.group()).replace("\\", "")
     if not _EXTREME.fullmatch(name):
-        raise UnreadableError(r"the command \underset is read below a minimum, a maximum or a limit only", start)
+        raise UnreadableError(r"the command \underset is read only below a minimum, a maximum or a limit", start)
     cursor.out.append(Token("BIG", f"{name}_{{{below}}}", start_pos=start))
     _read_body(cursor)
 
@@ -182,7 +182,7 @@ def read_function(cursor: Cursor) -> None:
         cursor.group()
     primes, below, _ = take_scripts(cursor)
     if primes:
-        raise cursor.fail("a prime is read after a letter only")
+        raise cursor.fail("a prime is read only after a letter")
     mark, raised = len(cursor.out), cursor.raised
     cursor.out.append(Token("FUNCTION", name + (f"_{below}" if below else ""), start_pos=start))
     opening = cursor.peek()

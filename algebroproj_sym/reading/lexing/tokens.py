@@ -159,7 +159,7 @@ def _read_operator(cursor: Cursor) -> None:
         over = "".join(piece.text for piece in cursor.group())
         relation = "".join(piece.text for piece in cursor.group()).strip()
         if relation not in RELATIONS:
-            raise cursor.fail(f"the command {text} is read above a relation only")
+            raise cursor.fail(f"the command {text} is read only above a relation")
         cursor.emit("RELATION", ":=" if "def" in over or "triangle" in over else RELATIONS[relation])
         return
     elif text in RELATIONS and RELATIONS[text] == "⟂" and cursor.depth:

@@ -139,20 +139,20 @@ class _Expressions(_Gathering):
         if found is None:
             raise UnreadableError(f"no table of symbols has {token}", token.start_pos)
         if not isinstance(found, sympy.Basic | sympy.MatrixBase):
-            raise UnreadableError(f"{token} is a function, and stands without its argument", token.start_pos)
+            raise UnreadableError(f"{token} is a function, but it stands without its argument", token.start_pos)
         return found
 
     opaque = symbol
 
     def shown(self, token: Token) -> Any:
-        raise UnreadableError(f"{token} is shown, and not computed", token.start_pos)
+        raise UnreadableError(f"{token} is shown, but not computed", token.start_pos)
 
     def call(self, token: Token, arguments: list[Any]) -> Any:
         function = self.names(str(token))
         if function is None or isinstance(function, sympy.Basic | sympy.MatrixBase):
             if self.values is not None:
                 return self.values.call(str(token), arguments)
-            raise UnreadableError(f"no definition of the function {token} is known", token.start_pos)
+            raise UnreadableError(f"the function {token} is not defined", token.start_pos)
         return function(*arguments)
 
     def power(self, base: Any, exponent: Any) -> Any:
@@ -168,7 +168,7 @@ class _Expressions(_Gathering):
         if not isinstance(base, sympy.Integer) or not 0 <= base <= MOST_FACTORIAL:
             if self.values is not None:
                 return self.values.known("factorial", [base])
-            raise UnreadableError(f"a factorial is computed of a number up to {MOST_FACTORIAL} only")
+            raise UnreadableError(f"a factorial is computed only for numbers up to {MOST_FACTORIAL}")
         return sympy.factorial(base)
 
     def fraction(self, above: Any, below: Any) -> Any:
@@ -200,7 +200,7 @@ class _Expressions(_Gathering):
     def big(self, name: Token, body: Any) -> Any:
         if self.values is not None:
             return self.values.big(str(name), body)
-        raise UnreadableError(f"{name} is read, and not computed", name.start_pos)
+        raise UnreadableError(f"{name} is read, but not computed", name.start_pos)
 
     def integral(self, body: Any, low: Any, high: Any, variable: Any, step: Any) -> Any:
         ends = (INFINITE[str(end)] if isinstance(end, Token) else end for end in (low, high))
@@ -217,11 +217,11 @@ class _Expressions(_Gathering):
         if len(items) != 2:
             if self.values is not None:
                 return self.values.known("mean", items)
-            raise UnreadableError("an inner product is of two vectors")
+            raise UnreadableError("an inner product takes two vectors")
         if shape(items[0]) and shape(items[0]) == shape(items[1]):
             return dot(*items)
         if any(map(shape, items)) or self.values is None:
-            raise UnreadableError("an inner product is of two vectors")
+            raise UnreadableError("an inner product takes two vectors")
         return self.values.known("inner", items)
 
     def bracket(self, items: list[Any]) -> Any:
@@ -290,7 +290,7 @@ def _crossed(left: Any, right: Any) -> Any:
 
 
 def _circled(left: Any, right: Any) -> Any:
-    raise UnreadableError("a product in a circle is read, and not computed")
+    raise UnreadableError("a product in a circle is read, but not computed")
 
 
 _JOINED = {"DOT": _dotted, "CROSS": _crossed, "CIRCLED": _circled}
@@ -310,7 +310,7 @@ def _raised(base: Any, exponent: Any) -> Any:
             return reduce(_times, [_small(base)] * int(exponent))
         raise UnreadableError(f"a matrix of shape {base.shape} cannot be raised to the power {exponent}")
     if shape(exponent):
-        raise UnreadableError("an exponent is a number, got a matrix")
+        raise UnreadableError("an exponent must be a number, got a matrix")
     if not exponent.free_symbols:
         exponent = exponent.doit()
     if isinstance(exponent, sympy.Rational) and max(abs(exponent.p), exponent.q) > MAX_EXPONENT:
@@ -330,13 +330,13 @@ def _raised(base: Any, exponent: Any) -> Any:
 def _small(matrix: Any) -> Any:
     """Return a matrix, unless it is larger than one that is computed with letter by letter."""
     if matrix.rows > MOST_ROWS and not all(entry.is_Rational for entry in matrix.flat()):
-        raise UnreadableError(f"a matrix with {matrix.rows} rows is read, and not computed; the most is {MOST_ROWS}")
+        raise UnreadableError(f"a matrix with {matrix.rows} rows is read, but not computed; the most is {MOST_ROWS}")
     return matrix
 
 
 def _determinant(matrix: Any) -> Any:
     if matrix.rows != matrix.cols:
-        raise UnreadableError(f"a determinant is of a square matrix, got shape {matrix.shape}")
+        raise UnreadableError(f"a determinant takes a square matrix, got shape {matrix.shape}")
     return determinant(matrix if matrix.rows <= DETERMINANT_ROWS else _small(matrix))
 
 
@@ -360,9 +360,9 @@ def slope_of(value: Any, variable: Any) -> Any:
 
 def _marked(base: Any, mark: str) -> Any:
     if mark.startswith("_"):
-        raise UnreadableError("the subscript of a bracket is read, and not computed")
+        raise UnreadableError("the subscript of a bracket is read, but not computed")
     if not shape(base):
-        raise UnreadableError(f"{base} is a number, and has a mark of matrices")
+        raise UnreadableError(f"{base} is a number, but it has a mark of matrices")
     if mark == "T":
         return base.T
     if mark == "hat" and len(base) == 3:
@@ -375,7 +375,7 @@ def _marked(base: Any, mark: str) -> Any:
 
 def _scalar(value: Any, what: str) -> Any:
     if shape(value):
-        raise UnreadableError(f"{what} is of a number, got a matrix of shape {value.shape}")
+        raise UnreadableError(f"{what} takes a number, got a matrix of shape {value.shape}")
     return value
 
 
@@ -400,7 +400,7 @@ def _applied(name: str, arguments: list[Any]) -> Any:
     if name in _OF_MATRICES and len(arguments) == 1:
         (matrix,) = arguments
         if not shape(matrix) or matrix.rows != matrix.cols:
-            raise UnreadableError(f"{name} is of a square matrix, got shape {shape(matrix)}")
+            raise UnreadableError(f"{name} takes a square matrix, got shape {shape(matrix)}")
         return _OF_MATRICES[name](matrix)
     if name == "diag" and (len(arguments) > 1 or not shape(arguments[0])):
         places = range(len(arguments))
@@ -410,11 +410,11 @@ def _applied(name: str, arguments: list[Any]) -> Any:
     base, _, index = name.partition("_")
     function = FUNCTIONS.get(base)
     if function is None or len(arguments) != (2 if base.endswith("2") else 1):
-        raise UnreadableError(f"{name} of {len(arguments)} arguments is read, and not computed")
+        raise UnreadableError(f"{name} of {len(arguments)} arguments is read, but not computed")
     values = [_scalar(each, name) for each in arguments]
     if index:
         if base != "log" or not index.isdigit():
-            raise UnreadableError(f"{name} is read, and not computed")
+            raise UnreadableError(f"{name} is read, but not computed")
         return over(sympy.log(*values), sympy.log(int(index)))
     return function(*values)
 

@@ -58,12 +58,12 @@ class _Gathering(Transformer[Token, Any]):
         return value
 
     def along(self, value: Any, variable: Any) -> Any:
-        raise UnreadableError("a change along a direction is computed with letters only")
+        raise UnreadableError("a change along a direction is computed only with letters")
 
     applied = gradient = along
 
     def integral(self, *parts: Any) -> Any:
-        raise UnreadableError("an integral is computed of numbers only")
+        raise UnreadableError("an integral is computed only of numbers")
 
     def cases(self, *values: Any) -> Any:
-        raise UnreadableError("a distinction of cases is read, and not computed")
+        raise UnreadableError("a distinction of cases is read, but not computed")

@@ -20,7 +20,7 @@ _WAVES: dict[Any, Any] = {
     sympy.cos: sympy.sin,
     over: sympy.log,
 }
-_REFUSED = "an integral in it is read, and not computed"
+_REFUSED = "an integral in it is read, but not computed"
 
 
 def integral_of(value: Any, variable: Any, step: Any, low: Any, high: Any) -> tuple[Any, tuple[str, ...]]:

@@ -21,6 +21,11 @@ def verdicts(latex):
 @pytest.mark.parametrize(
     "latex",
     [
+        r"The commands are in a list. \[ a_t = [a_t^1, \ldots, a_t^N] \]",
+        r"The model is \[ M(q) \ddot q + C(q, \dot q) \dot q = B u \] where "
+        r"\[ C(q, \dot q) = \begin{bmatrix} -m \sin(\theta) \dot\theta & 0 \\ 0 & 1 \end{bmatrix} \]",
+        r"Now, if we let \[ r = y - f(x) \] the sum is small.",
+        r"This is a special case of that one, with the matrix \[ J = 2 \pi G k I. \]",
         r"If $A$ is the area of the whole, then $t$ is the period: \[ T = \frac{2A}{h}. \]",
         BEFORE + r"In this case, we can write it as \[ f = 2 c b. \]",
         USED + r"Assuming that the thrust has the direction of the velocity, then \[ b = t v. \]",
@@ -105,6 +110,9 @@ def test_an_equation_that_gives_its_letter_is_a_definition(latex):
         BEFORE + r"Suppose \[ b = f. \]",
         BEFORE + r"Suppose that \[ b = f. \]",
         BEFORE + r"Let us assume that \[ b = f. \]",
+        BEFORE + r"If we let \[ b = f \] it is small.",
+        BEFORE + r"The root is \[ x = g(x^2). \]",
+        BEFORE + r"The point is \[ x = A \begin{bmatrix} x^2 \\ 1 \end{bmatrix}. \]",
         BEFORE + r"It is approximately \[ b = f. \]",
         BEFORE + r"Neglecting the mass, the width is \[ b = f. \]",
         BEFORE + r"In the limit, we have \[ b = f. \]",

@@ -14,6 +14,22 @@ def texts(latex: str) -> list[str | None]:
 @pytest.mark.parametrize(
     ("written", "plain"),
     [
+        (
+            r"H = -\frac{a}{r^2} \pdv{r}(r^2 \pdv{f}{r})",
+            r"H = -\frac{a}{r^2} \frac{\partial}{\partial r}(r^2 \frac{\partial f}{\partial r})",
+        ),
+        (r"K = -\frac{1}{2} \dv[2]{t} + \frac{l}{t^2}", r"K = -\frac{1}{2} \frac{d^2}{dt^2} + \frac{l}{t^2}"),
+        (r"x_\mrm{p} = 2 \mcal{E}", r"x_{\mathrm{p}} = 2 \mathcal{E}"),
+        (r"L = \frac{l}{\sqrt{\Re_l}} + \frac{\Re}{2}", r"L = \frac{l}{\sqrt{\mathrm{Re}_l}} + \frac{\mathrm{Re}}{2}"),
+        (r"F = \frac{A(\%)}{c}", r"F = \frac{A}{c}"),
+        (r"m = <x + y> + c", r"m = \langle x + y \rangle + c"),
+        (r"P = \overset{a \rightarrow b}{\mathbf M} x", r"P = \mathbf{M}^{(a \rightarrow b)} x"),
+        (r"a = \frac{b}{2 (c - d). }", r"a = \frac{b}{2 (c - d)}"),
+        (
+            r"A = \begin{bmatrix} | & | \\ a & b \end{bmatrix}",
+            r"A = \begin{bmatrix} \vdots & \vdots \\ a & b \end{bmatrix}",
+        ),
+        (r"c = \left|\hspace{-1pt}a\hspace{-1pt}\right|", r"c = \left|a\right|"),
         (r"m = \left<x + y\right>", r"m = \langle x + y \rangle"),
         (r"c = \frac{\overset{\large\rightharpoonup}{\small{V}}}{2}", r"c = \frac{\vec{V}}{2}"),
         (r"m = \underset{\text{at first}}{\underbrace{\quad a b\quad}} + c", r"m = {a b} + c"),
@@ -117,6 +133,22 @@ def test_operators_stand_in_a_matrix() -> None:
 )
 def test_a_document_with_a_notation_is_read_as_one_without(written: str, plain: str) -> None:
     assert texts(written) == texts(plain)
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"\[ m = -k \in (-1, 0] \]", ["m = -k ∈ [(-1, 0]]"]),
+        (r"\[ T = [0, t) \]", ["T = [[0, t)]"]),
+        (r"\[ a = \bigoplus_{j=0}^{n} W_j \]", [r"a = [\bigoplus_{j=0}^{n}](W_j)"]),
+        (r"\[ a = b \bigoplus c \]", ["a = b o c"]),
+        (r"\begin{align} u &:= a b \\ &:= c b \end{align}", ["u := a*b := c*b"]),
+        (r"\begin{eqnarray} \bigg[ a + b + & & \\ c + d \bigg] u &=& v \end{eqnarray}", ["(a + b + c + d)*u = v"]),
+        (r"\begin{eqnarray} a + b + \\ \nonumber c = d \end{eqnarray}", ["a + b + c = d"]),
+    ],
+)
+def test_what_rows_and_brackets_leave_open_is_read(latex: str, expected: list[str]) -> None:
+    assert texts(latex) == expected
 
 
 def test_kets_are_letters() -> None:

@@ -221,6 +221,26 @@ def without_others(left: Formula, value: Formula) -> Formula:
     return Tree(value.data, [without_others(left, x) if isinstance(x, Tree) else x for x in value.children])
 
 
+def without_own_indices(left: Formula, value: Formula) -> Formula:
+    r"""Return a matrix or a list without its own letter where an index stands above it, as in ``a = (a^1, a^2)``.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> [[*symbols_in(without_own_indices(*parsed(each).sides))] for each in ("a = (a^1, b)", "a = b a^1")]
+    [['\\mathrm{other}', 'b'], ['b', 'a']]
+    """
+    symbol, parameters = defined_by(left)
+    is_list = value.data == "bracket" and len(trees_in(trees_in(value)[0])) > 1
+    return _without_powers(symbol, value) if not parameters and (is_list or is_matrix(value)) else value
+
+
+def _without_powers(symbol: str, tree: Formula) -> Formula:
+    if tree.data == "power" and defined_by(tree.children[0])[0] == symbol:  # type: ignore[arg-type]
+        return Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
+    return Tree(tree.data, [_without_powers(symbol, x) if isinstance(x, Tree) else x for x in tree.children])
+
+
 def is_update(left: Formula, right: Formula) -> bool:
     """Whether the right side adds to the letter on the left, or multiplies it, as in ``x = x - a g``: no equation."""
     given = defined_by(left)

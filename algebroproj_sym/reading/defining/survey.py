@@ -136,7 +136,9 @@ class Survey:
         )
 
     def are_variables(self, letters: Collection[str]) -> bool:
-        """Whether several functions are taken at each of some letters without an index: they stand for any value."""
+        """Whether letters stand for any value: several functions are taken at each, or one is the rate of another."""
+        if any(rf"\dot{{{each}}}" in letters for each in letters):
+            return True
         bare = all(re.fullmatch(r"\\?[a-zA-Z]+", each) for each in letters)
         return bool(letters) and bare and all(len(self._taken_at.get(each, ())) > 1 for each in letters)
 

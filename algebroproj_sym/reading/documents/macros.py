@@ -28,13 +28,16 @@ _BOLD_ONES = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*(?:\{\s*)?[a-zA-Z]")
 _FRAMES = (r"\ensuremath", r"\boxed", r"\mathrel", r"\mathopen", r"\mathclose")
 """Commands that change the looks of their argument only."""
 _SLOPE, _PARTIAL = r"\frac{d#1}{d#2}", r"\frac{\partial#1}{\partial#2}"
+_SLOPES, _PARTIALS = r"\frac{d^{#1}#2}{d#3^{#1}}", r"\frac{\partial^{#1}#2}{\partial#3^{#1}}"
+_DERIVATIVES = frozenset((_SLOPE, _PARTIAL, _SLOPES, _PARTIALS))
+"""With one argument they are operators on what stands behind them."""
 _OF_PACKAGES = {
     r"\abs": (1, r"\left|#1\right|"),
     r"\norm": (1, r"\left\|#1\right\|"),
     **dict.fromkeys((r"\dv", r"\od", r"\td", r"\deriv"), (2, _SLOPE)),
     **dict.fromkeys((r"\pdv", r"\pd", r"\pderiv", r"\diffp"), (2, _PARTIAL)),
-    **dict.fromkeys((r"\dv[", r"\od["), (3, r"\frac{d^{#1}#2}{d#3^{#1}}")),
-    **dict.fromkeys((r"\pdv[", r"\pd["), (3, r"\frac{\partial^{#1}#2}{\partial#3^{#1}}")),
+    **dict.fromkeys((r"\dv[", r"\od["), (3, _SLOPES)),
+    **dict.fromkeys((r"\pdv[", r"\pd["), (3, _PARTIALS)),
     **dict.fromkeys((r"\dd", r"\dif"), (0, r"\mathrm{d}")),
     r"\cross": (0, r"\times"),
     r"\vdot": (0, r"\cdot"),
@@ -42,6 +45,7 @@ _OF_PACKAGES = {
     r"\order": (1, r"\mathcal{O}(#1)"),
     r"\vb*": (1, r"\mathbf{#1}"),
     r"\vu": (1, r"\hat{\mathbf{#1}}"),
+    **{rf"\m{style}": (1, rf"\math{style}{{#1}}") for style in ("rm", "cal", "bb", "sf", "scr", "frak")},
     **dict.fromkeys((r"\cr", r"\tabularnewline"), (0, r"\\")),
     **{rf"\{name}": (1, rf"\begin{{{name}}}#1\end{{{name}}}") for name in ("matrix", "pmatrix", "cases")},
     r"\half": (0, r"\frac{1}{2}"),
@@ -213,7 +217,7 @@ def expanded(pieces: Sequence[Piece], macros: Mapping[str, Macro]) -> list[Piece
     expansions = 0
     while waiting:
         piece = waiting.pop()
-        following = waiting[-1].text if waiting else ""
+        following = _next(waiting)
         macro = macros.get(f"{piece.text}[" if following == "[" else "") or macros.get(piece.text)
         if macro is None:
             out.append(piece)
@@ -251,15 +255,21 @@ _QUANTITIES = {"(": "pmatrix", "[": "bmatrix", "{": "matrix"}
 
 
 def _filled(macro: Macro, call: Piece, waiting: list[Piece]) -> str:
-    arguments = []
+    arguments = list[str]()
     for number in range(macro.count):
         while waiting and waiting[-1].text.isspace():
             waiting.pop()
-        if number == 0 and macro.default is not None:
+        if macro.is_guessed and macro.body in _DERIVATIVES and number == macro.count - 1 and _next(waiting) != "{":
+            arguments.insert(-1, "")
+        elif number == 0 and macro.default is not None:
             arguments.append(_optional(waiting, macro.default))
         else:
             arguments.append(_argument(call, waiting))
     return _PARAMETER.sub(lambda found: _put_in(found, arguments), macro.body)
+
+
+def _next(waiting: Sequence[Piece]) -> str:
+    return waiting[-1].text if waiting else ""
 
 
 def _put_in(found: re.Match[str], arguments: Sequence[str]) -> str:

@@ -164,12 +164,13 @@ class Pending(list[Piece]):
         if match := _SKIP.match("".join(each.text for each in self[-1:-20:-1])):
             del self[-len(pieces_of(match.group())) :]
 
-    def length(self) -> None:
-        r"""Go over a length, as behind ``\hskip`` and ``\hspace``."""
+    def length(self) -> str:
+        r"""Take a length, as behind ``\hskip`` and ``\hspace``."""
         if self.next == "{":
-            self.group()
-        elif match := _LENGTH.match("".join(each.text for each in self[-1:-12:-1])):
+            return "".join(each.text for each in self.group()).strip()
+        if match := _LENGTH.match("".join(each.text for each in self[-1:-12:-1])):
             del self[-len(match.group()) :]
+        return match.group() if match else ""
 
     def cases(self, left: Piece) -> list[Piece] | None:
         r"""Take an array between ``\{`` and ``\right.`` as a distinction of cases; if there is none, take nothing."""

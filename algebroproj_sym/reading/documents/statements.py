@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of, without_number
-from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING, RELATIONS
+from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING, RELATIONS, SIGNS
 from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     begins_with_relation,
@@ -253,7 +253,13 @@ def _behind_words(row: list[Piece], bare: Sequence[Piece]) -> list[Piece]:
 
 def _goes_on(before: Sequence[Piece], row: Sequence[Piece]) -> bool:
     """Whether a row goes on with the equation of the row before it."""
-    return ends_with_relation(_without_idle(before)) or not has_relation(row) or _begins_with_sign(row)
+    is_open = _opened(before) > 0 > _opened(row) or first_text(reversed(_without_idle(before))) in SIGNS
+    return is_open or ends_with_relation(_without_idle(before)) or not has_relation(row) or _begins_with_sign(row)
+
+
+def _opened(pieces: Sequence[Piece]) -> int:
+    """Return how many brackets open and do not close, or below zero close and did not open."""
+    return sum((piece.text in OPENING) - (piece.text in CLOSING) for piece in pieces)
 
 
 def _begins_with_sign(row: Sequence[Piece]) -> bool:

@@ -26,7 +26,7 @@ from algebroproj_sym.reading.documents.pending import (
     without_label,
 )
 from algebroproj_sym.reading.documents.systems import as_rows
-from algebroproj_sym.reading.lexing.commands import BIG, BOXES, MAX_PIECES, RELATIONS, SIGNS, UPRIGHT
+from algebroproj_sym.reading.lexing.commands import BIG, BOXES, CLOSING, LETTERS, MAX_PIECES, RELATIONS, SIGNS, UPRIGHT
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text
 
 _ENDS = frozenset((*RELATIONS, r"\left", r"\,", r"\;", r"\quad", r"\qquad", r"\\", r"\cdot", r"\times"))
@@ -58,6 +58,8 @@ _EXTREMUM = re.compile(
     r"\\(?:operatorname\*?|mathrm|text|mathop)\{\\?arg(?:\\[,;! ])?\s*\\?(?:min|max)\}|\\arg\s*\\(?:min|max)"
 )
 """The place of a least or a greatest value, as it is written."""
+_LONE = re.compile(r"[a-zA-Z]|\\math[a-z]+\s*\{?\s*[a-zA-Z]\s*\}?")
+"""A letter, perhaps in a style."""
 _UNSEEN = frozenset((r"\index", r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _SIZES = frozenset(
     rf"\{name}"
@@ -140,6 +142,19 @@ def _with_bars(pieces: Sequence[Piece]) -> Sequence[Piece]:
     return pieces
 
 
+def _with_angles(pieces: Sequence[Piece]) -> Sequence[Piece]:
+    r"""Return pieces with ``\langle`` for ``<`` where a value begins, as in ``<x> = a``, and what closes it."""
+    found = [*pieces]
+    for place, piece in enumerate(pieces):
+        if piece.text == "<" and first_text(reversed(found[:place])) in _BEFORE_VALUES:
+            texts = [each.text for each in pieces[place + 1 :]]
+            end = next((i for i, text in enumerate(texts) if text in RELATIONS or text in ("&", r"\\")), 0)
+            if end and texts[end] == ">" and texts[:end].count("{") == texts[:end].count("}"):
+                found[place] = renamed(piece, r"\langle")
+                found[place + 1 + end] = renamed(pieces[place + 1 + end], r"\rangle")
+    return found
+
+
 @dataclass(frozen=True)
 class _Page:
     """The pieces that are tidied, those that are yet to come, and the delimiters that have no partner yet."""
@@ -166,7 +181,7 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     """
     signs = (
         each
-        for piece in grouped(_accented(_with_bars(pieces)))
+        for piece in grouped(_accented(_with_angles(_with_bars(pieces))))
         for each in (at(piece, _SIGNS[piece.text]) if piece.text in _SIGNS else (piece,))
     )
     page = _Page([], Pending(signs), Pairs())
@@ -258,9 +273,25 @@ def _colon(page: _Page, piece: Piece) -> bool:
 
 
 def _percent(page: _Page, piece: Piece) -> bool:
+    r"""Read a percentage behind a number, and leave a lone sign in brackets out: a unit."""
     if found := ends_value(page.out):
         page.out.extend(at(piece, r"\cdot\frac{1}{100}"))
+    elif found := first_text(reversed(page.out)) == "(" and page.waiting.next == ")":
+        page.waiting.pop()
+        while page.out.pop().text != "(":
+            pass
     return found
+
+
+def _lone_part(page: _Page, piece: Piece) -> bool:
+    r"""Read ``\Re`` without an argument as a letter, such as the number of Reynolds."""
+    if found := page.waiting.next in _NO_ARGUMENTS:
+        page.out.extend(at(piece, rf"\mathrm{{{piece.text[1:]}}}"))
+    return found
+
+
+_NO_ARGUMENTS = frozenset(("", "_", "^", "}", ")", "]", ",", ".", ";", "&", r"\\", r"\right", *RELATIONS, *SIGNS))
+"""What comes behind a letter, and begins no argument."""
 
 
 def _floor_of_cross(page: _Page, piece: Piece) -> bool:
@@ -359,6 +390,11 @@ def _over(page: _Page, piece: Piece) -> bool:
     if relation == "=" and not _JUSTIFIES.fullmatch(above):
         relation = r"\equiv" if above == "!" else r"\questeq"
     defines = relation == "=" and re.search(r"def|triangle", above)
+    if piece.text != r"\underset" and (relation in LETTERS or _LONE.fullmatch(relation)):
+        page.waiting.put(
+            [*base, renamed(piece, "^"), *braced(piece, [renamed(piece, "("), *over, renamed(piece, ")")])]
+        )
+        return True
     plain = [piece, *braced(piece, over), *braced(piece, base)]
     page.out.extend(at(piece, ":=" if defines else relation) if relation in RELATIONS else plain)
     return True
@@ -384,8 +420,8 @@ def _infix(page: _Page, piece: Piece) -> bool:
 
 
 def _room(page: _Page, piece: Piece) -> bool:
-    page.waiting.length()
-    page.out.append(renamed(piece, r"\quad"))
+    length = page.waiting.length()
+    page.out.extend([] if length.startswith("-") else [renamed(piece, r"\quad")])
     return True
 
 
@@ -422,8 +458,10 @@ def _between_numbers(page: _Page, piece: Piece) -> bool:
 
 
 def _stop(page: _Page, piece: Piece) -> bool:
-    r"""Leave a full stop out at the end of a matrix."""
-    return page.waiting.next.startswith(r"\end{")
+    r"""Leave a full stop out at the end of a matrix, and behind a bracket or a matrix at the end of braces."""
+    closed = first_text(reversed(page.out))
+    is_closed = closed in CLOSING or closed.startswith(r"\end{")
+    return page.waiting.next.startswith(r"\end{") or (is_closed and page.waiting.next == "}")
 
 
 def _ket(page: _Page, piece: Piece) -> bool:
@@ -499,6 +537,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     ((r"\mathbin",), _binary),
     ((r"\mathop",), _colon),
     ((r"\%",), _percent),
+    ((r"\Re", r"\Im"), _lone_part),
     ((r"\lfloor",), _floor_of_cross),
     *(((name,), _written(text)) for name, text in (_OTHERWISE | _ROUNDED).items()),
     (_POSTFIX, _postfix),

@@ -26,6 +26,7 @@ from algebroproj_sym.reading.defining.recognising import (
     says_more_than_a_number,
     without_numbers,
     without_others,
+    without_own_indices,
     without_power,
 )
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
@@ -164,7 +165,7 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
         condition = memory.beside.is_condition and not memory.beside.names
         if condition or derivatives_in((left,), memory.vocabulary, memory.survey.occurring):
             return False
-    others = without_others(left, right)
+    others = without_others(left, without_own_indices(left, right))
     by_more = others == right or says_more_than_a_number(others)
     circular = is_circular(symbol, others, memory.vocabulary)
     return by_more and not (circular and is_circular(symbol, others, _known_here(memory)))

@@ -123,8 +123,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
             ):
                 values[place] = values[place].T
     if shape(values[0]) != shape(values[1]):
-        one, other = (each or "a number" for each in shapes)
-        raise UnreadableError(f"the sides have different shapes: {one} and {other}")
+        ours, theirs = (each or "a number" for each in shapes)
+        raise UnreadableError(f"the sides have different shapes: {ours} and {theirs}")
     for value in values:
         require_bounded(value, "the equation")
         if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):

@@ -98,6 +98,12 @@ _IN_THIS_CASE = re.compile(
     re.IGNORECASE,
 )
 """Words for a case of which an earlier sentence speaks, so that they are no condition themselves."""
+_NO_CASE = re.compile(
+    r"\b(?:if|when) (?:we|one) (?:now |then )?(?:let|define|denote|introduce|write|rewrite|express)\b"
+    r"|\b(?:as|is|are) (?:an? )?(?:special|particular|limiting) cases? of\b",
+    re.IGNORECASE,
+)
+"""Words that give a name, or say what something is a case of: what they speak of is no condition."""
 _CASE_BEFORE = re.compile(
     r"(?:^|[.:;}]\s*)\s*(?:and )?(?:if|when|for)\b[^.,;:]*"
     r"\$[^$]*(?:[=<>]|\\(?:le|ge|ne|in|to)(?:q|slant)?(?![a-z]))[^$]*\$\s*:\s*$",
@@ -220,7 +226,7 @@ class Beside:
     @property
     def is_condition(self) -> bool:
         """Whether the equation is the condition itself of which its sentence speaks: "If" stands in its own clause."""
-        clause = _IN_THIS_CASE.sub(" then ", main_clause(self.sentence))
+        clause = _NO_CASE.sub(" ", _IN_THIS_CASE.sub(" then ", main_clause(self.sentence)))
         return _FORM.search(clause) is None and _ONLY_SOMETIMES.search(clause) is not None
 
     @property

@@ -26,6 +26,7 @@ from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     UnreadableError,
     bare,
+    first_text,
     outside_braces,
     outside_brackets,
     says_more,
@@ -140,10 +141,12 @@ r"""An entry of a row: a number or a small letter with its scripts."""
 
 
 def _is_shown(inside: Sequence[Piece]) -> bool:
-    """Whether a bracket is no expression: a set, a condition, or one with a relation."""
+    """Whether a bracket is no expression: a set, a half-open interval, a condition, or one with a relation."""
     curly = bool(inside) and inside[0].text in (r"\{", r"\lbrace")
     listed = outside_brackets([piece.text for piece in outside_braces(inside)])
-    return says_more(inside) or (curly and any(text in (",", ";", *ELLIPSES) for text in listed))
+    ends = inside[0].text + inside[-1].text if inside else ""
+    is_interval = ends in ("[)", "(]") and listed.count(",") == 1
+    return is_interval or says_more(inside) or (curly and any(text in (",", ";", *ELLIPSES) for text in listed))
 
 
 def _close(cursor: Cursor, kind: str) -> None:
@@ -169,7 +172,7 @@ def read_environment(cursor: Cursor) -> None:
     if "array" in name:
         cursor.option()
         cursor.group()
-    inner = cursor.within(_with_columns(_take_environment(cursor, name, start)))
+    inner = cursor.within(_without_bars(_with_columns(_take_environment(cursor, name, start))))
     inner.until_end()
     cursor.chose = cursor.chose or inner.chose
     while inner.out and inner.out[-1].type in ("ROW", "SEPARATOR"):
@@ -201,6 +204,21 @@ def _with_columns(body: list[Piece]) -> list[Piece]:
         depth += (piece.text in OPENING or piece.text == "{") - (piece.text in CLOSING or piece.text == "}")
         kept.append(Piece("&", piece.place) if piece.text == "," and depth == 0 else piece)
     return kept
+
+
+def _without_bars(body: list[Piece]) -> list[Piece]:
+    r"""Return a matrix with dots for each bar that is an entry of its own: it says that a column goes on."""
+    return [
+        Piece(r"\vdots", each.place)
+        if each.text in ("|", r"\vert", r"\mid")
+        and first_text(reversed(body[:place])) in _ENDS_OF_ENTRIES
+        and first_text(body[place + 1 :]) in _ENDS_OF_ENTRIES
+        else each
+        for place, each in enumerate(body)
+    ]
+
+
+_ENDS_OF_ENTRIES = ("", "&", r"\\")
 
 
 def _take_environment(cursor: Cursor, name: str, start: int) -> list[Piece]:

@@ -104,8 +104,10 @@ def first_text(pieces: Iterable[Piece]) -> str:
 
 
 def begins_with_relation(pieces: Iterable[Piece]) -> bool:
-    """Whether the first piece that is no space is a relation."""
-    return first_text(pieces) in RELATIONS
+    """Whether the first piece that is no space is a relation, or ``:=``."""
+    texts = (piece.text for piece in pieces if not piece.text.isspace())
+    first = next(texts, "")
+    return first in RELATIONS or (first == ":" and next(texts, "") == "=")
 
 
 def ends_with_relation(pieces: Sequence[Piece]) -> bool:

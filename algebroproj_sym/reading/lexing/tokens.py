@@ -118,7 +118,7 @@ def _step(cursor: Cursor) -> None:
         read_root(cursor)
     elif text == r"\underset":
         read_underset(cursor)
-    elif text in BIG:
+    elif text in BIG or (text in _BIG_OR_CIRCLED and cursor.peek(1) in ("_", "^")):
         read_big(cursor)
     elif text.startswith("\\begin{"):
         read_environment(cursor)
@@ -198,6 +198,8 @@ def _read_operator(cursor: Cursor) -> None:
 
 
 _PRODUCTS = ("DOT", "CROSS")
+_BIG_OR_CIRCLED = (r"\bigoplus", r"\bigotimes")
+"""With limits they are of what stands behind them, and stand between two values elsewhere."""
 
 
 def _read_unknown(cursor: Cursor) -> None:

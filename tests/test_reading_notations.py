@@ -29,6 +29,18 @@ def texts(latex: str) -> list[str | None]:
             r"A = \begin{bmatrix} | & | \\ a & b \end{bmatrix}",
             r"A = \begin{bmatrix} \vdots & \vdots \\ a & b \end{bmatrix}",
         ),
+        (
+            r"A = \begin{pmatrix} --- & a & --- \\ b & \vdots & c \end{pmatrix}",
+            r"A = \begin{pmatrix} \cdots & a & \cdots \\ b & \vdots & c \end{pmatrix}",
+        ),
+        (
+            r"x = \begin{smallmatrix} (\, a & b \,) \end{smallmatrix}",
+            r"x = \begin{smallmatrix} a & b \end{smallmatrix}",
+        ),
+        (r"x = \begin{bmatrix} (a + b) & (c + d) \end{bmatrix}", r"x = \begin{bmatrix} a + b & c + d \end{bmatrix}"),
+        (r"{a = b + c}.", r"a = b + c"),
+        (r"\underbrace{a = b}_{\text{mean}}, \quad c = d", r"a = b, \quad c = d"),
+        (r"a = \eval{x}_{t}", r"a = \left.x\right|_{t}"),
         (r"c = \left|\hspace{-1pt}a\hspace{-1pt}\right|", r"c = \left|a\right|"),
         (r"m = \left<x + y\right>", r"m = \langle x + y \rangle"),
         (r"c = \frac{\overset{\large\rightharpoonup}{\small{V}}}{2}", r"c = \frac{\vec{V}}{2}"),

@@ -34,6 +34,7 @@ _DERIVATIVES = frozenset((_SLOPE, _PARTIAL, _SLOPES, _PARTIALS))
 _OF_PACKAGES = {
     r"\abs": (1, r"\left|#1\right|"),
     r"\norm": (1, r"\left\|#1\right\|"),
+    r"\eval": (1, r"\left.#1\right|"),
     **dict.fromkeys((r"\dv", r"\od", r"\td", r"\deriv"), (2, _SLOPE)),
     **dict.fromkeys((r"\pdv", r"\pd", r"\pderiv", r"\diffp"), (2, _PARTIAL)),
     **dict.fromkeys((r"\dv[", r"\od["), (3, _SLOPES)),

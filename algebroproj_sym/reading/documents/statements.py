@@ -180,6 +180,7 @@ def _equations(display: Display) -> Iterator[tuple[list[str], list[Part]]]:
 def _without_brackets(pieces: list[Piece]) -> list[Piece]:
     """Return an equation without the brackets, the braces, or the frame that a command draws, round the whole of it."""
     kept = [place for place, piece in enumerate(pieces) if not piece.text.isspace()]
+    kept = kept[:-1] if kept and pieces[kept[-1]].text in (".", ",") else kept
     sizes = (r"\left", r"\right", r"\displaystyle")
     bare = [place for place in kept if pieces[place].text not in sizes]
     if [pieces[place].text == "{" for place in bare[:2]] == [False, True] and _FRAME.fullmatch(pieces[bare[0]].text):

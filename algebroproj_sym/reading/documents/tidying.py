@@ -27,7 +27,7 @@ from algebroproj_sym.reading.documents.pending import (
 )
 from algebroproj_sym.reading.documents.systems import as_rows
 from algebroproj_sym.reading.lexing.commands import BIG, BOXES, CLOSING, LETTERS, MAX_PIECES, RELATIONS, SIGNS, UPRIGHT
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, has_relation
 
 _ENDS = frozenset((*RELATIONS, r"\left", r"\,", r"\;", r"\quad", r"\qquad", r"\\", r"\cdot", r"\times"))
 """Commands behind which braces hold no argument."""
@@ -258,7 +258,7 @@ def _braced_below(page: _Page, piece: Piece) -> bool:
     if page.waiting.next in ("_", "^"):
         page.waiting.group()
         page.waiting.group()
-    page.waiting.put(braced(piece, formulas_in(inside) or inside))
+    page.waiting.put(inside if has_relation(inside) else braced(piece, formulas_in(inside) or inside))
     return True
 
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import accumulate
 
 from lark import Token
 
 from algebroproj_sym.reading.lexing.commands import (
     BARS,
     CLOSING,
+    DROPPED,
     ELLIPSES,
     MARKS,
     MATRIX,
@@ -26,7 +28,6 @@ from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     UnreadableError,
     bare,
-    first_text,
     outside_braces,
     outside_brackets,
     says_more,
@@ -172,7 +173,7 @@ def read_environment(cursor: Cursor) -> None:
     if "array" in name:
         cursor.option()
         cursor.group()
-    inner = cursor.within(_without_bars(_with_columns(_take_environment(cursor, name, start))))
+    inner = cursor.within(_entries(_with_columns(_take_environment(cursor, name, start))))
     inner.until_end()
     cursor.chose = cursor.chose or inner.chose
     while inner.out and inner.out[-1].type in ("ROW", "SEPARATOR"):
@@ -206,19 +207,29 @@ def _with_columns(body: list[Piece]) -> list[Piece]:
     return kept
 
 
-def _without_bars(body: list[Piece]) -> list[Piece]:
-    r"""Return a matrix with dots for each bar that is an entry of its own: it says that a column goes on."""
-    return [
-        Piece(r"\vdots", each.place)
-        if each.text in ("|", r"\vert", r"\mid")
-        and first_text(reversed(body[:place])) in _ENDS_OF_ENTRIES
-        and first_text(body[place + 1 :]) in _ENDS_OF_ENTRIES
-        else each
-        for place, each in enumerate(body)
-    ]
+def _entries(body: list[Piece]) -> list[Piece]:
+    r"""Return a matrix without brackets round all of it, and with dots for lines: rows or columns go on."""
+    kept = [each for each in body if not (each.text.isspace() or each.text in DROPPED)]
+    if len(kept) > 1 and kept[0].text + kept[-1].text in ("()", "[]") and _holds_cells(kept):
+        body = kept[1:-1]
+    found = list[Piece]()
+    for place, row in enumerate(split_pieces(body, (r"\\",), brackets=False)):
+        found += [Piece(r"\\", found[-1].place if found else 0)] if place else []
+        for column, cell in enumerate(split_pieces(row, ("&",), brackets=False)):
+            found += [Piece("&", found[-1].place if found else 0)] if column else []
+            line = _LINE.fullmatch(bare(cell))
+            found += [Piece(r"\cdots" if line[1] else r"\vdots", cell[0].place)] if line else cell
+    return found
 
 
-_ENDS_OF_ENTRIES = ("", "&", r"\\")
+_LINE = re.compile(r"(-+)|\||\\vert|\\mid")
+"""What is drawn in place of entries of a row or a column."""
+
+
+def _holds_cells(pieces: Sequence[Piece]) -> bool:
+    """Whether the first bracket holds marks of columns or rows, and closes last."""
+    depths = [*accumulate((each.text in OPENING) - (each.text in CLOSING) for each in pieces)]
+    return 0 not in depths[:-1] and any(each.text in ("&", r"\\") for each in pieces)
 
 
 def _take_environment(cursor: Cursor, name: str, start: int) -> list[Piece]:

@@ -12,6 +12,7 @@ from algebroproj_sym.reading.defining.derivatives import has_rate
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
 _AT_ONE_TIME = re.compile(
@@ -35,7 +36,7 @@ def lone_arguments(formulas: Iterable[Sequence[Formula]], prose: str) -> dict[st
     """
     arguments: dict[str, set[str]] = {}
     alone, beside = set[str](), set[tuple[str, str]]()
-    apart = {re.sub(r"[{}\s]", "", each) for each in _AT_ONE_TIME.findall(prose)}
+    apart = {bare_name(each) for each in _AT_ONE_TIME.findall(prose)}
     for sides in formulas:
         called = [each for side in sides for each in side.find_data("call")]
         lone = {str(each.children[0]) for side in sides for each in side.find_data("symbol")}

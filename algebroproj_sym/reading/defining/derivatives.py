@@ -17,7 +17,7 @@ from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, ZERO, rate_of
 from algebroproj_sym.reading.defining.recognising import without_brackets
 from algebroproj_sym.reading.defining.through import nested, through_arguments
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
-from algebroproj_sym.reading.lexing.names import split_symbol, written
+from algebroproj_sym.reading.lexing.names import bare_name, split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
@@ -432,7 +432,7 @@ def _by_bare(symbols: Iterable[str]) -> dict[str, str]:
 @cache
 def _bare(symbol: str) -> str:
     """Return a symbol without braces, and with its dots first."""
-    bare = re.sub(r"\\mathbf\\(d*dot)", r"\\\1\\mathbf", re.sub(r"[{}\s]", "", symbol))
+    bare = re.sub(r"\\mathbf\\(d*dot)", r"\\\1\\mathbf", bare_name(symbol))
     return re.sub(r"\^(?:\\prime)+", lambda primes: "'" * primes[0].count("p"), bare)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.indices import Indices
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in
 
 MOST_APART = 3
 """How many terms are taken from an end of a sum."""
@@ -81,7 +81,7 @@ def _shifts(index: str, symbols: Iterable[str], indices: Indices) -> set[int]:
 def _terms(tree: Formula) -> Formula:
     """Return a sum over an index as one of its terms, each for itself, if it is none of infinitely many."""
     name, body = tree.children
-    while isinstance(body, Tree) and body.data in ("group", "bracket", "items") and len(body.children) == 1:
+    while isinstance(body, Tree) and body.data in IN_BRACKETS and len(body.children) == 1:
         (body,) = body.children
     match = _COUNTED.fullmatch(str(name))
     if match is None or match[3] == r"\infty" or not isinstance(body, Tree) or body.data != "sum":

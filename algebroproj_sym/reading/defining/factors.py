@@ -8,7 +8,7 @@ from typing import Any
 
 from lark import Tree
 
-from algebroproj_sym.reading.parsing.grammar import Formula, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, trees_in
 
 CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
@@ -40,9 +40,7 @@ def head_of(term: Any) -> str:
 
 def inner_of(term: Any) -> Any:
     """Return what stands in brackets, above a line or behind a sign of sums."""
-    while term.data in ("big", "fraction", "quotient") or (
-        term.data in ("group", "bracket", "items") and len(term.children) == 1
-    ):
+    while term.data in ("big", "fraction", "quotient") or (term.data in IN_BRACKETS and len(term.children) == 1):
         term = trees_in(term)[0]
     return term
 
@@ -55,7 +53,7 @@ def is_mean(term: Formula) -> bool:
 
 def terms_of(side: Any) -> list[Any]:
     """Return the terms of a formula; itself if it is no sum."""
-    if side.data in ("group", "bracket", "items") and len(side.children) == 1:
+    if side.data in IN_BRACKETS and len(side.children) == 1:
         return terms_of(side.children[0])
     return [term for each in trees_in(side) for term in terms_of(each)] if side.data == "sum" else [side]
 

@@ -17,15 +17,14 @@ from lark import Token, Tree
 from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.rates import ZERO, copies_in, rate_of, written
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
-from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in
 
 _QUOTIENT = re.compile(r"(d|\\partial)([^/^()]+)(?:\(([^/^()]+)\))?/\1([^/^()]+)")
 _OPERATOR = re.compile(r"(d|\\partial)/\1([^/^]+)")
 _RATE = re.compile(r"^\\d+ot|^\\Delta|^d |/")
 _NABLA = re.compile(r"\\nabla(?:_.*)?")
-_IN_BRACKETS = ("group", "bracket", "items")
 
 
 class _OtherwiseError(Exception):
@@ -57,7 +56,7 @@ class _Gradients:
         self.made: dict[str, Definition] = {}
         self._vocabulary = vocabulary
         known = [each.tree for side in sides for each in vocabulary.used_in(side)]
-        self._written = {_bare(each): each for tree in (*sides, *known) for each in symbols_in(tree)}
+        self._written = {bare_name(each): each for tree in (*sides, *known) for each in symbols_in(tree)}
         self._nablas = [value for side in sides for part in side.iter_subtrees() if (value := _below_nabla(part))]
 
     def find(self, tree: Formula) -> Formula | None:
@@ -80,13 +79,13 @@ class _Gradients:
 
         Within its brackets stands the letter by which the derivative is taken, or all letters of which it is one.
         """
-        known = {_bare(each): each for each in self._vocabulary.definitions}
+        known = {bare_name(each): each for each in self._vocabulary.definitions}
         name, arguments = (str(value.children[0]), _arguments(value)) if value.data == "call" else (_lone(value), ())
-        definition = self._vocabulary.definitions.get(known.get(_bare(name), ""))
+        definition = self._vocabulary.definitions.get(known.get(bare_name(name), ""))
         if definition is not None and definition.usable:
             if arguments and arguments != definition.parameters:
                 return None
-            if within not in (below, ",".join(map(_bare, definition.parameters))):
+            if within not in (below, ",".join(map(bare_name, definition.parameters))):
                 return None
             below = below or (definition.parameters[0] if len(definition.parameters) == 1 else "")
             value = letter_of(definition.symbol)
@@ -98,12 +97,12 @@ class _Gradients:
         direct = value if definition is None or not definition.usable else definition.tree
         used = self._vocabulary.used_in(direct)
         letters = {symbol for each in (direct, *(each.tree for each in used)) for symbol in symbols_in(each)}
-        variable = {_bare(each): each for each in sorted(letters)}.get(_bare(below))
+        variable = {bare_name(each): each for each in sorted(letters)}.get(bare_name(below))
         if variable is None or not self._vocabulary.is_matrix(variable) or variable in self._vocabulary.definitions:
             return None
         others = letters - {variable} - {each.symbol for each in used}
         via = any(variable in self._vocabulary.letters_of(each.tree) for each in used)
-        rates = [each for each in others if _RATE.search(each) and _bare(variable) in _bare(each)]
+        rates = [each for each in others if _RATE.search(each) and bare_name(variable) in bare_name(each)]
         ambiguous = (partial and via and variable in symbols_in(direct)) or (rates and not partial)
         if ambiguous or self._vocabulary.depends(others, variable) or self.variable not in (None, variable):
             raise _OtherwiseError
@@ -135,7 +134,9 @@ class _Gradients:
         if call in self._nablas:
             return Tree("gradient", [call, letter_of(variable)])
         names = (
-            f"{d}{_bare(above)}/{d}{_bare(variable)}" for d in ("d", r"\partial") for above in (name, written(call))
+            f"{d}{bare_name(above)}/{d}{bare_name(variable)}"
+            for d in ("d", r"\partial")
+            for above in (name, written(call))
         )
         return next((letter_of(self._written[each]) for each in names if each in self._written), None)
 
@@ -143,9 +144,9 @@ class _Gradients:
         """Return a formula in which a function that stands alone is its value, as c in ``c(x)`` and ``x/c``."""
         if not isinstance(tree, Tree):
             return tree
-        if (value := _below_nabla(tree)) is not None and _bare(split_symbol(_lone(tree.children[0]))[2]) in (
+        if (value := _below_nabla(tree)) is not None and bare_name(split_symbol(_lone(tree.children[0]))[2]) in (
             "",
-            _bare(self.variable or ""),
+            bare_name(self.variable or ""),
         ):
             return Tree("gradient", [value, letter_of(self.variable or "")])
         if tree.data == "symbol" and (made := self.made.get(str(tree.children[0]))) is not None:
@@ -158,7 +159,7 @@ class _Gradients:
             return found
         if not self._has(tree):
             return Tree("applied", [self._of_letters(tree), letter_of(self.variable or "")])
-        if tree.data in _IN_BRACKETS and len(tree.children) == 1:
+        if tree.data in IN_BRACKETS and len(tree.children) == 1:
             return self.along(tree.children[0])
         if tree.data == "sum":
             return Tree("sum", [each if isinstance(each, Token) else self.along(each) for each in tree.children])
@@ -190,10 +191,6 @@ def _arguments(call: Formula) -> tuple[str, ...]:
 
 
 def _lone(tree: Any) -> str:
-    while tree.data in _IN_BRACKETS and len(tree.children) == 1:
+    while tree.data in IN_BRACKETS and len(tree.children) == 1:
         (tree,) = tree.children
     return str(tree.children[0]) if tree.data == "symbol" else ""
-
-
-def _bare(symbol: str) -> str:
-    return re.sub(r"[{}\s]", "", symbol)

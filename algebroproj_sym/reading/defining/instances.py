@@ -7,10 +7,9 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in
 
 _PRODUCTS = ("run", "product")
-_AROUND = ("group", "bracket", "items")
 MOST_DEGREE = 6
 """The highest degree of a root that is taken away."""
 
@@ -30,7 +29,7 @@ def _plain(tree: Any) -> Any:
     if not isinstance(tree, Tree):
         return str(tree)
     parts = [_plain(each) for each in tree.children]
-    if tree.data in _AROUND and len(parts) == 1:
+    if tree.data in IN_BRACKETS and len(parts) == 1:
         (inside,) = parts
         negative = isinstance(inside, tuple) and inside[:2] == ("sum", "-") and inside[2][0] == "number"
         return ("number", f"-{inside[2][1]}") if negative and len(inside) == 3 else inside
@@ -101,14 +100,14 @@ def _degree(tree: Formula) -> int:
         return _whole(tree.children[0])
     if tree.data == "power":
         return _of_exponent(tree.children[1])
-    if tree.data in (*_PRODUCTS, *_AROUND, "fraction", "quotient"):
+    if tree.data in (*_PRODUCTS, *IN_BRACKETS, "fraction", "quotient"):
         degrees = {each for part in trees_in(tree) if (each := _degree(part)) > 1}
         return degrees.pop() if len(degrees) == 1 else 1
     return 1
 
 
 def _of_exponent(exponent: Any) -> int:
-    while isinstance(exponent, Tree) and exponent.data in _AROUND and len(exponent.children) == 1:
+    while isinstance(exponent, Tree) and exponent.data in IN_BRACKETS and len(exponent.children) == 1:
         (exponent,) = exponent.children
     is_part = isinstance(exponent, Tree) and exponent.data in ("fraction", "quotient") and len(exponent.children) == 2
     return _whole(exponent.children[1]) if is_part and _whole(exponent.children[0]) == 1 else 1

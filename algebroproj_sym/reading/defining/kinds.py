@@ -31,8 +31,9 @@ from algebroproj_sym.reading.defining.factors import (
 )
 from algebroproj_sym.reading.defining.inner import vectors_in
 from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
-from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, symbols_in, trees_in
+from algebroproj_sym.reading.lexing.commands import OF_ANGLES
+from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, Sides, symbols_in, trees_in
 
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
 """A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
@@ -45,7 +46,6 @@ _QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\d
 _ONES = re.compile(r"\\(?:mathbf|mathbb|mathds|vec)\{1\}(?:_.*)?")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
 _OF_VECTORS = ("marked", "norm", "absolute", "inner", "call")
-_OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 _SAME = {"=", ":=", "=:", "≡", "≈"}
 """The relations whose sides are both numbers, or both none."""
 _SPOKEN = re.compile(r"\b(?:vectors?|vectorial|cross[- ]products?)\b", re.IGNORECASE)
@@ -211,7 +211,8 @@ class _Closure:
     def _is_like_known(self, symbol: str) -> bool:
         r"""Whether a letter is one that is no number with another index, or the rate at which one changes."""
         if match := _QUOTIENT.fullmatch(symbol):
-            return _bare(match[1]) in {*map(_bare, self.known)} and _bare(match[2]) not in {*map(_bare, self.known)}
+            known = {*map(bare_name, self.known)}
+            return bare_name(match[1]) in known and bare_name(match[2]) not in known
         if match := _RATE.fullmatch(symbol):
             return f"{match[1]}{match[2]}" in self.known or (match[3] or match[4]) in self.known
         return any(_family(symbol)) and any(_family(symbol) == _family(each) for each in self.known)
@@ -229,7 +230,7 @@ class _Closure:
             return str(term.children[0]) in self.known
         if term.data == "matrix":
             return _is_table(term)
-        if term.data == "sum" or (term.data in ("group", "bracket", "items") and len(term.children) == 1):
+        if term.data == "sum" or (term.data in IN_BRACKETS and len(term.children) == 1):
             return any(map(self._is_no_number, trees_in(term)))
         if term.data in ("marked", "fraction", "quotient", "big"):
             return self._is_no_number(trees_in(term)[0])
@@ -283,10 +284,6 @@ def _family(symbol: str) -> tuple[str, str]:
     return (letter, indices.pop()) if len(indices) == 1 else ("", "")
 
 
-def _bare(symbol: str) -> str:
-    return re.sub(r"[{}\s]", "", symbol)
-
-
 def angles_in(formulas: Iterable[Parsed]) -> frozenset[str]:
     r"""Return the letters that are angles, as in ``\cos(2 a + b)``: no capitals, and none as in ``\cos(n^T m)``."""
     parts = (part for formula in formulas for side in formula.sides for part in _angles_in(side))
@@ -296,7 +293,7 @@ def angles_in(formulas: Iterable[Parsed]) -> frozenset[str]:
 
 def _angles_in(side: Formula) -> Iterator[Formula]:
     for tree in side.iter_subtrees():
-        if tree.data in ("function", "raised_function") and str(tree.children[0]) in _OF_ANGLES:
+        if tree.data in ("function", "raised_function") and str(tree.children[0]) in OF_ANGLES:
             yield from trees_in(tree)[-1:]
 
 

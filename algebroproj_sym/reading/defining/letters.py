@@ -25,13 +25,13 @@ from algebroproj_sym.reading.defining.parts import (
 )
 from algebroproj_sym.reading.defining.sizing import Reader
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 Read = TypeVar("Read")
-_STYLE = r"\\(?:mathbf|vec|overrightarrow)"
-_COLUMN = re.compile(rf"{_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
-_LATIN = re.compile(rf"{_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{_STYLE}[a-z]")
+_COLUMN = re.compile(rf"{VECTOR_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
+_LATIN = re.compile(rf"{VECTOR_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{VECTOR_STYLE}[a-z]")
 
 
 def lettered(

@@ -18,8 +18,9 @@ from algebroproj_sym.reading.defining.inner import products_in
 from algebroproj_sym.reading.defining.phrases import SET, called, symbols_in_list
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, symbols_in, trees_in
 
 ITERATE = "a power of a function may be its iterate"
 VARIES = "may be a different number each time"
@@ -116,7 +117,6 @@ _BASES = re.compile(
     r"|\blogarithms? (?:is|are) (?:decadic|common|binary|decimal)\b",
     re.IGNORECASE,
 )
-_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order-?(?:terms)?|noise|etc\.?")
 """Names that stand for another thing each time."""
 _ORDER = re.compile(
@@ -370,7 +370,7 @@ class Meanings:
         for part in tree.iter_subtrees():
             head = str(part.children[0]) if part.children and isinstance(part.children[0], Token) else ""
             if part.data in ("function", "raised_function"):
-                if changes and head in _ANGLES and self._has_degrees:
+                if changes and head in OF_ANGLES and self._has_degrees:
                     return "angles are in degrees"
                 if head == "log" and self._has_bases:
                     return "the base of logarithms is not e"
@@ -469,7 +469,7 @@ def _text(tree: object) -> str:
     if not isinstance(tree, Tree):
         return ""
     data, children = tree.data, tree.children
-    if data in ("group", "bracket", "items") and len(children) == 1:
+    if data in IN_BRACKETS and len(children) == 1:
         return _text(children[0])
     return str(children[0]) if data in ("symbol", "number") else ""
 
@@ -479,7 +479,7 @@ def _is_number(tree: object) -> bool:
 
 
 def _is_group(tree: object) -> bool:
-    return isinstance(tree, Tree) and tree.data in ("group", "bracket", "items")
+    return isinstance(tree, Tree) and tree.data in IN_BRACKETS
 
 
 def _is_material(tree: object) -> bool:

@@ -10,6 +10,7 @@ from typing import Any
 from lark import Tree
 
 from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, head_of, lone, terms_of
+from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
 
 _SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
@@ -50,13 +51,9 @@ def oblong_in(equations: Sequence[Sides], occurring: Iterable[str], words: str) 
     declared |= {letter or other for letter, other in _SINGULAR.findall(words)}
     declared |= {letter for rows, width, letter in _OF_SIZE.findall(words) if rows != width}
     declared |= {letter for letter, rows, width in _ARE_OF_SIZE.findall(words) if rows != width}
-    declared |= {*_one_sided_in(equations, {*map(_bare, declared)})}
-    bare = {*map(_bare, declared)}
-    return frozenset(found | {each for each in occurring if _bare(each) in bare})
-
-
-def _bare(symbol: str) -> str:
-    return re.sub(r"[{}\s]", "", symbol)
+    declared |= {*_one_sided_in(equations, {*map(bare_name, declared)})}
+    bare = {*map(bare_name, declared)}
+    return frozenset(found | {each for each in occurring if bare_name(each) in bare})
 
 
 def _inverted_squares_in(equations: Sequence[Sides]) -> Iterator[str]:
@@ -68,7 +65,7 @@ def _inverted_squares_in(equations: Sequence[Sides]) -> Iterator[str]:
     bases = [power.children[0] for power in powers if is_inverse(power)]
     inverted = {base_of(each) for each in bases if isinstance(each, Tree)} - {""}
     turned = {base_of(each) for each in bases if isinstance(each, Tree) and each.data == "marked"}
-    factors = {each for each in turned if _FACTOR.fullmatch(_bare(each))}
+    factors = {each for each in turned if _FACTOR.fullmatch(bare_name(each))}
     sides = [side for both in equations if inverted & {head_of(side) for side in both} for side in both]
     yield from {letter for each in (*bases, *sides) for letter in _squared_in(each)} - factors
 
@@ -103,7 +100,7 @@ def _one_sided_in(equations: Iterable[Sides], oblong: Collection[str]) -> Iterat
     for both in equations:
         for one, other in ((one, other) for one in both for other in both if other.data == "run"):
             factors = [*map(lone, trees_in(other))]
-            if lone(one)[-2:].strip("}") == "I" and all(factors) and not {*map(_bare, factors)}.isdisjoint(oblong):
+            if lone(one)[-2:].strip("}") == "I" and all(factors) and not {*map(bare_name, factors)}.isdisjoint(oblong):
                 yield from factors
 
 

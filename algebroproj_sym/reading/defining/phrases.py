@@ -23,7 +23,7 @@ from lark import Tree
 from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of, split_pieces
-from algebroproj_sym.reading.parsing.grammar import parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, parsed, symbols_in
 
 _ALONE = r"(?: matrix|(?=\s*(?:[.,;)]|and\b|$)))"
 _KINDS = (
@@ -343,11 +343,7 @@ def symbols_in_list(latex: str, most: int = 9) -> Iterator[str]:
             tree = parsed(part).sides[0]
         except UnreadableError:
             continue
-        while (
-            tree.data in ("group", "bracket", "items")
-            and len(tree.children) == 1
-            and isinstance(tree.children[0], Tree)
-        ):
+        while tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
             tree = tree.children[0]
         if tree.data == "symbol":
             yield str(tree.children[0])

@@ -14,7 +14,7 @@ from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 _RANDOM = re.compile(r"[XYZ](?:_.*)?")
@@ -39,7 +39,7 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
 
 def without_brackets(tree: Formula) -> Formula:
     """Return what stands in the brackets round a whole side."""
-    while tree.data in ("bracket", "items", "group") and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
+    while tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
         tree = tree.children[0]
     return tree
 

@@ -11,11 +11,11 @@ from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.defining.dependence import ANY, COUNTED, is_number, letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.parts import Part, Shape, Size, constant, refused, sum_of
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
+from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
 
-_STYLE = r"\\(?:mathbf|vec|overrightarrow)"
-_BARE = re.compile(rf"{_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
+_BARE = re.compile(rf"{VECTOR_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
 _ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
 _SIZES = "nmklpqrstuvwhijabcdgoyz"
 FREE = "free"

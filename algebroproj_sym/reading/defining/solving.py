@@ -11,10 +11,9 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in
 
 _Factors = tuple[Formula, ...]
-_IN_BRACKETS = ("group", "bracket", "items")
 
 
 class _OtherwiseError(Exception):
@@ -65,7 +64,7 @@ def solution_of(left: Formula, right: Formula, letter: str, *, is_number: bool =
 
 
 def _linear(tree: Formula, letter: str, *, minus: bool) -> _Linear:
-    if tree.data in _IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
+    if tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
         return _linear(tree.children[0], letter, minus=minus)
     if tree.data in ("symbol", "opaque") and tree.children[0] == letter:
         return _Linear([(minus, (), ())], [])

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of, without_number
-from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING, RELATIONS, SIGNS
+from algebroproj_sym.reading.lexing.commands import CLOSING, MAPS, OPENING, RELATIONS, SIGNS
 from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     begins_with_relation,
@@ -46,7 +46,6 @@ _ARROWS = (
 _STEPS = (*_ARROWS, r"\rightarrow", r"\longrightarrow", r"\to", "→")
 """What leads from one equation to the next; thin arrows do so only between equations."""
 _SPACES = (r"\;", r"\:", r"\,", r"\ ", "~", *_WIDE)
-_MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
 _IDLE = (r"\nonumber", r"\notag", r"\pause", r"\,", r"\;", r"\:", r"\!", "~", "\\ ", ".", ",", ";", "{", "}")
 
 
@@ -339,7 +338,7 @@ def _labelled(parts: list[Part]) -> tuple[str, list[Part]]:
         return "", parts
     if is_last:
         return _text_of(first), rest
-    if is_spaced and has_relation(behind) and not any(piece.text in _MAPS for piece in behind):
+    if is_spaced and has_relation(behind) and not any(piece.text in MAPS for piece in behind):
         return f"{_text_of(name)}:", [(behind, words), *rest]
     return "", parts
 

@@ -7,7 +7,6 @@ and ``\right.`` is a distinction of cases, and ``α`` is ``\alpha``.
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -26,6 +25,7 @@ from algebroproj_sym.reading.documents.pending import (
     without_label,
 )
 from algebroproj_sym.reading.documents.systems import as_rows
+from algebroproj_sym.reading.documents.unicode import SIGNS_OF_UNICODE, accented
 from algebroproj_sym.reading.lexing.commands import BIG, BOXES, CLOSING, LETTERS, MAX_PIECES, RELATIONS, SIGNS, UPRIGHT
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, has_relation
 
@@ -85,47 +85,6 @@ _ACCENTS_ABOVE = {
 }
 """What is an accent where it is written above a letter."""
 _ROOM = frozenset((r"\hskip", r"\kern", r"\mskip", r"\mkern", r"\hspace", r"\hspace*"))
-_OF_UNICODE = (
-    "α#alpha β#beta γ#gamma δ#delta ε#varepsilon ζ#zeta η#eta θ#theta ι#iota κ#kappa λ#lambda μ#mu ν#nu ξ#xi π#pi "
-    "ρ#rho σ#sigma τ#tau υ#upsilon φ#varphi ϕ#phi χ#chi ψ#psi ω#omega Γ#Gamma Δ#Delta Θ#Theta Λ#Lambda Ξ#Xi Π#Pi "
-    "Σ#Sigma Φ#Phi Ψ#Psi Ω#Omega ϵ#epsilon ×#times ·#cdot ⋅#cdot ≤#le ≥#ge ≠#ne ±#pm ∓#mp ∂#partial ∇#nabla ∞#infty "
-    "≈#approx ≡#equiv ∈#in →#to ⇒#Rightarrow ⇔#Leftrightarrow ∥#| ∑#sum ∫#int ∏#prod ℓ#ell ∝#propto "
-    "⋮#vdots ⋯#cdots …#ldots ∧#wedge ⊗#otimes ⊕#oplus ⊙#odot ⟂#perp ⊥#perp"
-)
-_SIGNS = {sign: rf"\{name}" for sign, _, name in (pair.partition("#") for pair in _OF_UNICODE.split())}
-_ACCENTS = {
-    "\u0302": r"\hat",
-    "\u0303": r"\tilde",
-    "\u0304": r"\bar",
-    "\u0305": r"\bar",
-    "\u0307": r"\dot",
-    "\u0308": r"\ddot",
-    "\u030c": r"\check",
-    "\u20d7": r"\vec",
-}
-"""The marks that Unicode writes above the letter before them."""
-_SIGNS |= {"°": r"^\circ", "′": "'", "″": "''", "½": r"\frac{1}{2}", "¼": r"\frac{1}{4}", "¾": r"\frac{3}{4}"}
-_SIGNS |= {sign: f"^{number}" for number, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}
-_SIGNS |= {sign: f"_{number}" for number, sign in enumerate("₀₁₂₃₄₅₆₇₈₉")}
-
-
-def _accented(pieces: Iterable[Piece]) -> list[Piece]:
-    """Return pieces in which a letter with a mark of Unicode above it is one with an accent."""
-    found: list[Piece] = []
-    for piece in pieces:
-        letter, mark = piece.text[:-1], piece.text[-1]
-        if (
-            len(piece.text) == 1
-            and len(parts := unicodedata.normalize("NFD", piece.text)) == 2
-            and parts[1] in _ACCENTS
-        ):
-            letter, mark = parts[0], parts[1]
-        if mark in _ACCENTS and (letter or found):
-            base = [renamed(piece, letter)] if letter else [found.pop()]
-            found += [renamed(piece, _ACCENTS[mark]), *braced(piece, base)]
-        else:
-            found.append(piece)
-    return found
 
 
 _BEFORE_VALUES = frozenset(("", *RELATIONS, *SIGNS, "{", "(", "[", r"\left", r"\displaystyle"))
@@ -181,8 +140,8 @@ def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     """
     signs = (
         each
-        for piece in grouped(_accented(_with_angles(_with_bars(pieces))))
-        for each in (at(piece, _SIGNS[piece.text]) if piece.text in _SIGNS else (piece,))
+        for piece in grouped(accented(_with_angles(_with_bars(pieces))))
+        for each in (at(piece, SIGNS_OF_UNICODE[piece.text]) if piece.text in SIGNS_OF_UNICODE else (piece,))
     )
     page = _Page([], Pending(signs), Pairs())
     while page.waiting:

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 
-from algebroproj_sym.reading.judging.words import Beside, without_formulas
+from algebroproj_sym.reading.judging.sentences import without_formulas
+from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Parsed
 
 _IF = re.compile(

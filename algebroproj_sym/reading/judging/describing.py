@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterator, Sequence
 
 from algebroproj_sym.reading.defining.phrases import symbols_in_list
-from algebroproj_sym.reading.judging.words import NEAR, is_neutral, without_laws
+from algebroproj_sym.reading.judging.sentences import is_neutral, without_laws
+from algebroproj_sym.reading.judging.words import NEAR
 
 MOST_NOUNS = 4
 """How many words may name a thing."""

@@ -36,6 +36,7 @@ from algebroproj_sym.reading.judging.questions import (
     rests_of,
     used_by,
 )
+from algebroproj_sym.reading.judging.sentences import last_sentence
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
 from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, states, supposes
@@ -51,7 +52,6 @@ from algebroproj_sym.reading.judging.words import (
     is_example,
     is_given_within,
     is_item,
-    last_sentence,
 )
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in

@@ -7,7 +7,6 @@ display say nothing of an equation in it that rests on other equations of the di
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from itertools import pairwise
 from typing import Any
@@ -19,8 +18,10 @@ from algebroproj_sym.proving.reals.prove import may_agree
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.judging.questions import used_by
+from algebroproj_sym.reading.judging.sentences import strange_word, words_of
 from algebroproj_sym.reading.judging.special import doubt_of_special
-from algebroproj_sym.reading.judging.words import Beside, strange_word, words_of
+from algebroproj_sym.reading.judging.words import Beside
+from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 
@@ -88,7 +89,7 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
         if definition is not None and not _is_meant(definition, beside, formula):
             return _other_meaning(definition, vocabulary)
     first = [vocabulary.definitions[each] for each in sorted(symbols) if each in vocabulary.definitions]
-    if renamed := [each for each in first if re.sub(r"[{}\s]", "", each.symbol) in beside.renamed]:
+    if renamed := [each for each in first if bare_name(each.symbol) in beside.renamed]:
         return _other_meaning(renamed[0], vocabulary)
     if words_of(beside.sentence) and not lone and first and not any(_is_meant(each, beside, formula) for each in first):
         return _other_meaning(first[0], vocabulary)

@@ -38,18 +38,15 @@ from algebroproj_sym.reading.judging.describing import described, is_same, names
 from algebroproj_sym.reading.judging.renaming import gives_its_name_away, renamed_in
 from algebroproj_sym.reading.judging.sampling import agree, samples_of
 from algebroproj_sym.reading.judging.scopes import Scopes
-from algebroproj_sym.reading.judging.words import (
-    Beside,
-    beside,
-    has_ended,
+from algebroproj_sym.reading.judging.sentences import (
     last_sentence,
     main_clause,
     sentences_of,
     strange_word,
-    takes_back,
     without_formulas,
     words_of,
 )
+from algebroproj_sym.reading.judging.words import Beside, beside, has_ended, takes_back
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 _IS = re.compile(r"\b(?:is|are)\W*$")

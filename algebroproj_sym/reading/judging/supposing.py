@@ -5,14 +5,8 @@ from __future__ import annotations
 import re
 
 from algebroproj_sym.reading.documents.displays import Display
-from algebroproj_sym.reading.judging.words import (
-    CASES,
-    FORMULA,
-    Beside,
-    ends_clause,
-    last_sentence,
-    without_formulas,
-)
+from algebroproj_sym.reading.judging.sentences import FORMULA, last_sentence, without_formulas
+from algebroproj_sym.reading.judging.words import CASES, Beside, ends_clause
 
 _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"

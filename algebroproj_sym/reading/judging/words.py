@@ -10,6 +10,17 @@ from algebroproj_sym.reading.defining.contexts import without_steps
 from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.judging.sentences import (
+    FORMULA,
+    IN_THIS_CASE,
+    last_sentence,
+    main_clause,
+    strange_word,
+    without_formulas,
+    without_laws,
+    words_of,
+)
+from algebroproj_sym.reading.lexing.names import bare_name
 
 NEAR = 250
 """How many characters beside a formula are searched for words about a case."""
@@ -92,38 +103,12 @@ _ONLY_SOMETIMES = re.compile(
 """Words by which an equation says what a letter is in a case; in its own clause, that it is the condition itself."""
 _FORM = re.compile(r"\b(?:assum\w+|suppos\w+)\b.*\b(?:form|given by|as)\W*$", re.IGNORECASE | re.DOTALL)
 """What is assumed to have a form is given by it."""
-_IN_THIS_CASE = re.compile(
-    r"\b(?:(?:in|for) (?:this|that|which|such a|the (?:\w+ )?(?!limit|station|stead|ideal|special)[a-z]+) case|"
-    r"(?:for|in) the (?:special )?case of|under (?:this|these|that|those) (?:assumption|condition)s?)\b",
-    re.IGNORECASE,
-)
-"""Words for a case of which an earlier sentence speaks, so that they are no condition themselves."""
 _NO_CASE = re.compile(
     r"\b(?:if|when) (?:we|one) (?:now |then )?(?:let|define|denote|introduce|write|rewrite|express)\b"
     r"|\b(?:as|is|are) (?:an? )?(?:special|particular|limiting) cases? of\b",
     re.IGNORECASE,
 )
 """Words that give a name, or say what something is a case of: what they speak of is no condition."""
-_CASE_BEFORE = re.compile(
-    r"(?:^|[.:;}]\s*)\s*(?:and )?(?:if|when|for)\b[^.,;:]*"
-    r"\$[^$]*(?:[=<>]|\\(?:le|ge|ne|in|to)(?:q|slant)?(?![a-z]))[^$]*\$\s*:\s*$",
-    re.IGNORECASE,
-)
-"""A case that stands before a colon, and so before what holds in it: "If $n > 0$:"."""
-_AND_THEN = re.compile(
-    r"(\b(?:if|when|whenever|assuming)\s+\S+(?:\s+(?!(?:if|when|whenever)\b)\S+){2,}?"
-    r"\s+(?<!\bthat\s)(?<!\bwhich\s)(?<!\bwhere\s)(?<!\band\s)(?<!\bor\s)(?<!\bas\s)(?<!\bhow\s))"
-    r"((?:(?:we|you|they)\s+(?:(?:can|may|will|then|now|also)\s+)*(?:(?:re)?write|get|obtain|find|have)"
-    r"|(?:it|this)\s+(?:then )?(?:generali[sz]es|reduces|becomes|simplifies|gives|yields|reads|results))\b)",
-    re.IGNORECASE,
-)
-"""How a condition is followed by the main clause without a comma: "If there are two we can write"."""
-_ASSERTS = re.compile(
-    r"\b(?:then|we|one|it|this|is|are|be|becomes?|gives?|yields?|holds?|reads?|has|have|equals?|follows|"
-    r"results?|reduces?|simplif(?:y|ies)|obeys?|satisf(?:y|ies)|will)\b",
-    re.IGNORECASE,
-)
-_GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
 HENCE = re.compile(
     r"\b(?:hence|thus|thereby|therefore|so that|so|(?<!as )follows|consequently|gives?|"
     r"(?:we|you|one) (?:gets?|obtains?|finds?|ha(?:ve|s)|arrives?)|giving|yields?|yielding|"
@@ -143,25 +128,6 @@ SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
 
 ASKS = re.compile(r"\W*(?:exercises?|problems?|questions?|quiz|tasks?|puzzle|homework)\b", re.IGNORECASE)
 """How a sentence begins that asks: what it gives holds for its answer alone."""
-
-_NEUTRAL = re.compile(
-    r"a|an|the|this|that|these|those|it|its|we|one|us|our|which|whose|what|both|all|each|any|every|and|or|of|to|into|in|"
-    r"from|by|on|as|at|with|for|between|is|are|be|been|was|has|have|had|can|may|will|must|do|does|now|also|again|then|"
-    r"here|there|above|below|previous|following|follow\w*|hence|thus|thereby|therefore|so|consequently|get|"
-    r"gets|obtain\w*|find|finds|found|arriv\w+|giv\w+|yield\w*|becom\w+|equal\w*|substitut\w+|insert\w*|plug\w*|"
-    r"combin\w+|rearrang\w+|result\w*|lead\w*|simpl\w+|other words|equivalent\w*|impl(?:y|ies|ying)|differentia\w+|"
-    r"expan\w+|rewrit\w+|reduc\w+|turn\w* into|writ\w+|express\w*|form\w*|equations?|eqs?|eqn|eqns|relations?|"
-    r"definitions?|defin\w+|identit(?:y|ies)|formulas?|formulae|terms?|sides?|factors?|hand|using|use\w*|"
-    r"appl\w+|recall\w*|not(?:e|ing) that|see|show\w*|comput\w+|calculat\w+|evaluat\w+|perform\w*|tak\w+|"
-    r"squaring|multipl\w+|divid\w+|divis\w+|add\w*|subtract\w*|sum\w*|product\w*|collect\w*|factor\w*|"
-    r"derivativ\w*|respect|time|compact\w*|explicit\w*|direct\w*|finally|easily|readily|straightforward\w*|immediate\w*|"
-    r"equation|expression\w*|quantit(?:y|ies)|values?|letters?|variables?|used|matrix|matrices|vector|vectors|"
-    r"back|out|up|together|after|since|because|known|via|through|thanks|according|algebra\w*|manipulation\w*|steps?|"
-    r"fact|sections?|chapters?|ref|eqref|label|cref|autoref|indeed|clearly|obviously|moreover|furthermore|"
-    r"same|just",
-    re.IGNORECASE,
-)
-"""The words of a derivation, which name nothing that an equation could be of."""
 
 
 @dataclass(frozen=True)
@@ -201,8 +167,8 @@ class Beside:
         "Let $s = a + b$" is none if the letter is given by it.
         """
         words = f"{self.before} {self.sentence} {self.condition} {self.behind}"
-        bare = {re.sub(r"[{}\s]", "", each) for each in given}
-        kept = lambda match: "" if not match[1] or re.sub(r"[{}\s]", "", match[1]) in bare else match[0]  # noqa: E731
+        bare = {bare_name(each) for each in given}
+        kept = lambda match: "" if not match[1] or bare_name(match[1]) in bare else match[0]  # noqa: E731
         return _case_in(_LET.sub(kept, words))
 
     @property
@@ -226,7 +192,7 @@ class Beside:
     @property
     def is_condition(self) -> bool:
         """Whether the equation is the condition itself of which its sentence speaks: "If" stands in its own clause."""
-        clause = _NO_CASE.sub(" ", _IN_THIS_CASE.sub(" then ", main_clause(self.sentence)))
+        clause = _NO_CASE.sub(" ", IN_THIS_CASE.sub(" then ", main_clause(self.sentence)))
         return _FORM.search(clause) is None and _ONLY_SOMETIMES.search(clause) is not None
 
     @property
@@ -314,7 +280,7 @@ class Beside:
     @property
     def renamed(self) -> frozenset[str]:
         """The formulas of which the words before say what they are."""
-        return frozenset(re.sub(r"[{}\s]", "", each) for each in _RENAMED.findall(self.before))
+        return frozenset(bare_name(each) for each in _RENAMED.findall(self.before))
 
     @property
     def variables(self) -> frozenset[str]:
@@ -439,82 +405,11 @@ def _begins_anew(behind: str) -> bool:
     return _NEW_SENTENCE.match(behind) is not None and re.search(r",\s*[a-z]|\bthen\b", behind) is not None
 
 
-def main_clause(sentence: str) -> str:
-    """Return the last clause of a sentence, if it asserts something; else all of it, without a case before a colon.
-
-    Examples
-    --------
-    >>> main_clause("If the orbit is closed, its period is:"), main_clause("If $a$ is real, and $b$ is")
-    (' its period is', 'If $a$ is real, and $b$ is')
-    """
-    if _CASE_BEFORE.search(sentence):
-        return ""
-    bare = FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)
-    bare = _AND_THEN.sub(r"\1, \2", _IN_THIS_CASE.sub(" then ", bare))
-    clauses = [each for each in re.split(r"[,;:]|\b(?=then\b)", bare) if each.strip()]
-    last = clauses[-1] if clauses else ""
-    return last if _ASSERTS.search(FORMULA.sub(" ", last)) and not _GOES_ON.match(last) else sentence
-
-
 def _case_in(words: str) -> str:
     found = CASES.search(words)
     return " ".join(found.group().split())[:20] if found else ""
 
 
-def last_sentence(words: str) -> str:
-    """Return the words since the last full stop or the last empty line."""
-    return sentences_of(words)[-1]
-
-
-def sentences_of(words: str) -> list[str]:
-    """Return the sentences of words; what stands behind the last full stop is the last one."""
-    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())
-
-
-def words_of(text: str) -> frozenset[str]:
-    """Return the words of a text, without formulas and commands, in small letters."""
-    return frozenset(each.lower() for each in _WORD.findall(without_formulas(text)))
-
-
-def strange_word(sentence: str, known: Collection[str]) -> str:
-    """Return a word that is none of a derivation, and that is not known; empty for none.
-
-    Examples
-    --------
-    >>> strange_word("Hence, for the ring, we obtain", {"disc"}), strange_word("This gives $x$ and thus", ())
-    ('ring', '')
-    """
-    words = (each for each in _WORD.findall(without_formulas(without_laws(sentence))) if not is_neutral(each))
-    return next((each for each in words if each.lower() not in known), "")
-
-
-def is_neutral(word: str) -> bool:
-    """Whether a word is one of those of a derivation."""
-    return _NEUTRAL.fullmatch(word) is not None
-
-
-def without_laws(text: str) -> str:
-    """Return words without the names of laws, which hold beside what else is said of a letter, and of both sides.
-
-    Examples
-    --------
-    >>> without_laws("By Newton's second law, it is")
-    ', it is'
-    """
-    return _SIDE.sub("", _LAW.sub("", text))
-
-
-_LAW = re.compile(
-    r"(?:[A-Z][\w-]*(?:['’]s?)?\s+)*(?:(?:[Ff]irst|[Ss]econd|[Tt]hird)\s+)?"
-    r"\b[Ll]aws?\b(?: of (?:motion|cosines|sines))?"
-    r"|\b(?:[Bb]alance|[Cc]onservation|[Ee]quilibrium) of (?:the )?"
-    r"(?:forces|moments|torques|energy|momentum|mass|charge)\b"
-    r"|\b(?:[Ff]orce|[Mm]oment|[Tt]orque|[Ee]nergy|[Mm]omentum|[Mm]ass|[Cc]harge) balance\b"
-)
-_SIDE = re.compile(
-    r"\b(?:left|right)(?:[ -]?hand)?[ -](?:sides?|terms?|factors?)\b|\b(?:[Oo]n|[Tt]o|[Ff]rom) the (?:left|right)\b"
-    r"|\b[Oo]n the other hand\b"
-)
 _NAMES = re.compile(
     r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
     r"(?:is|are) (?:then |here )?(?:computed|calculated|evaluated|determined|expressed|set|chosen|modell?ed))\b"
@@ -558,7 +453,6 @@ _ANEW = re.compile(
     r"denote\w*|this time)\b",
     re.IGNORECASE,
 )
-FORMULA = re.compile(r"\$[^$]*\$")
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
@@ -578,9 +472,3 @@ _SWAPPED = re.compile(
 _SWAPS = re.compile(r"\b(?:ex|inter)?chang\w* |swap|switch", re.IGNORECASE)
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")
-_WORD = re.compile(r"[^\W\d_]{2,}")
-
-
-def without_formulas(text: str) -> str:
-    """Return words without formulas, references, and what names the letters of an equation alone."""
-    return re.sub(r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|\b[Ii]n terms of [^,.$]*", " ", text)

@@ -88,6 +88,9 @@ RELATIONS = dict(
         )
     )
 )
+MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
+OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
+VECTOR_STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 TRANSPOSED = _words(r"T t \top \intercal \mathsf{T} \mathsfT \sfT \mathtt{T} \trans")
 MARKS = {**dict.fromkeys(TRANSPOSED, "T"), r"\wedge": "hat", r"\times": "hat", r"\vee": "vee"}
 PART_OF_NAME = re.compile(

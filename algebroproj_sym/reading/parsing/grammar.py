@@ -13,7 +13,7 @@ from lark import Lark, Token, Tree
 from lark.exceptions import UnexpectedInput, UnexpectedToken
 from lark.lexer import Lexer
 
-from algebroproj_sym.reading.lexing.commands import RELATIONS
+from algebroproj_sym.reading.lexing.commands import MAPS
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, outside_braces, pieces_of, split_pieces
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 
@@ -66,7 +66,7 @@ def parsed(
         If the text is no formula of the grammar; it says where reading stopped.
     """
     pieces = _without_end(pieces_of(latex) if isinstance(latex, str) else list(latex))
-    if functions is not None and (sides := split_pieces(pieces, _MAPS))[1:] and _is_map(sides[0]):
+    if functions is not None and (sides := split_pieces(pieces, MAPS))[1:] and _is_map(sides[0]):
         shown = [Tree("shown", [_shown(side)]) for side in sides if side]
         return Parsed(tuple(shown), ("→",) * (len(shown) - 1))
     tokens, chose = tokens_of(pieces, known, functions, wide_arguments)
@@ -77,9 +77,6 @@ def parsed(
         raise UnreadableError(*_explained(error, end)) from error
     children: list[Any] = tree.children
     return Parsed(tuple(children[::2]), tuple(map(str, children[1::2])), chose)
-
-
-_MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "↦"))
 
 
 def _is_map(side: Sequence[Piece]) -> bool:
@@ -153,6 +150,10 @@ def regrouped(tree: Formula) -> Formula:
             parts = [divided, *factors[1:]]
         return Tree("run", parts) if len(parts) > 1 else parts[0]
     return Tree(tree.data, children)
+
+
+IN_BRACKETS = ("group", "bracket", "items")
+"""What has brackets, seen or unseen, round it."""
 
 
 def symbols_in(tree: Formula) -> list[str]:

@@ -1,0 +1,131 @@
+"""Sentences and their words, without formulas, and without what a derivation says anyway."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+
+IN_THIS_CASE = re.compile(
+    r"\b(?:(?:in|for) (?:this|that|which|such a|the (?:\w+ )?(?!limit|station|stead|ideal|special)[a-z]+) case|"
+    r"(?:for|in) the (?:special )?case of|under (?:this|these|that|those) (?:assumption|condition)s?)\b",
+    re.IGNORECASE,
+)
+"""Words for a case of which an earlier sentence speaks, so that they are no condition themselves."""
+_CASE_BEFORE = re.compile(
+    r"(?:^|[.:;}]\s*)\s*(?:and )?(?:if|when|for)\b[^.,;:]*"
+    r"\$[^$]*(?:[=<>]|\\(?:le|ge|ne|in|to)(?:q|slant)?(?![a-z]))[^$]*\$\s*:\s*$",
+    re.IGNORECASE,
+)
+"""A case that stands before a colon, and so before what holds in it: "If $n > 0$:"."""
+_AND_THEN = re.compile(
+    r"(\b(?:if|when|whenever|assuming)\s+\S+(?:\s+(?!(?:if|when|whenever)\b)\S+){2,}?"
+    r"\s+(?<!\bthat\s)(?<!\bwhich\s)(?<!\bwhere\s)(?<!\band\s)(?<!\bor\s)(?<!\bas\s)(?<!\bhow\s))"
+    r"((?:(?:we|you|they)\s+(?:(?:can|may|will|then|now|also)\s+)*(?:(?:re)?write|get|obtain|find|have)"
+    r"|(?:it|this)\s+(?:then )?(?:generali[sz]es|reduces|becomes|simplifies|gives|yields|reads|results))\b)",
+    re.IGNORECASE,
+)
+"""How a condition is followed by the main clause without a comma: "If there are two we can write"."""
+_ASSERTS = re.compile(
+    r"\b(?:then|we|one|it|this|is|are|be|becomes?|gives?|yields?|holds?|reads?|has|have|equals?|follows|"
+    r"results?|reduces?|simplif(?:y|ies)|obeys?|satisf(?:y|ies)|will)\b",
+    re.IGNORECASE,
+)
+_GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
+_NEUTRAL = re.compile(
+    r"a|an|the|this|that|these|those|it|its|we|one|us|our|which|whose|what|both|all|each|any|every|and|or|of|to|into|in|"
+    r"from|by|on|as|at|with|for|between|is|are|be|been|was|has|have|had|can|may|will|must|do|does|now|also|again|then|"
+    r"here|there|above|below|previous|following|follow\w*|hence|thus|thereby|therefore|so|consequently|get|"
+    r"gets|obtain\w*|find|finds|found|arriv\w+|giv\w+|yield\w*|becom\w+|equal\w*|substitut\w+|insert\w*|plug\w*|"
+    r"combin\w+|rearrang\w+|result\w*|lead\w*|simpl\w+|other words|equivalent\w*|impl(?:y|ies|ying)|differentia\w+|"
+    r"expan\w+|rewrit\w+|reduc\w+|turn\w* into|writ\w+|express\w*|form\w*|equations?|eqs?|eqn|eqns|relations?|"
+    r"definitions?|defin\w+|identit(?:y|ies)|formulas?|formulae|terms?|sides?|factors?|hand|using|use\w*|"
+    r"appl\w+|recall\w*|not(?:e|ing) that|see|show\w*|comput\w+|calculat\w+|evaluat\w+|perform\w*|tak\w+|"
+    r"squaring|multipl\w+|divid\w+|divis\w+|add\w*|subtract\w*|sum\w*|product\w*|collect\w*|factor\w*|"
+    r"derivativ\w*|respect|time|compact\w*|explicit\w*|direct\w*|finally|easily|readily|straightforward\w*|immediate\w*|"
+    r"equation|expression\w*|quantit(?:y|ies)|values?|letters?|variables?|used|matrix|matrices|vector|vectors|"
+    r"back|out|up|together|after|since|because|known|via|through|thanks|according|algebra\w*|manipulation\w*|steps?|"
+    r"fact|sections?|chapters?|ref|eqref|label|cref|autoref|indeed|clearly|obviously|moreover|furthermore|"
+    r"same|just",
+    re.IGNORECASE,
+)
+"""The words of a derivation, which name nothing that an equation could be of."""
+
+
+def main_clause(sentence: str) -> str:
+    """Return the last clause of a sentence, if it asserts something; else all of it, without a case before a colon.
+
+    Examples
+    --------
+    >>> main_clause("If the orbit is closed, its period is:"), main_clause("If $a$ is real, and $b$ is")
+    (' its period is', 'If $a$ is real, and $b$ is')
+    """
+    if _CASE_BEFORE.search(sentence):
+        return ""
+    bare = FORMULA.sub(lambda found: re.sub(r"[,;:]", " ", found.group()), sentence)
+    bare = _AND_THEN.sub(r"\1, \2", IN_THIS_CASE.sub(" then ", bare))
+    clauses = [each for each in re.split(r"[,;:]|\b(?=then\b)", bare) if each.strip()]
+    last = clauses[-1] if clauses else ""
+    return last if _ASSERTS.search(FORMULA.sub(" ", last)) and not _GOES_ON.match(last) else sentence
+
+
+def last_sentence(words: str) -> str:
+    """Return the words since the last full stop or the last empty line."""
+    return sentences_of(words)[-1]
+
+
+def sentences_of(words: str) -> list[str]:
+    """Return the sentences of words; what stands behind the last full stop is the last one."""
+    return re.split(r"[.!?](?:\s+(?=[A-Z\\$])|$)|\n\s*\n", words.rstrip())
+
+
+def words_of(text: str) -> frozenset[str]:
+    """Return the words of a text, without formulas and commands, in small letters."""
+    return frozenset(each.lower() for each in _WORD.findall(without_formulas(text)))
+
+
+def strange_word(sentence: str, known: Collection[str]) -> str:
+    """Return a word that is none of a derivation, and that is not known; empty for none.
+
+    Examples
+    --------
+    >>> strange_word("Hence, for the ring, we obtain", {"disc"}), strange_word("This gives $x$ and thus", ())
+    ('ring', '')
+    """
+    words = (each for each in _WORD.findall(without_formulas(without_laws(sentence))) if not is_neutral(each))
+    return next((each for each in words if each.lower() not in known), "")
+
+
+def is_neutral(word: str) -> bool:
+    """Whether a word is one of those of a derivation."""
+    return _NEUTRAL.fullmatch(word) is not None
+
+
+def without_laws(text: str) -> str:
+    """Return words without the names of laws, which hold beside what else is said of a letter, and of both sides.
+
+    Examples
+    --------
+    >>> without_laws("By Newton's second law, it is")
+    ', it is'
+    """
+    return _SIDE.sub("", _LAW.sub("", text))
+
+
+_LAW = re.compile(
+    r"(?:[A-Z][\w-]*(?:['’]s?)?\s+)*(?:(?:[Ff]irst|[Ss]econd|[Tt]hird)\s+)?"
+    r"\b[Ll]aws?\b(?: of (?:motion|cosines|sines))?"
+    r"|\b(?:[Bb]alance|[Cc]onservation|[Ee]quilibrium) of (?:the )?"
+    r"(?:forces|moments|torques|energy|momentum|mass|charge)\b"
+    r"|\b(?:[Ff]orce|[Mm]oment|[Tt]orque|[Ee]nergy|[Mm]omentum|[Mm]ass|[Cc]harge) balance\b"
+)
+_SIDE = re.compile(
+    r"\b(?:left|right)(?:[ -]?hand)?[ -](?:sides?|terms?|factors?)\b|\b(?:[Oo]n|[Tt]o|[Ff]rom) the (?:left|right)\b"
+    r"|\b[Oo]n the other hand\b"
+)
+FORMULA = re.compile(r"\$[^$]*\$")
+_WORD = re.compile(r"[^\W\d_]{2,}")
+
+
+def without_formulas(text: str) -> str:
+    """Return words without formulas, references, and what names the letters of an equation alone."""
+    return re.sub(r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|\b[Ii]n terms of [^,.$]*", " ", text)

@@ -252,3 +252,30 @@ def test_a_letter_that_is_given_by_itself_is_named_as_the_reason():
 )
 def test_an_equation_that_fails_or_is_taken_back_gives_no_letter_anew(latex):
     assert verdicts(latex)[-1] != "definition"
+
+
+NEW = [
+    r"\chi^2(m) = \frac{(m - a)^2}{d^2}",
+    r"\mathcal{C}^N_S(F) = \{t \in S : F t = 0\}",
+    r"R^z = \sum_c z_c^T D^z_c z_c",
+    r"w_{ij} = a_{ik} b_{kj}",
+    r"u \oplus v = \log(e^u + e^v)",
+    r"(\mathcal{D} u)(a, b) = \int_0^\infty u(a + t b) dt",
+]
+
+
+@pytest.mark.parametrize("latex", NEW)
+def test_what_no_display_above_has_is_given_though_nobody_computes_it(latex):
+    assert verdicts(rf"The quantity is \[ {latex}. \]") == ["definition"]
+
+
+@pytest.mark.parametrize("latex", NEW)
+def test_nor_does_what_is_denied_give_it(latex):
+    assert verdicts(rf"It is not true that \[ {latex}. \]") != ["definition"]
+
+
+def test_an_operation_gives_another_one_and_not_itself():
+    once, again = r"x \oplus y = \max(x, y)", r"x \otimes y = a(x \oplus y)"
+    assert verdicts(rf"\[ {once} \] \[ {again} \]") == ["definition", "definition"]
+    assert verdicts(r"\[ x \oplus y = y \oplus x \]") != ["definition"]
+    assert verdicts(rf"\[ {again} \] \[ {once} \]")[-1] != "definition"

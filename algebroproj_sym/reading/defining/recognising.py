@@ -18,6 +18,7 @@ from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbol
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 _RANDOM = re.compile(r"[XYZ](?:_.*)?")
+_OPERATOR = re.compile(r"\\math(?:cal|scr|frak)(?![a-zA-Z])")
 _STEP = re.compile(r"[a-su-z]( [-+] \d)?")
 EQUALITIES = ("=", ":=", "=:", "≡")
 """The relations that say that two sides are equal."""
@@ -87,6 +88,36 @@ def introduced_by(tree: Formula) -> frozenset[str]:
     if is_map and (columns := [*tree.find_data("matrix")]) and all(map(introduced_by, columns)):
         return introduced_by(trees_in(tree)[0])
     return introduced_by(tree.children[0]) if tree.data == "marked" else frozenset()  # type: ignore[arg-type]
+
+
+def head_of(tree: Formula) -> str:
+    r"""Return the letter that a side is, with whatever stands at it and in brackets behind it; empty for none.
+
+    Of an operator in calligraphic style it is the operator, and of two letters with an operation the operation.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> sides = r"\mathcal{C}_s^N(F)", r"\chi^2(m, b)", r"(\mathcal{D} u)(t)", r"x \oplus y", "2 x", "x y"
+    >>> [head_of(parsed(f"{each} = a").sides[0]) for each in sides]
+    ['\\mathcal{C}_s', '\\chi', '\\mathcal{D}', 'oplus', '', '']
+    """
+    tree = without_brackets(tree)
+    parts, first = trees_in(tree), tree.children[0]
+    if tree.data == "symbol" or (tree.data == "call" and isinstance(first, Token)):
+        return str(first)
+    if tree.data == "product" and len(parts) == 2 and (operations := operations_in(tree)):
+        return operations[0] if parts[0] != parts[1] and all(defined_by(each)[0] for each in parts) else ""
+    if tree.data == "run" and parts[-1].data in ("bracket", "call") and _OPERATOR.match(symbols_in(tree)[0]):
+        return symbols_in(tree)[0]
+    applied = tree.data == "run" and [each.data for each in parts[1:]] == ["bracket"]
+    return head_of(parts[0]) if parts and (applied or tree.data in ("power", "marked")) else ""
+
+
+def operations_in(tree: Formula) -> list[str]:
+    r"""Return the operations in circles that stand in a formula, such as the one of ``x \oplus y``."""
+    found = tree.scan_values(lambda each: isinstance(each, Token) and each.type == "CIRCLED")
+    return [str(each) for each in found]
 
 
 def is_named(tree: Formula) -> bool:

@@ -49,6 +49,7 @@ class Asked:
     gives: bool
     may_give: bool
     anew: bool
+    names: bool
     claimed: bool
     answers: list[Outcome] = field(default_factory=list)
 
@@ -85,7 +86,8 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
     _suggest([each for each in asked if _may_be_misprinted(each)], seconds, jobs)
     for each in asked:
         is_open = each.link.verdict == "not decided" or (each.link.verdict == "independent" and each.anew)
-        if each.may_give and is_open and not any(_says(each.link)):
+        is_open = (each.may_give and is_open) or (each.names and each.link.verdict in ("not decided", "independent"))
+        if is_open and not any(_says(each.link)):
             why = f"{OPEN}: {each.link.reason}" if each.link.reason else OPEN
             each.link = Link("definition", why, rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
 

@@ -16,6 +16,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_one_value,
     is_reordered,
     is_value_of_itself,
+    operations_in,
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -27,6 +28,7 @@ from algebroproj_sym.reading.judging.introducing import (
     definition_in,
     gives_if_open,
     is_only_one,
+    names_its_letter,
     tells,
 )
 from algebroproj_sym.reading.judging.memory import Memory, where_of
@@ -147,7 +149,7 @@ class _Pass:
                 readings.append(reading)
                 asked += questions
             if isinstance(found, Parsed) and found.relations:
-                self.memory.seen.update(symbol for side in found.sides for symbol in symbols_in(side))
+                self.memory.seen.update(*map(symbols_in, found.sides), *map(operations_in, found.sides))
         return readings, asked
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
@@ -228,7 +230,7 @@ class _Pass:
             if equal and not reason.endswith(VARIES):
                 if tells(self.memory, statement, found, 0):
                     links[0] = Link("definition")
-                elif gives_if_open(self.memory, statement, found):
+                elif gives_if_open(self.memory, statement, found) or names_its_letter(self.memory, statement, found):
                     links[0] = Link("definition", f"{OPEN}: {reason}")
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         if found.relations[:1] == (":=",) and self.survey.has_programs:
@@ -304,7 +306,8 @@ class _Pass:
         may = index == 0 and gives_if_open(self.memory, statement, formula)
         words = self.memory.beside
         anew = begins_anew(self.memory, right) and not (words.follows or words.case_of_sentence)
-        asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, anew, words.follows)
+        new = index == 0 and names_its_letter(self.memory, statement, formula)
+        asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, anew, new, words.follows)
         return asked.link, asked
 
     def _standing(self, statement: Statement) -> Standing:

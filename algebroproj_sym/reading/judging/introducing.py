@@ -13,6 +13,7 @@ from algebroproj_sym.reading.defining.recognising import (
     computes,
     defined_by,
     given_by,
+    head_of,
     introduced_by,
     is_arithmetic,
     is_case_of,
@@ -23,6 +24,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_one_value,
     is_step,
     is_table,
+    operations_in,
     says_more_than_a_number,
     without_numbers,
     without_others,
@@ -137,6 +139,24 @@ def gives_if_open(memory: Memory, statement: Statement, formula: Parsed) -> bool
     inside = known is not None and _base_of(left) is not left and not memory.survey.meanings.is_label(left)
     renames = memory.beside.follows and bool(defined_by(right)[0])
     return not (again or inside or renames) and _may_give(memory, statement, left, right)
+
+
+def names_its_letter(memory: Memory, statement: Statement, formula: Parsed) -> bool:
+    """Whether the left side of an equation is one letter, whatever stands at it, that no equation above has.
+
+    Then it says what the letter is, though nobody may be able to compute it.  Such an equation is no premise.
+    """
+    left, right = formula.sides[:2]
+    used = memory.seen.union(memory.given.whole.symbols, symbols_in(right), operations_in(right))
+    return (
+        head_of(left) not in used | {""}
+        and formula.relations[0] in EQUALITIES
+        and says_more_than_a_number(right)
+        and not is_case_of(defined_by(left)[1], right)
+        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
+        and not (memory.beside.is_rejected or memory.beside.exchanged or memory.beside.is_condition)
+        and not memory.is_named(statement, memory.given.statements)
+    )
 
 
 def begins_anew(memory: Memory, right: Formula) -> bool:

@@ -23,6 +23,7 @@ def texts(latex: str) -> list[str | None]:
         (r"L = \frac{l}{\sqrt{\Re_l}} + \frac{\Re}{2}", r"L = \frac{l}{\sqrt{\mathrm{Re}_l}} + \frac{\mathrm{Re}}{2}"),
         (r"F = \frac{A(\%)}{c}", r"F = \frac{A}{c}"),
         (r"m = <x + y> + c", r"m = \langle x + y \rangle + c"),
+        (r"v = \overset{.}{x} + \overset{\sim}{y}", r"v = \dot{x} + \tilde{y}"),
         (r"P = \overset{a \rightarrow b}{\mathbf M} x", r"P = \mathbf{M}^{(a \rightarrow b)} x"),
         (r"a = \frac{b}{2 (c - d). }", r"a = \frac{b}{2 (c - d)}"),
         (

@@ -263,7 +263,8 @@ def without_own_indices(left: Formula, value: Formula) -> Formula:
     """
     symbol, parameters = defined_by(left)
     is_list = value.data == "bracket" and len(trees_in(trees_in(value)[0])) > 1
-    return _without_powers(symbol, value) if not parameters and (is_list or is_matrix(value)) else value
+    own = bool(symbol) and not parameters and (is_list or is_matrix(value))
+    return _without_powers(symbol, value) if own else value
 
 
 def _without_powers(symbol: str, tree: Formula) -> Formula:

@@ -79,6 +79,9 @@ _SIZES = frozenset(
 """Commands that change the looks of all behind them."""
 _ACCENTS_ABOVE = {
     r"\circ": r"\mathring",
+    ".": r"\dot",
+    r"\cdot": r"\dot",
+    r"\sim": r"\tilde",
     r"\frown": r"\overline",
     r"\leftrightarrow": r"\overline",
     r"\rightharpoonup": r"\vec",

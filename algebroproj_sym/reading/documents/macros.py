@@ -31,8 +31,8 @@ _SLOPE, _PARTIAL = r"\frac{d#1}{d#2}", r"\frac{\partial#1}{\partial#2}"
 _OF_PACKAGES = {
     r"\abs": (1, r"\left|#1\right|"),
     r"\norm": (1, r"\left\|#1\right\|"),
-    **dict.fromkeys((r"\dv", r"\od", r"\td", r"\deriv"), (2, _SLOPE)),
-    **dict.fromkeys((r"\pdv", r"\pd", r"\pderiv", r"\diffp"), (2, _PARTIAL)),
+    **dict.fromkeys((r"\dv", r"\od", r"\td", r"\deriv", r"\dod"), (2, _SLOPE)),
+    **dict.fromkeys((r"\pdv", r"\pd", r"\pderiv", r"\diffp", r"\dpd"), (2, _PARTIAL)),
     **dict.fromkeys((r"\dv[", r"\od["), (3, r"\frac{d^{#1}#2}{d#3^{#1}}")),
     **dict.fromkeys((r"\pdv[", r"\pd["), (3, r"\frac{\partial^{#1}#2}{\partial#3^{#1}}")),
     **dict.fromkeys((r"\dd", r"\dif"), (0, r"\mathrm{d}")),

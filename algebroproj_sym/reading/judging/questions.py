@@ -303,13 +303,21 @@ def asked_under(way: Way) -> list[Question] | str:
         return outside
     if hides := _hides_an_index(way.vocabulary, *way.sides, *given):
         return hides
-    for known in (way.vocabulary, with_values(way.vocabulary), with_values(way.vocabulary, FUNCTIONS)):
+    plain = way.vocabulary
+    together, apart = with_values(plain, FUNCTIONS), with_values(plain, FUNCTIONS, apart=True)
+    for known in (plain, with_values(plain), together, apart):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides, by_entries=True)
             conditions = [
                 one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)
             ]
             if all(map(_is_rational, [*questions, *conditions])):
+                if (
+                    known is together
+                    and isinstance(known.uncomputed, Uncomputed)
+                    and known.uncomputed.has_angles_of_sums
+                ):
+                    continue
                 circles = known.uncomputed.unit_circles() if isinstance(known.uncomputed, Uncomputed) else []
                 constraints = (*(f"{one.lhs} = {one.rhs}" for one in conditions), *circles)
                 return [replace(question, constraints=constraints) for question in questions]

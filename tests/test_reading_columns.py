@@ -62,6 +62,8 @@ def test_it_follows(latex):
         HOMOGENEOUS + shown(rf"{P} = \mathbf G \mathbf H {R}"),
         HOMOGENEOUS + shown(rf"{R} = \mathbf H^{{-1}} \mathbf G^{{-1}} {P}"),
         HOMOGENEOUS + shown(rf"{DIRECTION} = \mathbf H \mathbf G {R}"),
+        shown(rf"{column('a', 'b')} {column('c', 'd')} = {column('u', 'v')} {column('x', 'y')}")
+        + r"Hence \[ a c = u x \]",
         CHAIN + shown(r"x^a = R^b_c R^a_b x^c + R^a_b t^b_c + t^a_b"),
         CHAIN + shown(r"x^a = R^a_b R^b_c x^c + R^b_c t^b_c + t^a_b"),
         WAVE + shown(r"\partial_t u = c \, \partial_x u"),

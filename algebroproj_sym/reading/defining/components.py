@@ -7,6 +7,7 @@ from itertools import count, pairwise
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.factors import terms_of
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.lexing.names import split_symbol, written
@@ -47,7 +48,13 @@ def columns_as_letters(trees: Iterable[Formula]) -> dict[Formula, Formula]:
 
 def _is_column(matrix: Formula) -> bool:
     rows = trees_in(matrix)
-    return len(rows) > 1 and all(len(trees_in(row)) == 1 for row in rows)
+    return matrix.data == "matrix" and len(rows) > 1 and all(len(trees_in(row)) == 1 for row in rows)
+
+
+def multiplies_columns(side: Formula) -> bool:
+    """Whether a term of a formula is a product of two printed columns: it may be one of quaternions."""
+    runs = (each for each in terms_of(side) if each.data == "run")
+    return any(_is_column(one) and _is_column(other) for run in runs for one, other in pairwise(trees_in(run)))
 
 
 def with_letters(tree: Formula, letters: Mapping[Formula, Formula]) -> Formula:

@@ -17,6 +17,7 @@ from algebroproj_sym.expressions import TooLargeError, entries, require_bounded,
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.proving.statements import has_functions
+from algebroproj_sym.reading.defining.components import multiplies_columns
 from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
@@ -102,6 +103,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
     if any(_has_two_signs(tree) for tree in (left, right)):
         both = [[_with_signs(tree, upper) for tree in (left, right)] for upper in (True, False)]
         return [one for sides in both for one in questions_of(vocabulary, *sides, by_entries=by_entries)]
+    if any(map(multiplies_columns, (left, right))):
+        raise UnreadableError("two columns side by side may be a product of quaternions")
     properties = {vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)}
     if properties - {(), ("identity",)}:
         raise UnsizedError("a property of a letter says more than its entries")

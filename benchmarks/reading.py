@@ -35,7 +35,8 @@ def planted(text: str, reading: Reading) -> Iterator[str]:
     assert reading.formula is not None
     for place, link in enumerate(reading.links):
         for side in reading.formula.sides[place : place + 2][::-1] if link.verdict == "follows" else ():
-            starts = [token.start_pos for token in side.scan_values(lambda each: isinstance(each, Token))]
+            tokens = side.scan_values(lambda each: isinstance(each, Token))
+            starts = [token.start_pos for token in tokens if token.start_pos is not None]
             for match in _PLACES.finditer(text, min(starts, default=0), max(starts, default=-1) + 1):
                 group = match.lastindex or 1
                 old = match[group]

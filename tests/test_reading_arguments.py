@@ -6,7 +6,16 @@ from algebroproj_sym.reading import document_of, read_document
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
+LEVEL = (
+    r"The level is \[ S(x, t) = N(x, t) - U(x, t) \] and \[ N(x, t) = G(x, t) + c(t) \] We drop the "
+    r"dependence on $(x, t)$. Hence "
+)
 FOLLOWS = {
+    "two arguments that are left out": LEVEL + r"\[ S = G - U + c \]",
+    "two arguments with derivatives by both": (
+        r"The wave is \[ \partial_t u + c \, \partial_x u = 0 \] Let \[ u(x, t) = 2 w(x, t) + a \] and "
+        r"\[ w(x, t) = v(x, t) + b \] Hence \[ u = 2 v(x, t) + 2 b + a \]"
+    ),
     "functions of an angle": (
         r"The reflection and transmission are \[ r = \frac{\cos\theta - m}{\cos\theta + m} \] \[ t = "
         r"\frac{2\cos\theta}{\cos\theta + m} \] Then \[ t(\theta) - r(\theta) = 1 \]"
@@ -22,6 +31,11 @@ FOLLOWS = {
     "a rate of time": r"The mass is \[ \dot m = - k u \] \[ \dot u = - u \] so \[ \dot m = - k u(t) \]",
 }
 MISLEADING = {
+    "two arguments and another sign": LEVEL + r"\[ S = G - U - c \]",
+    "two arguments of which nothing is said": (
+        LEVEL.replace("We drop the dependence on $(x, t)$. ", "") + r"\[ S = G - U + c \]"
+    ),
+    "one of two arguments": LEVEL.replace("S(x, t)", "S(x, 0)") + r"\[ S = G - U + c \]",
     "the speed of sound": (
         r"The speed of sound is \[ v = \lambda f \] The car moves with \[ v(t) = a t \] \[ \dot v = a \] "
         r"Hence \[ a t = \lambda f \]"

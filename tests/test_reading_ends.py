@@ -31,6 +31,9 @@ def last_of(latex):
         ESTIMATE + r"\[ m_n = \frac{n-1}{n} m_{n-1} + \frac{1}{n} x_n. \]",
         ESTIMATE + r"\[ m_{n+1} = \frac{n}{n+1} m_n + \frac{1}{n+1} x_{n+1}. \]",
         BEFORE + r"- 1. \]",
+        r"\[ \sum_{k=0}^{\infty} a r^k = \sum_{k=1}^{\infty} a r^{k-1}. \]",
+        r"\[ \sum_{k=0}^{\infty} b_k r^k = b_0 + \sum_{k=0}^{\infty} b_{k+1} r^{k+1}. \]",
+        r"\[ \sum_{k=0}^{n-1} r^{k+1} = \sum_{k=1}^{n} r^k. \]",
         SHAPES + r"\[ v = \sum_{j=1}^2 a_j \phi_j. \] So \[ \sum_{j=1}^2 b_j v = v \sum_{j=1}^2 b_j. \]",
     ],
 )
@@ -42,6 +45,12 @@ def test_a_sum_with_other_ends_follows(latex):
     ("latex", "suggestion"),
     [
         (r"\[ \sum_{i=1}^n \sum_{j=1}^m a_{ij} x_j = \sum_{j=1}^m x_j \sum_{i=1}^m a_{ij}. \]", ""),
+        (r"\[ \sum_{k=0}^{\infty} a r^k = \sum_{k=2}^{\infty} a r^{k-1}. \]", ""),
+        (r"\[ \sum_{k=0}^{\infty} b_k r^k = b_1 + \sum_{k=1}^{\infty} b_k r^k. \]", "b_0 instead of b_1"),
+        (r"\[ \sum_{k=0}^{\infty} b_k r^k = b_0 + \sum_{k=0}^{\infty} b_{k+1} r^k. \]", ""),
+        (r"\[ \sum_{k=1}^{\infty} \frac{1}{k} = \sum_{k=0}^{\infty} \frac{1}{k}. \]", ""),
+        (r"\[ \sum_{k=0}^{n-1} r^{n-k-1} = \sum_{k=1}^{n} r^{n-k-1}. \]", ""),
+        (r"\[ \sum_{k=1}^{\infty} r^{2k-1} = \sum_{k=0}^{\infty} r^{2k}. \]", ""),
         (r"\[ \sum_{i=1}^n \sum_{j=1}^i a_{ij} x_j = \sum_{j=1}^i x_j \sum_{i=1}^n a_{ij}. \]", ""),
         (r"\[ \sum_{i=1}^n \sum_{j=1}^m a_{ij} x_j = \sum_{j=1}^m x_j \sum_{i=1}^n a_{ji}. \]", ""),
         (r"\[ \sum_{i=1}^n x_j \sum_{j=1}^m a_{ij} = \sum_{j=1}^m x_j \sum_{i=1}^n a_{ij}. \]", ""),

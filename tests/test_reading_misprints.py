@@ -30,6 +30,20 @@ def last(latex):
         (STEPS + r"\[ x_{k+2} = x_k - 2 c \]", "2*c"),
         (FIELD + r"\[ \nabla_{\mathbf x} f = 2 (\mathbf x + \mathbf c) \]", "- "),
         (IMAGINARY + r"\[ (1 + i)^2 = 3 i \]", "2 instead of 3"),
+        (
+            r"\[ \frac{\partial f_1}{\partial x_1} \frac{\partial x_1}{\partial x_1} "
+            r"= \frac{\partial f_2}{\partial x_1} \]",
+            "partialf_1_partialx_1 instead of partialf_2_partialx_1",
+        ),
+        (
+            r"\[ \mathbf K \mathbf S = \mathbf P \] Hence \[ \mathbf x^T \mathbf K \mathbf S = \mathbf x \mathbf P \]",
+            "x.T",
+        ),
+        (
+            r"\[ \mathbf r = \mathbf y - \mathbf A \mathbf x \] Hence \[ \mathbf r^T \mathbf r = \mathbf y^T \mathbf y "
+            r"- 2 \mathbf y^T \mathbf A \mathbf x + \mathbf x^T \mathbf A \mathbf A \mathbf x \]",
+            "A.T instead of A",
+        ),
     ],
 )
 def test_a_misprint_is_told_in_each_way_in_which_an_equation_may_follow(latex, suggestion):

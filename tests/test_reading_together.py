@@ -7,6 +7,8 @@ from algebroproj_sym.reading import Reading, document_of, read_document
 pytestmark = pytest.mark.usefixtures("decided_here")
 
 NORMAL = r"Let \[ n a + b s = t \] \[ a s + b q = p \] "
+WAVES = r"Let \[ p \cos a = q \] \[ p \sin a = s \] Hence "
+PRODUCTS = r"We have \[ \sin a \sin b = - \sin u \sin v \] \[ \cos a \cos b = \cos u \cos v \] Hence "
 LINE = r"\[ S = \sum_{i=1}^n (y_i - a_0 - a_1 x_i)^2 \] "
 
 
@@ -21,6 +23,9 @@ def last(latex: str) -> Reading:
         r"\[ a s + b t = 0 \] \[ a = y - b x \] Substituting gives \[ (y - b x) s + b t = 0 \]",
         r"\[ u v = w \tag{1} \] \[ v = u + c \tag{2} \] \[ z = 7 \] If we put (2) into (1), \[ u^2 + c u = w \]",
         r"\[ v \sum_{i=1}^n x_i = w \] \[ \sum_{i=1}^n x_i + c = u \] Therefore \[ v (u - c) = w \]",
+        WAVES + r"\[ p \cos(a + b) = q \cos b - s \sin b \]",
+        WAVES + r"\[ p \sin(a - b) = s \cos b - q \sin b \]",
+        PRODUCTS + r"\[ \cos(a - b) = \cos(u + v) \]",
         r"\[ p q = r \] \begin{align} q &= s + t \\ \therefore\; p s + p t &= r \end{align}",
     ],
 )
@@ -32,6 +37,9 @@ def test_what_several_equations_say_together_follows(latex: str) -> None:
     "latex",
     [
         NORMAL + r"Hence \[ b (q n + s^2) = p n - s t \]",
+        WAVES + r"\[ p \cos(a + b) = q \cos b + s \sin b \]",
+        WAVES + r"\[ p \sin(b - a) = s \cos b - q \sin b \]",
+        PRODUCTS + r"\[ \cos(a - b) = \cos(u - v) \]",
         r"\[ u v = w \] \[ u v = w + 1 \] Hence \[ w = c u \]",
         r"At the top \[ u v = w \] At the bottom \[ u + v = c \] Hence at the bottom \[ u (c - u) = w \]",
         r"If the beam is clamped, \[ u v = w \] In general \[ u + v = c \] Hence \[ u (c - u) = w \]",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from lark import Tree
@@ -15,6 +15,7 @@ from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
+Changed = Callable[[Formula], Formula]
 _AT_ONE_TIME = re.compile(
     r"\b(?:initial|starting|start|final|mean|average|constant|fixed|equilibrium|amplitude|maxim\w+|minim\w+|reference|"
     r"rest)\b[^.$]{0,40}\$([^$=]*)\$"
@@ -22,10 +23,23 @@ _AT_ONE_TIME = re.compile(
 """Words before a letter that stands for one value of a function."""
 
 
-def lone_arguments(formulas: Iterable[Sequence[Formula]], prose: str) -> dict[str, str]:
-    """Return the functions that have one letter as their argument everywhere, and stand elsewhere without it.
+_OMITTED = r"(?:drop(?:s|ped|ping)?|omit(?:s|ted|ting)?|suppress(?:es|ed|ing)?)"
+_ARGUMENTS = r"(?:dependenc(?:y|e|es|ies)|arguments?)"
+_WITHOUT_ARGUMENTS = re.compile(
+    rf"\b(?:{_OMITTED}\b[^.]{{0,60}}\b{_ARGUMENTS}|{_ARGUMENTS}\b[^.]{{0,60}}\b{_OMITTED})\b"
+)
 
-    None stands beside itself without its argument, nor beside its argument as a factor, nor is it one value by words.
+
+def omits_arguments(prose: str) -> bool:
+    """Whether words say that functions are written without their arguments."""
+    return _WITHOUT_ARGUMENTS.search(prose) is not None
+
+
+def lone_arguments(formulas: Iterable[Sequence[Formula]], prose: str) -> dict[str, str]:
+    """Return the functions that have the same letters as arguments everywhere, and stand elsewhere without them.
+
+    The letters are separated by spaces.  None stands beside itself without its arguments, nor beside one of them as a
+    factor, nor is it one value by words.
 
     Parameters
     ----------
@@ -50,30 +64,37 @@ def lone_arguments(formulas: Iterable[Sequence[Formula]], prose: str) -> dict[st
     return {
         each: letter
         for each, letter in found.items()
-        if letter in alone
+        if letter
+        and alone.issuperset(letter.split())
         and each in alone - apart
-        and (each, letter) not in beside
+        and beside.isdisjoint((each, one) for one in letter.split())
         and re.sub(r"[{}]", "", each) not in apart
     }
 
 
 def alike(
-    lone_arguments: Mapping[str, str], occurring: frozenset[str], vocabulary: Vocabulary, premises: Iterable[Premise]
+    lone_arguments: Mapping[str, str],
+    occurring: frozenset[str],
+    vocabulary: Vocabulary,
+    premises: Iterable[Premise],
+    *,
+    omitted: bool,
 ) -> dict[str, str]:
-    """Return the functions that are the same with and without their argument, with the argument.
+    """Return the functions that are the same with and without their arguments, with the arguments.
 
-    The letter gives the function where it stands without it, or the document has its derivative by it, or those of both
-    by time.
+    The letters give the function where it stands without them, or the document has its derivative by each, or those of
+    both by time, or words say that arguments are omitted.
     """
     lone = {each.gives.symbol for each in premises if each.gives is not None and not each.gives.parameters}
     found = {}
     for function, argument in lone_arguments.items():
         known = vocabulary.definitions.get(function)
         if known is not None and not known.parameters:
-            is_same = argument in vocabulary.behind(function)
+            is_same = {*argument.split()} <= vocabulary.behind(function)
         else:
             move = all(has_rate(each, "t", occurring) for each in (function, argument))
-            is_same = function not in lone and (move or has_rate(function, argument, occurring))
+            rates = all(has_rate(function, each, occurring) for each in argument.split())
+            is_same = function not in lone and (move or rates or omitted)
         if is_same:
             found[function] = argument
     return found
@@ -82,19 +103,19 @@ def alike(
 def without_arguments(tree: Formula, functions: Mapping[str, str]) -> Formula:
     """Return a formula in which letters stand for the values of functions at their argument."""
     symbol, parameters = defined_by(tree) if tree.data == "call" else ("", ())
-    if parameters and (functions.get(symbol),) == parameters:
+    if parameters and functions.get(symbol) == " ".join(parameters):
         return letter_of(symbol)
     return Tree(
         tree.data, [without_arguments(each, functions) if isinstance(each, Tree) else each for each in tree.children]
     )
 
 
-def known_without(vocabulary: Vocabulary, functions: Mapping[str, str]) -> Vocabulary:
-    """Return what letters stand for where functions are letters."""
+def known_without(vocabulary: Vocabulary, functions: Mapping[str, str], changed: Changed) -> Vocabulary:
+    """Return what letters stand for where functions are letters, and formulas are changed."""
     found = vocabulary.copied()
     for each in vocabulary.definitions.values():
-        own = (functions.get(each.symbol),) == each.parameters
-        tree = without_arguments(each.tree, functions)
+        own = functions.get(each.symbol) == " ".join(each.parameters) != ""
+        tree = changed(each.tree)
         if own and each.symbol in symbols_in(tree):
             found.definitions.pop(each.symbol)
         else:
@@ -103,7 +124,6 @@ def known_without(vocabulary: Vocabulary, functions: Mapping[str, str]) -> Vocab
     return found
 
 
-def premise_without(premise: Premise, functions: Mapping[str, str]) -> Premise:
-    """Return an equation where functions are letters."""
-    left, right = (without_arguments(each, functions) for each in (premise.left, premise.right))
-    return replace(premise, left=left, right=right)
+def premise_without(premise: Premise, changed: Changed) -> Premise:
+    """Return an equation of which the sides are changed."""
+    return replace(premise, left=changed(premise.left), right=changed(premise.right))

@@ -2,11 +2,12 @@ r"""Columns of which a document names the components: x in ``x^T Q x``, beside `
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import count, pairwise
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.factors import terms_of
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.lexing.names import split_symbol, written
@@ -36,6 +37,31 @@ def columns_beside_matrices(sides: Iterable[Formula], occurring: Collection[str]
             column: Formula = Tree("matrix", [Token("BEGIN", r"\begin{bmatrix}"), *rows])
             where = f"{components[0]} to {components[-1]} as the components of {letter}"
             yield Definition(letter, (), column, where, -1, True, role="case")
+
+
+def columns_as_letters(trees: Iterable[Formula]) -> dict[Formula, Formula]:
+    """Return a letter for each printed column of formulas, the same for the same one."""
+    every = (matrix for tree in trees for matrix in tree.find_data("matrix"))
+    columns = dict.fromkeys(matrix for matrix in every if _is_column(matrix))
+    return {column: letter_of(rf"\column{{{number}}}") for number, column in enumerate(columns, 1)}
+
+
+def _is_column(matrix: Formula) -> bool:
+    rows = trees_in(matrix)
+    return matrix.data == "matrix" and len(rows) > 1 and all(len(trees_in(row)) == 1 for row in rows)
+
+
+def multiplies_columns(side: Formula) -> bool:
+    """Whether a term of a formula is a product of two printed columns: it may be one of quaternions."""
+    runs = (each for each in terms_of(side) if each.data == "run")
+    return any(_is_column(one) and _is_column(other) for run in runs for one, other in pairwise(trees_in(run)))
+
+
+def with_letters(tree: Formula, letters: Mapping[Formula, Formula]) -> Formula:
+    """Return a formula with letters for some of its parts."""
+    if tree in letters:
+        return letters[tree]
+    return Tree(tree.data, [with_letters(each, letters) if isinstance(each, Tree) else each for each in tree.children])
 
 
 def _multiplied(tree: Formula) -> Iterator[tuple[str, int]]:

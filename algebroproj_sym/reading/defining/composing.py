@@ -33,6 +33,7 @@ def composed_in(
     """
     yield from _chained_in(equations)
     yield from _turned_in(side for each in equations for side in each)
+    yield from _between_frames(side for each in equations for side in each)
     for letters in map(frozenset, _ordered_in(equations)):
         yield from letters if letters.isdisjoint(numbers) else ()
     if _QUATERNIONS.search(words):
@@ -51,6 +52,18 @@ def _chained_in(equations: Iterable[Sides]) -> Iterator[str]:
             closed = start + end != "" and (start, end) == (way[:1], way[-1:]) and way[1:-1:2] == way[2:-1:2]
             if closed and len(way) == 2 * len(steps) > 2 and len({*map(_stem, factors)}) == 1:
                 yield from map(lone, factors)
+
+
+def _between_frames(sides: Iterable[Formula]) -> Iterator[str]:
+    """Yield the letters with a frame below that is the upper one of the next letter: R in ``R^a_b p^b``."""
+    for run in (run for side in sides for run in side.find_data("run")):
+        for one, other in pairwise(map(base_of, trees_in(run))):
+            if (
+                one
+                and other
+                and (below := split_symbol(one)[2]) == split_symbol(other)[3] != "" != split_symbol(one)[3]
+            ):
+                yield from (one, other) if split_symbol(other)[2] and below.isalpha() else [one][: below.isalpha()]
 
 
 def _turned_in(sides: Iterable[Formula]) -> Iterator[str]:

@@ -158,6 +158,10 @@ def _change(letters: Iterable[str], variable: str, occurring: frozenset[str], si
     )
 
 
+_PLAIN = re.compile(r"\\?[a-zA-Z]+(?:_\d+)?")
+"""A letter without an index that something may be summed over."""
+
+
 def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
     if "/" in symbol:
         if mixed := _MIXED.fullmatch(symbol):
@@ -165,6 +169,8 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
         match = _DERIVATIVE.fullmatch(symbol)
         if match is None:
             return None
+        if match[3] == match[4] and not match[2] and _PLAIN.fullmatch(match[3]) and not vocabulary.is_matrix(match[3]):
+            return Definition(symbol, (), ONE, "the derivative of a letter by itself", -1, True)
         factors = _of_factors(symbol, _function_of(match), match[4], vocabulary, occurring)
         found = _of_quotient(symbol, match, vocabulary, occurring) or _as_dots(symbol, match, occurring)
         return factors if found is None or (factors and match[3].endswith(")")) else found

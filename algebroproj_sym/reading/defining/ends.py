@@ -10,6 +10,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.indices import Indices
+from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in
 
 MOST_APART = 3
@@ -59,23 +60,40 @@ def _sum_of(tree: Formula, indices: Indices) -> _Sum | None:
     if match is None or not isinstance(body, Tree):
         return None
     index, first, last, more = match[1], int(match[2]), match[3], int(match[4] or 0)
-    least = min(_shifts(index, symbols_in(body), indices), default=0)
+    scripts, added = _shifts(index, symbols_in(body), indices), {*_added(index, body)}
+    least = min(scripts | {max(0, each) if scripts else each for each in added}, default=0)
     moved = indices.at(body, {index: (index, -least)}) if least else body
-    if moved is None or (least and last == r"\infty"):
+    if moved is None:
         return None
-    return _Sum(index, first + least, last, more + least, moved)
+    return _Sum(index, first + least, last, more if last == r"\infty" else more + least, moved)
 
 
-def _is_indexed(found: _Sum, indices: Indices) -> bool:
-    """Whether the letters of a sum have its index, so that its last one is one of theirs, and no empty sum is meant."""
-    return bool(_shifts(found.index, {*symbols_in(found.body)} - {found.index}, indices))
+def _is_long(found: _Sum, indices: Indices) -> bool:
+    """Whether no empty sum is meant: it has no end, or its letters have its index, so that its last one is theirs."""
+    return found.last == r"\infty" or bool(_shifts(found.index, symbols_in(found.body), indices))
 
 
 def _shifts(index: str, symbols: Iterable[str], indices: Indices) -> set[int]:
-    """Return what is added to an index where it stands."""
+    """Return what is added to an index where it stands in scripts."""
     names = [each for symbol in symbols if symbol != index and (each := indices.scripts(symbol))]
-    found = {shift for _, below, above in names for letter, shift in (*below, *above) if letter == index}
-    return found | ({0} if index in symbols else set())
+    return {shift for _, below, above in names for letter, shift in (*below, *above) if letter == index}
+
+
+def _added(index: str, tree: Formula) -> Iterator[int]:
+    """Yield the numbers that are added to an index where it stands for a number."""
+    own = letter_of(index)
+    if tree == own:
+        yield 0
+        return
+    parts = [*tree.children]
+    if tree.data == "sum" and own in parts and (parts[0] == own or parts[parts.index(own) - 1] == "+"):
+        terms = [*zip(("+", *parts) if parts[0] != "+" else parts, parts, strict=False)]
+        numbers = [(sign, each) for sign, each in terms if isinstance(each, Tree) and each.data == "number"]
+        yield sum(int(f"{sign}{each.children[0]}") for sign, each in numbers if str(each.children[0]).isdigit())
+        parts.remove(own)
+    for each in parts:
+        if isinstance(each, Tree):
+            yield from _added(index, each)
 
 
 def _terms(tree: Formula) -> Formula:
@@ -103,7 +121,7 @@ def _rewritten(tree: Formula, indices: Indices, first: int | None) -> Formula:
     if found is None or abs(found.more) > MOST_APART:
         return changed
     begins = found.first if first is None else first
-    if not (_is_indexed(found, indices) or found.more >= found.first - 1 <= begins - 1):
+    if not (_is_long(found, indices) or found.more >= found.first - 1 <= begins - 1):
         return changed
     name = rf"\sum_{{{found.index}={begins}}}^{{{found.last}}}"
     terms: list[Any] = [Token("SIGN", "+"), Tree("big", [Token("BIG", name), found.body])]

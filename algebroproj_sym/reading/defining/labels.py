@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from lark import Token, Tree
@@ -31,10 +32,11 @@ def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
     """Return the letters with a label that stands nowhere but above letters, and those with the number of a step.
 
     A capital above all entries of a printed column may stand below letters as well: it names a frame, or a point.
+    So may the letters of factors side by side of which the lower one of each is the upper one of the next.
     """
     above: dict[str, set[str]] = {}
     elsewhere = set[str]()
-    frames = {label for side in _every(equations) for label in _labels_of_columns(side)}
+    frames = {label for side in _every(equations) for label in (*_labels_of_columns(side), *_cancelling(side))}
     for is_lone, side in ((len(sides) == 1, side) for sides in equations for side in sides):
         for power in side.find_data("power"):
             base, exponent = power.children
@@ -183,6 +185,15 @@ def _labels_of_columns(tree: Formula) -> Iterator[str]:
         labels = {_raised(cell.children[0]).counter for cell in cells if len(cell.children) == 1}
         if len(cells) > 1 and len(labels) == 1 and (label := labels.pop()).isupper() and label not in MARKS:
             yield label
+
+
+def _cancelling(tree: Formula) -> Iterator[str]:
+    r"""Yield what stands above and below factors of which the lower letter is the next upper one: ``R^a_b p^b``."""
+    for run in tree.find_data("run"):
+        for one, other in pairwise([_raised(each) for each in run.children if isinstance(each, Tree)]):
+            below = [split_symbol(each.symbol)[2] for each in (one, other)]
+            if one.counter and other.counter == below[0] and one.step == other.step == "" and one.counter != below[0]:
+                yield from (each for each in (one.counter, *below) if len(each) == 1 and each.isalpha())
 
 
 def _not_raised(tree: Any, frames: Collection[str]) -> Iterator[str]:

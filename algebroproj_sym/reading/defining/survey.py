@@ -11,7 +11,7 @@ from itertools import pairwise
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.acting import acted_on
-from algebroproj_sym.reading.defining.arguments import lone_arguments
+from algebroproj_sym.reading.defining.arguments import lone_arguments, omits_arguments
 from algebroproj_sym.reading.defining.components import columns_beside_matrices
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
 from algebroproj_sym.reading.defining.indices import Indices
@@ -165,9 +165,14 @@ class Survey:
 
     @cached_property
     def lone_arguments(self) -> Mapping[str, str]:
-        """The functions that may be the same with and without their argument, with the argument."""
+        """The functions that may be the same with and without their arguments, with these, separated by spaces."""
         parsed = (each.sides for each in self.formulas.values() if isinstance(each, Parsed))
         return lone_arguments(parsed, self._prose)
+
+    @cached_property
+    def omits_arguments(self) -> bool:
+        """Whether words say that functions are written without their arguments."""
+        return omits_arguments(self._prose)
 
     @cached_property
     def _first(self) -> dict[int, Parsed | UnreadableError]:

@@ -37,9 +37,11 @@ MOST_EXPANDED = 500
 class Uncomputed:
     """The values that have letters of their own, whose names begin with ``free`` or ``whole``."""
 
-    def __init__(self, vocabulary: Vocabulary, functions: Collection[str] = ()) -> None:
+    def __init__(self, vocabulary: Vocabulary, functions: Collection[str] = (), *, apart: bool = False) -> None:
         self._vocabulary = vocabulary
         self._functions = functions
+        self._apart = apart
+        self._angles = set[Any]()
         self._letters: dict[str, frozenset[str]] = {}
         self._keys: dict[str, str] = {}
         self._first: dict[str, str] = {}
@@ -86,8 +88,24 @@ class Uncomputed:
         return self._value(name, arguments, FREE if is_free else WHOLE)
 
     def known(self, name: str, arguments: Sequence[Any]) -> Any:
-        """Return the value of a function that is known, and not computed."""
+        """Return the value of a function that is known, and not computed, or of a wave that is taken apart."""
+        if name in ("sin", "cos") and self.takes(name) and not any(map(shape, arguments)):
+            (angle,) = arguments
+            if angle.could_extract_minus_sign():
+                return self.known(name, [-angle]) * (1 if name == "cos" else -1)
+            self._angles.add(angle)
+            if self._apart and angle.is_Add:
+                first, rest = angle.as_two_terms()
+                sines, cosines = ([self.known(wave, [each]) for each in (first, rest)] for wave in ("sin", "cos"))
+                if name == "cos":
+                    return cosines[0] * cosines[1] - sines[0] * sines[1]
+                return sines[0] * cosines[1] + cosines[0] * sines[1]
         return self._value(name, arguments, WHOLE)
+
+    @property
+    def has_angles_of_sums(self) -> bool:
+        """Whether an angle of a wave is a sum with the angle of another one."""
+        return any(part in self._angles or -part in self._angles for each in self._angles for part in each.args)
 
     def takes(self, name: str) -> bool:
         """Whether each value of a function that is computed elsewhere is a letter here."""
@@ -233,10 +251,13 @@ def _names(*values: Any) -> set[str]:
     return {symbol.name for value in values for symbol in value.free_symbols}
 
 
-def with_values(vocabulary: Vocabulary, functions: Collection[str] = ()) -> Vocabulary:
-    """Return a vocabulary in which values that are not computed are letters, and those of some functions."""
+def with_values(vocabulary: Vocabulary, functions: Collection[str] = (), *, apart: bool = False) -> Vocabulary:
+    """Return a vocabulary in which values that are not computed are letters, and those of some functions.
+
+    The sine and the cosine of a sum of angles may be taken apart.
+    """
     found = vocabulary.copied()
-    found.uncomputed = Uncomputed(found, functions)
+    found.uncomputed = Uncomputed(found, functions, apart=apart)
     found.forget()
     return found
 

@@ -24,6 +24,7 @@ from algebroproj_sym.reading.documents.pending import (
     renamed,
     without_label,
 )
+from algebroproj_sym.reading.documents.slopes import slope_ahead
 from algebroproj_sym.reading.documents.systems import as_rows
 from algebroproj_sym.reading.documents.unicode import SIGNS_OF_UNICODE, accented
 from algebroproj_sym.reading.lexing.commands import BIG, BOXES, CLOSING, LETTERS, MAX_PIECES, RELATIONS, SIGNS, UPRIGHT
@@ -407,6 +408,11 @@ def _prime_behind_nothing(page: _Page, piece: Piece) -> bool:
     return False
 
 
+def _slope(page: _Page, piece: Piece) -> bool:
+    page.out.extend(at(piece, found := slope_ahead(page.waiting)))
+    return found != ""
+
+
 def _scientific(page: _Page, piece: Piece) -> bool:
     if _is_scientific(page.out, page.waiting):
         raise UnreadableError("a letter between digits may be that of a number such as 1e3", piece.place)
@@ -518,6 +524,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     (("!",), _unequal),
     ((r"\not",), _not),
     (("'",), _prime_behind_nothing),
+    ((r"\partial",), _slope),
     (("e",), _scientific),
     ((r"\,", r"\;", "\\ "), _between_numbers),
     ((".",), _ellipsis),

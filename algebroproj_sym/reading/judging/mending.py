@@ -17,6 +17,8 @@ from algebroproj_sym.reading.judging.sampling import POINTS, agree, samples_of
 from algebroproj_sym.reading.judging.ways import along_directions_in
 from algebroproj_sym.reading.parsing.grammar import symbols_in
 
+_NO_SHAPES = ("the shapes", "the sides have shapes")
+"""Why a relation cannot be asked that a missing or a wrong mark or power makes one of a number and a vector."""
 Repaired = tuple[Repair, Way]
 MOST_REPAIRS = 8
 MOST_REPAIRS_OF_LETTERS = 40
@@ -61,13 +63,14 @@ def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
     if any(each.data in ("along", "direction", "applied") for tree in way.sides for each in tree.iter_subtrees()):
         return
     turned = next(along_directions_in(way), None) is not None
-    if not turned and (answer.verdict != "refuted" or _is_hard(way)):
+    is_open = answer.verdict != "refuted" and not answer.reason.startswith(_NO_SHAPES)
+    if not turned and (is_open or _is_hard(way)):
         return
     changed = [(each, other) for each, other in _changed(way) if each.kind in _SLIPS and other.left != other.right]
     if turned:
         for repair, other in changed:
             yield from ((repair, each) for each in islice(along_directions_in(other), 1))
-    elif samples := [] if way.under else samples_of(way.vocabulary, *way.sides):
+    elif samples := [] if way.under or answer.verdict != "refuted" else samples_of(way.vocabulary, *way.sides):
         yield from islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)
     else:
         point = {name: value for name, value in (answer.counterexample or {}).items() if isinstance(value, str)}

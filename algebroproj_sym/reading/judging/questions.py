@@ -17,6 +17,7 @@ from algebroproj_sym.expressions import TooLargeError, entries, require_bounded,
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.proving.statements import has_functions
+from algebroproj_sym.reading.defining.components import multiplies_columns
 from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
@@ -102,6 +103,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
     if any(_has_two_signs(tree) for tree in (left, right)):
         both = [[_with_signs(tree, upper) for tree in (left, right)] for upper in (True, False)]
         return [one for sides in both for one in questions_of(vocabulary, *sides, by_entries=by_entries)]
+    if any(map(multiplies_columns, (left, right))):
+        raise UnreadableError("two columns side by side may be a product of quaternions")
     properties = {vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)}
     if properties - {(), ("identity",)}:
         raise UnsizedError("a property of a letter says more than its entries")
@@ -306,13 +309,21 @@ def asked_under(way: Way) -> list[Question] | str:
         return outside
     if hides := _hides_an_index(way.vocabulary, *way.sides, *given):
         return hides
-    for known in (way.vocabulary, with_values(way.vocabulary), with_values(way.vocabulary, FUNCTIONS)):
+    plain = way.vocabulary
+    together, apart = with_values(plain, FUNCTIONS), with_values(plain, FUNCTIONS, apart=True)
+    for known in (plain, with_values(plain), together, apart):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides, by_entries=True)
             conditions = [
                 one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)
             ]
             if all(map(_is_rational, [*questions, *conditions])):
+                if (
+                    known is together
+                    and isinstance(known.uncomputed, Uncomputed)
+                    and known.uncomputed.has_angles_of_sums
+                ):
+                    continue
                 circles = known.uncomputed.unit_circles() if isinstance(known.uncomputed, Uncomputed) else []
                 constraints = (*(f"{one.lhs} = {one.rhs}" for one in conditions), *circles)
                 return [replace(question, constraints=constraints) for question in questions]

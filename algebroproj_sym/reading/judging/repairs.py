@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from itertools import islice
@@ -22,6 +23,8 @@ MULTIPLE = "multiple"
 
 _ORDER = ("sign", "number", "index", "exponent", "function", MULTIPLE, "letter", "fraction", "transpose", "factor")
 _OTHERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh", "tan": "cot", "cot": "tan"}
+_TABLE = re.compile(r"\\mathbf\{|[A-Z](?:_|$)")
+"""How letters begin that may be vectors or matrices."""
 _ZERO, _ONE, _TWO = (Tree("number", [Token("NUMBER", each)]) for each in "012")
 _MINUS, _PLUS = Token("SIGN", "-"), Token("SIGN", "+")
 
@@ -91,6 +94,10 @@ def _of(node: Any, symbols: list[str]) -> Iterator[tuple[str, Formula]]:
         others = (each for each in symbols if each not in (*siblings, str(parts[0])) and _is_letter(each))
         yield from (("letter", Tree("symbol", [Token("SYMBOL", other)])) for other in others)
         yield "exponent", Tree("power", [node, _TWO])
+        if _TABLE.match(str(parts[0])):
+            yield "transpose", Tree("marked", [node, Token("MARK", "T")])
+    elif kind == "opaque":
+        yield from (("index", Tree("opaque", [Token("SYMBOL", other)])) for other in _siblings(str(parts[0]), symbols))
     elif kind == "power":
         yield "exponent", parts[0]
         yield "exponent", Tree("power", [parts[0], _negated(parts[1])])
@@ -130,6 +137,8 @@ def _is_letter(symbol: str) -> bool:
 def _siblings(symbol: str, symbols: list[str]) -> list[str]:
     if " " in symbol:
         return []
+    if "/" in symbol:
+        return [each for each in symbols if "/" in each and _differ_in_a_digit(symbol, each)]
     letter, primes, below, above = split_symbol(symbol)
     found = []
     for other in symbols:
@@ -141,3 +150,8 @@ def _siblings(symbol: str, symbols: list[str]) -> list[str]:
             ):
                 found.append(other)
     return found
+
+
+def _differ_in_a_digit(one: str, other: str) -> bool:
+    pairs = [(a, b) for a, b in zip(one, other, strict=False) if a != b]
+    return len(one) == len(other) and len(pairs) == 1 and "".join(pairs[0]).isdigit()

@@ -6,11 +6,13 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import combinations
 
 from lark import Tree
 
-from algebroproj_sym.reading.defining.arguments import alike, known_without, premise_without, without_arguments
+from algebroproj_sym.reading.defining.arguments import Changed, alike, known_without, premise_without, without_arguments
+from algebroproj_sym.reading.defining.components import columns_as_letters, with_letters
 from algebroproj_sym.reading.defining.dependence import free_symbols, index_of, letters_of_symbol
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
 from algebroproj_sym.reading.defining.ends import with_same_ends
@@ -122,6 +124,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *(at_others := [*_at_other_indices(standing, left, right)]),
         *_with_same_ends(standing, [Way(left, right, told), *(each for each in at_others if not each.under)]),
         *_without_arguments(standing, formula, index),
+        *_with_columns(standing, formula, index),
     ]
     ways += [
         replace(way, vocabulary=other, reads=f"{' = '.join(map(other.text, way.sides))}, where I is the identity")
@@ -392,20 +395,43 @@ def _at_other_indices(standing: Standing, left: Formula, right: Formula) -> Iter
 def _without_arguments(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     """Yield a relation in which functions with and without their argument are the same letters."""
     survey = standing.survey
-    functions = alike(survey.lone_arguments, survey.occurring, standing.vocabulary, standing.premises)
-    if not functions:
-        return
-    sides = tuple(without_arguments(each, functions) for each in formula.sides)
+    known, omitted = standing.vocabulary, survey.omits_arguments
+    functions = alike(survey.lone_arguments, survey.occurring, known, standing.premises, omitted=omitted)
+    if functions:
+        name = standing.vocabulary.name
+        calls = {each: f"{name(each)}({', '.join(of.split())})" for each, of in sorted(functions.items())}
+        changed = partial(without_arguments, functions=functions)
+        yield from _changed(standing, formula, index, functions, changed, calls)
+
+
+def _with_columns(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield a relation in which each printed column is a letter, also in the equations above it."""
+    near = [side for each in standing.premises[-MOST_PREMISES:] for side in (each.left, each.right)]
+    known = [each.tree for each in standing.vocabulary.definitions.values()]
+    letters = columns_as_letters([*formula.sides[index : index + 2], *known, *near])
+    names = {str(letter.children[0]): standing.vocabulary.text(column) for column, letter in letters.items()}
+    if letters:
+        yield from _changed(standing, formula, index, {}, partial(with_letters, letters=letters), names)
+
+
+def _changed(
+    standing: Standing,
+    formula: Parsed,
+    index: int,
+    functions: Mapping[str, str],
+    changed: Changed,
+    stands_for: Mapping[str, str],
+) -> Iterator[Way]:
+    """Yield a relation in which letters stand for other formulas, also in what it may rest on."""
+    sides = tuple(map(changed, formula.sides))
     left, right = sides[index : index + 2]
-    premises = [premise_without(each, functions) for each in standing.premises]
-    known = known_without(standing.vocabulary, functions)
+    known = known_without(standing.vocabulary, functions, changed)
     used = (left, right, *(each.tree for each in used_by(known, left, right)))
-    if functions.keys().isdisjoint(symbol for each in used for symbol in symbols_in(each)):
+    made = {symbol for each in used for symbol in symbols_in(each)}
+    told = ", ".join(f"{known.name(each)} is {what}" for each, what in stands_for.items() if each in made)
+    if not told:
         return
-    bare = replace(standing, vocabulary=known, premises=premises)
-    told = ", ".join(
-        f"{known.name(each)} is {known.name(each)}({letter})" for each, letter in sorted(functions.items())
-    )
+    bare = replace(standing, vocabulary=known, premises=[premise_without(each, changed) for each in standing.premises])
     of_letters = replace(formula, sides=sides)
     for way in (Way(left, right, known), *_with_premises(bare, of_letters, index)):
         shown = " = ".join(map(known.text, way.sides))

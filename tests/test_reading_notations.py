@@ -6,6 +6,8 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
+pytestmark = pytest.mark.usefixtures("decided_here")
+
 
 def texts(latex: str) -> list[str | None]:
     return [each.read for each in read_document(document_of(latex))]

@@ -6,6 +6,8 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
+pytestmark = pytest.mark.usefixtures("decided_here")
+
 
 def verdict(latex: str) -> str:
     return read_document(document_of(latex), seconds=5)[-1].verdict

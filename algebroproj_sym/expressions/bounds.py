@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from math import comb
-from typing import Any
+from typing import Any, NamedTuple
 
 import sympy
 
@@ -32,8 +32,7 @@ class TooLargeError(ValueError):
     """An expression is larger than it may be."""
 
 
-@dataclass(frozen=True)
-class Size:
+class Size(NamedTuple):
     """Bounds on an expanded polynomial: total degree, number of terms, bits of a coefficient."""
 
     degree: int
@@ -46,9 +45,9 @@ class Size:
 
     def times(self, other: Size, names: int) -> Size:
         """Return the size of a product in so many variables."""
-        degree = self.degree + other.degree
+        degree, terms = self.degree + other.degree, self.terms * other.terms
         bits = self.bits + other.bits + min(self.terms, other.terms).bit_length() - 1
-        return Size(degree, min(self.terms * other.terms, _dense(degree, names)), bits)
+        return Size(degree, terms if terms == 1 else min(terms, _dense(degree, names)), bits)
 
     def power(self, exponent: int, names: int) -> Size:
         """Return the size of a power in so many variables."""
@@ -61,8 +60,7 @@ ONE = Size(0, 1, 1)
 VARIABLE = Size(1, 1, 1)
 
 
-@dataclass(frozen=True)
-class Extent:
+class Extent(NamedTuple):
     """Bounds on what an expression becomes when it is multiplied out as one fraction.
 
     Attributes
@@ -186,7 +184,8 @@ class _Walk:
     def enter(self, roots: Sequence[Any]) -> None:
         symbols = _symbols(roots)
         self._names = len(symbols)
-        self._require(self._names <= MAX_NAMES, f"at most {MAX_NAMES} names", str(self._names))
+        if self._names > MAX_NAMES:
+            raise self._refused(f"at most {MAX_NAMES} names", str(self._names))
         for root in roots:
             waiting = [root]
             while waiting:
@@ -198,28 +197,32 @@ class _Walk:
                     self.found[waiting.pop()] = self._measured(node)
         leaves = sum(self.found[root][2] for root in roots)
         most = self._times * MAX_TOKENS
-        self._require(leaves <= most, f"at most {most} symbols and numbers", str(leaves))
+        if leaves > most:
+            raise self._refused(f"at most {most} symbols and numbers", str(leaves))
 
     def _measured(self, node: Any) -> tuple[Extent, int, int]:
         """Return the extent of a node whose parts are known, its levels, and its leaves."""
         parts = [self.found[part] for part in node.args]
         extents = [part[0] for part in parts]
-        levels = 1 + max((part[1] for part in parts), default=0)
-        leaves = sum(part[2] for part in parts) or 1
-        self._require(levels <= MAX_LEVELS, f"at most {MAX_LEVELS} levels of nesting", "more")
+        levels = 1 + max([part[1] for part in parts], default=0)
+        leaves = sum([part[2] for part in parts]) or 1
+        if levels > MAX_LEVELS:
+            raise self._refused(f"at most {MAX_LEVELS} levels of nesting", "more")
         extent = self._extent(node, extents)
-        excess = extent.excess(self._times)
-        self._require(excess is None, *(excess or ("", "")))
+        if excess := extent.excess(self._times):
+            raise self._refused(*excess)
         return extent, levels, leaves
 
     def _extent(self, node: Any, parts: Sequence[Extent]) -> Extent:
         if isinstance(node, sympy.Rational):
             digits = max(int(node.p).bit_length(), int(node.q).bit_length()) * 0.30103
-            self._require(digits < MAX_DIGITS, f"at most {MAX_DIGITS} digits", f"{digits:.0f}")
+            if digits >= MAX_DIGITS:
+                raise self._refused(f"at most {MAX_DIGITS} digits", f"{digits:.0f}")
             return number(node)
         if isinstance(node, sympy.Pow) and isinstance(node.exp, sympy.Integer):
             exponent = int(node.exp)
-            self._require(abs(exponent) <= MAX_EXPONENT, f"an exponent of at most {MAX_EXPONENT}", str(exponent)[:40])
+            if abs(exponent) > MAX_EXPONENT:
+                raise self._refused(f"an exponent of at most {MAX_EXPONENT}", str(exponent)[:40])
             raised = power(parts[0], abs(exponent), self._names)
             return raised if exponent >= 0 else quotient(Extent(ONE), raised, self._names)
         if isinstance(node, over):
@@ -230,9 +233,8 @@ class _Walk:
             return product(parts, self._names)
         return Extent(VARIABLE)
 
-    def _require(self, condition: bool, expected: str, got: str) -> None:
-        if not condition:
-            raise TooLargeError(f"{self._argument}: expected {expected}, got {got}")
+    def _refused(self, expected: str, got: str) -> TooLargeError:
+        return TooLargeError(f"{self._argument}: expected {expected}, got {got}")
 
 
 def _symbols(roots: Sequence[Any]) -> set[Any]:
@@ -252,5 +254,6 @@ def _binomial(n: int, k: int) -> int:
     return comb(n, smaller) if smaller * n.bit_length() < 4096 else MAX_TERMS + 1
 
 
+@cache
 def _dense(degree: int, names: int) -> int:
     return _binomial(degree + names, names)

@@ -6,7 +6,7 @@ import re
 from functools import reduce
 from typing import Any
 
-from lark import Token, v_args
+from lark import Token
 
 from algebroproj_sym.reading.defining.dependence import index_of, require_no_value
 from algebroproj_sym.reading.defining.factors import MEAN
@@ -34,7 +34,7 @@ from algebroproj_sym.reading.defining.sizing import TABLE, Reader
 from algebroproj_sym.reading.defining.summing import Depends, arranged
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
-from algebroproj_sym.reading.parsing.gathering import _Gathering, wrapped
+from algebroproj_sym.reading.parsing.gathering import _Gathering, transformed
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 _OF_LETTERS = ("sin", "cos", "norm")
@@ -46,19 +46,17 @@ def built(tree: Formula, reader: Reader) -> Part:
 
     Raises
     ------
-    VisitError
+    UnreadableError
         If shapes do not fit, or something is read and not computed.
     """
-    found: Part = _Parts(reader).transform(wrapped(tree)).children[0]
+    found: Part = transformed(_Parts(reader), tree)
     return found
 
 
-@v_args(inline=True)
 class _Parts(_Gathering):
     """Builds parts from the leaves up."""
 
     def __init__(self, reader: Reader) -> None:
-        super().__init__()
         self.reader = reader
 
     def sum(self, *parts: Any) -> Part:

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection
 
-from lark.exceptions import VisitError
-
 from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.defining.dependence import ANY, COUNTED, is_number, letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.parts import Part, Shape, Size, constant, refused, sum_of
@@ -67,18 +65,10 @@ class Reader:
         """Return a formula as a part, with all definitions put in."""
         for definition in self._vocabulary.used_in(tree):
             if definition.symbol not in self._known and not definition.parameters:
-                self._known[definition.symbol] = found = self._read(definition.tree)
+                self._known[definition.symbol] = found = self._build(definition.tree, self)
                 if not found.is_number and self._vocabulary.is_no_number(definition.symbol):
                     self._no_numbers.append((definition.symbol, found))
-        return self._read(tree)
-
-    def _read(self, tree: Formula) -> Part:
-        try:
-            return self._build(tree, self)
-        except VisitError as error:
-            if isinstance(error.orig_exc, UnreadableError):
-                raise error.orig_exc from error
-            raise UnreadableError(str(error.orig_exc).partition("\n")[0]) from error
+        return self._build(tree, self)
 
     def symbol(self, symbol: str) -> Part:
         """Return what a symbol stands for."""

@@ -209,8 +209,10 @@ def ends_value(pieces: Sequence[Piece]) -> bool:
 
 def without_label(pieces: Sequence[Piece]) -> Sequence[Piece]:
     """Return pieces without a label at their end."""
+    if first_text(reversed(pieces)) != "}":
+        return pieces
     bare = [each for each in pieces if not each.text.isspace()]
-    start = group_start(bare[:-1]) if bare[-1:] and bare[-1].text == "}" else None
+    start = group_start(bare[:-1])
     return bare[: start - 2] if start is not None and start > 1 and bare[start - 2].text == r"\label" else pieces
 
 

@@ -7,7 +7,7 @@ from functools import partial, reduce
 from typing import Any, Protocol
 
 import sympy
-from lark import Token, v_args
+from lark import Token
 
 from algebroproj_sym.expressions import (
     Expression,
@@ -108,12 +108,10 @@ def evaluator(names: Names) -> Callable[[Formula], Expression]:
     return partial(transformed, _Remembering(names, None))
 
 
-@v_args(inline=True)
 class _Expressions(_Gathering):
     """Builds expressions from the leaves up."""
 
     def __init__(self, names: Names, values: Values | None) -> None:
-        super().__init__()
         self.names = names
         self.values = values
 
@@ -239,9 +237,9 @@ class _Remembering(_Expressions):
         super().__init__(names, values)
         self.known: dict[int, tuple[Formula, Any]] = {}
 
-    def _transform_tree(self, tree: Formula) -> Any:
+    def made(self, tree: Formula) -> Any:
         if id(tree) not in self.known:
-            self.known[id(tree)] = tree, super()._transform_tree(tree)  # type: ignore[no-untyped-call]
+            self.known[id(tree)] = tree, super().made(tree)
         return self.known[id(tree)][1]
 
 

@@ -5,30 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from lark import Token, Transformer, Tree, v_args
-from lark.exceptions import VisitError
+from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 
-def transformed(transformer: Transformer[Token, Any], tree: Formula) -> Any:
-    """Return what a transformer makes of a tree; what fails in it cannot be read."""
+def transformed(gathering: _Gathering, tree: Formula) -> Any:
+    """Return what is made of a tree; what fails in it cannot be read."""
     try:
-        return transformer.transform(wrapped(tree)).children[0]
-    except VisitError as error:
-        raise _as_unreadable(error.orig_exc) from error
-
-
-def wrapped(tree: Formula) -> Formula:
-    """Return a tree under a root that a transformer leaves as it is."""
-    return Tree("start", [tree])
-
-
-def _as_unreadable(error: BaseException) -> UnreadableError:
-    if isinstance(error, UnreadableError):
-        return error
-    return UnreadableError(next(iter(str(error).splitlines()), type(error).__name__))
+        return gathering.made(tree)
+    except UnreadableError:
+        raise
+    except Exception as error:
+        raise UnreadableError(next(iter(str(error).splitlines()), type(error).__name__)) from error
 
 
 def paired(parts: Sequence[Any]) -> list[tuple[Any, Any]]:
@@ -36,9 +26,14 @@ def paired(parts: Sequence[Any]) -> list[tuple[Any, Any]]:
     return list(zip(parts[::2], parts[1::2], strict=True))
 
 
-@v_args(inline=True)
-class _Gathering(Transformer[Token, Any]):
-    """Gathers what brackets, lists and rows hold, whatever formulas become."""
+class _Gathering:
+    """Gathers what brackets, lists and rows hold, whatever formulas become: each method makes one kind of tree."""
+
+    def made(self, tree: Formula) -> Any:
+        """Return what is made of a tree, after its parts."""
+        parts = [self.made(part) if isinstance(part, Tree) else part for part in tree.children]
+        make = getattr(self, tree.data, None)
+        return Tree(tree.data, parts) if make is None else make(*parts)
 
     def group(self, value: Any) -> Any:
         return value

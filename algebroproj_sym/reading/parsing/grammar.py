@@ -154,13 +154,20 @@ def regrouped(tree: Formula) -> Formula:
 
 IN_BRACKETS = ("group", "bracket", "items")
 """What has brackets, seen or unseen, round it."""
+_OF_SYMBOLS = ("SYMBOL", "CALLEE", "OPAQUE")
 
 
 def symbols_in(tree: Formula) -> list[str]:
     """Return the symbols of a tree, as tables write them, in their order."""
-    kinds = ("SYMBOL", "CALLEE", "OPAQUE")
-    found = tree.scan_values(lambda token: isinstance(token, Token) and token.type in kinds)
-    return list(dict.fromkeys(map(str, found)))
+    found = dict[str, None]()
+    waiting: list[Any] = [tree]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Tree):
+            waiting += part.children[::-1]
+        elif isinstance(part, Token) and part.type in _OF_SYMBOLS:
+            found[str(part)] = None
+    return list(found)
 
 
 def trees_in(tree: Formula) -> list[Formula]:

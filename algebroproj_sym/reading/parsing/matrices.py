@@ -7,7 +7,7 @@ from operator import add
 from typing import Any
 
 import sympy
-from lark import Token, v_args
+from lark import Token
 
 from algebroproj_sym.expressions import over
 from algebroproj_sym.expressions.letters import Adjugate, Cross, Dot, Skew, Vee
@@ -37,7 +37,6 @@ def in_letters(tree: Formula, names: Names) -> Any:
     return transformed(_Matrices(names, None), tree)
 
 
-@v_args(inline=True)
 class _Matrices(_Expressions):
     def sum(self, *parts: Any) -> Any:
         terms = parts if isinstance(parts[0], Token) else ("+", *parts)

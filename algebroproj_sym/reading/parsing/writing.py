@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from lark import Token, Tree, v_args
+from lark import Token
 
 from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS
-from algebroproj_sym.reading.parsing.gathering import _Gathering, paired, wrapped
+from algebroproj_sym.reading.parsing.gathering import _Gathering, paired
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 Text = tuple[str, int]
@@ -17,19 +17,14 @@ _SUM, _PRODUCT, _POWER, _ATOM = range(4)
 
 def text_of(tree: Formula, names: Callable[[str], str]) -> str:
     """Return a tree as text; `names` gives the name of a symbol."""
-    return str(_Texts(names).transform(wrapped(tree)).children[0])
+    return str(_Texts(names).made(tree)[0])
 
 
-@v_args(inline=True)
 class _Texts(_Gathering):
     """Writes a tree as text; each part with how tightly it binds."""
 
     def __init__(self, names: Callable[[str], str]) -> None:
-        super().__init__()
         self.names = names
-
-    def start(self, whole: Text) -> Any:
-        return Tree("start", [whole[0]])
 
     def sum(self, *parts: Any) -> Text:
         terms = parts if isinstance(parts[0], Token) else (Token("SIGN", "+"), *parts)

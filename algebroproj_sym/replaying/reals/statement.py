@@ -114,11 +114,10 @@ class Statement:
         """
         for relation, term in (*self.given, *self.domain):
             numbers.require(holds(relation, value_of(term, point, numbers), numbers))
-        for side in self.sides:
-            value_of(side, point, numbers)
-        relation, difference = self.goal
+        values = {side.value: value_of(own, point, numbers) for side, own in zip(_SIDES, self.sides, strict=True)}
+        relation, difference = compared(_SIDES[0], self.relation, _SIDES[1])
         try:
-            return not holds(relation, value_of(difference, point, numbers), numbers)
+            return not holds(relation, value_of(difference, values, numbers), numbers)
         except UndecidedError:
             return False
 
@@ -135,6 +134,9 @@ class Statement:
         given = [pair for own in (*self.given, *self.domain) for pair in (*conditions(own[1]), own)]
         found = [*values, *given, *self.asked(), *([opposite(self.goal)] if fails else [])]
         return [(relation, _at(explicit(term), point)) for relation, term in found]
+
+
+_SIDES = Term("symbol", "left"), Term("symbol", "right")
 
 
 def opposite(condition: Condition) -> Condition:

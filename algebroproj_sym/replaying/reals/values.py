@@ -12,6 +12,8 @@ from algebroproj_sym.replaying.reals.terms import Term
 
 MOST_BITS = 20_000
 
+_ZERO, _MINUS_ONE = Fraction(0), Fraction(-1)
+
 
 class UndefinedError(ArithmeticError):
     """A term is not defined, or not real, at a point."""
@@ -43,15 +45,15 @@ class Numbers:
 
     def lifted(self, value: Any) -> Any:
         """Return a value as an enclosure."""
-        return self.enclosed(value) if isinstance(value, Fraction) else value
+        return self.enclosed(value) if type(value) is Fraction else value
 
     def operation(self, name: str, left: Any, right: Any) -> Any:
         """Return the result of an operation."""
-        if isinstance(left, Fraction) and isinstance(right, Fraction):
+        if type(left) is type(right) is Fraction:
             require_small(left, right)
             return left + right if name == "plus" else left * right if name == "times" else left / right
-        if name == "times" and Fraction(0) in (left, right):
-            return Fraction(0)
+        if name == "times" and _ZERO in (left, right):
+            return _ZERO
         return getattr(self, name)(*self.both(left, right))
 
     def raised(self, base: Any, exponent: int) -> Any:
@@ -128,8 +130,9 @@ class Numbers:
 
 def require_small(*values: Fraction) -> None:
     """Raise `UndecidedError` for numbers with too many digits."""
-    if any(max(value.numerator.bit_length(), value.denominator.bit_length()) > MOST_BITS for value in values):
-        raise UndecidedError
+    for value in values:
+        if max(value.numerator.bit_length(), value.denominator.bit_length()) > MOST_BITS:
+            raise UndecidedError
 
 
 def floor_root(value: int, degree: int) -> int:
@@ -180,7 +183,7 @@ def value_of(term: Term, point: Mapping[str, Any], numbers: Numbers) -> Any:
             first = numbers.operation("plus", first, other)
         return first
     if kind == "-":
-        return numbers.operation("times", Fraction(-1), first)
+        return numbers.operation("times", _MINUS_ONE, first)
     if kind == "*":
         return numbers.operation("times", first, args[1])
     if kind == "/":
@@ -234,5 +237,7 @@ def _power(base: Any, exponent: Fraction, numbers: Numbers) -> Any:
 
 def holds(relation: str, value: Any, numbers: Numbers) -> bool:
     """Whether a value is ``=``, ``!=``, ``>`` or ``>=`` zero."""
-    sign = numbers.sign(value)
-    return {"=": sign == 0, "!=": sign != 0, ">": sign > 0, ">=": sign >= 0}[relation]
+    return numbers.sign(value) in _SIGNS[relation]
+
+
+_SIGNS = {"=": (0,), "!=": (-1, 1), ">": (1,), ">=": (0, 1)}

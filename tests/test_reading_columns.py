@@ -64,6 +64,10 @@ def test_it_follows(latex):
         HOMOGENEOUS + shown(rf"{DIRECTION} = \mathbf H \mathbf G {R}"),
         shown(rf"{column('a', 'b')} {column('c', 'd')} = {column('u', 'v')} {column('x', 'y')}")
         + r"Hence \[ a c = u x \]",
+        shown(rf"s = {P}^T M {R}") + "Hence" + shown(rf"s = {R}^T M {P}"),
+        r"\[ \left[\begin{array}{c} a \\ b \end{array}\right] \left[\begin{array}{c} c \\ d \end{array}\right]"
+        r" = \left[\begin{array}{c} u \\ v \end{array}\right] \left[\begin{array}{c} x \\ y \end{array}\right] \]"
+        r" Hence \[ a c = u x \]",
         CHAIN + shown(r"x^a = R^b_c R^a_b x^c + R^a_b t^b_c + t^a_b"),
         CHAIN + shown(r"x^a = R^a_b R^b_c x^c + R^b_c t^b_c + t^a_b"),
         WAVE + shown(r"\partial_t u = c \, \partial_x u"),

@@ -9,6 +9,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.factors import terms_of
 from algebroproj_sym.reading.defining.premises import letter_of
+from algebroproj_sym.reading.defining.recognising import without_brackets
 from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.parsing.grammar import Formula, trees_in
@@ -54,7 +55,8 @@ def _is_column(matrix: Formula) -> bool:
 def multiplies_columns(side: Formula) -> bool:
     """Whether a term of a formula is a product of two printed columns: it may be one of quaternions."""
     runs = (each for each in terms_of(side) if each.data == "run")
-    return any(_is_column(one) and _is_column(other) for run in runs for one, other in pairwise(trees_in(run)))
+    pairs = (pairwise(map(without_brackets, trees_in(run))) for run in runs)
+    return any(_is_column(one) and _is_column(other) for each in pairs for one, other in each)
 
 
 def with_letters(tree: Formula, letters: Mapping[Formula, Formula]) -> Formula:

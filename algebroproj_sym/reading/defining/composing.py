@@ -34,6 +34,7 @@ def composed_in(
     yield from _chained_in(equations)
     yield from _turned_in(side for each in equations for side in each)
     yield from _between_frames(side for each in equations for side in each)
+    yield from _between_matrices(side for each in equations for side in each)
     for letters in map(frozenset, _ordered_in(equations)):
         yield from letters if letters.isdisjoint(numbers) else ()
     if _QUATERNIONS.search(words):
@@ -64,6 +65,20 @@ def _between_frames(sides: Iterable[Formula]) -> Iterator[str]:
                 and (below := split_symbol(one)[2]) == split_symbol(other)[3] != "" != split_symbol(one)[3]
             ):
                 yield from (one, other) if split_symbol(other)[2] and below.isalpha() else [one][: below.isalpha()]
+
+
+def _between_matrices(sides: Iterable[Formula]) -> Iterator[str]:
+    """Yield the capitals between a printed row and a printed column: a number would stand before both."""
+    for run in (run for side in sides for run in side.find_data("run")):
+        factors = trees_in(run)
+        for one, letter, other in zip(factors, map(lone, factors[1:]), factors[2:], strict=False):
+            if letter[:1].isupper() and _is_printed(one) and _is_printed(other):
+                yield letter
+
+
+def _is_printed(factor: Formula) -> bool:
+    """Whether a factor is a printed matrix, perhaps in brackets or transposed."""
+    return factor.data not in ("function", "call") and any(True for _ in factor.find_data("matrix"))
 
 
 def _turned_in(sides: Iterable[Formula]) -> Iterator[str]:

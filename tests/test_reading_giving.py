@@ -279,3 +279,8 @@ def test_an_operation_gives_another_one_and_not_itself():
     assert verdicts(rf"\[ {once} \] \[ {again} \]") == ["definition", "definition"]
     assert verdicts(r"\[ x \oplus y = y \oplus x \]") != ["definition"]
     assert verdicts(rf"\[ {again} \] \[ {once} \]")[-1] != "definition"
+
+
+@pytest.mark.parametrize("latex", ["2 (3) = 6", "2 (3 + 4) = 14 a", r"\sqrt{2} (3) = x", r"2 \oplus 3 = a"])
+def test_a_left_side_without_a_letter_names_none(latex):
+    assert verdicts(rf"\[ {latex} \]") != ["definition"]

@@ -108,8 +108,9 @@ def head_of(tree: Formula) -> str:
         return str(first)
     if tree.data == "product" and len(parts) == 2 and (operations := operations_in(tree)):
         return operations[0] if parts[0] != parts[1] and all(defined_by(each)[0] for each in parts) else ""
-    if tree.data == "run" and parts[-1].data in ("bracket", "call") and _OPERATOR.match(symbols_in(tree)[0]):
-        return symbols_in(tree)[0]
+    letter = next(iter(symbols_in(tree)), "")
+    if tree.data == "run" and parts[-1].data in ("bracket", "call") and _OPERATOR.match(letter):
+        return letter
     applied = tree.data == "run" and [each.data for each in parts[1:]] == ["bracket"]
     return head_of(parts[0]) if parts and (applied or tree.data in ("power", "marked")) else ""
 

@@ -80,3 +80,10 @@ def test_a_suggestion_refutes_nothing():
     found = last(STEPS + r"\[ x_{k+2} = x_k - 2 c \]")
     assert found.verdict == "definition"
     assert found.links[0].suggestion
+
+
+def test_a_factor_that_makes_a_number_a_vector_is_named():
+    column = r"\begin{bmatrix} %s \\ %s \end{bmatrix}"
+    above = rf"\[ \mathbf x = {column % ('a', 'b')} \] \[ s = a^2 + b^2 \] Hence "
+    found = last(above + rf"\[ \mathbf x^T \mathbf x = s {column % (1, 1)} \]")
+    assert (found.verdict, found.links[0].suggestion) == ("not decided", "s instead of s*[[1], [1]]")

@@ -9,10 +9,9 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.factors import terms_of
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.recognising import without_brackets
 from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.lexing.names import split_symbol, written
-from algebroproj_sym.reading.parsing.grammar import Formula, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, trees_in, without_brackets
 
 
 def columns_beside_matrices(sides: Iterable[Formula], occurring: Collection[str]) -> Iterator[Definition]:

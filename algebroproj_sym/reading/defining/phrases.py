@@ -18,12 +18,10 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import TypeVar
 
-from lark import Tree
-
 from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of, split_pieces
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import parsed, symbols_in, without_brackets
 
 _ALONE = r"(?: matrix|(?=\s*(?:[.,;)]|and\b|$)))"
 _KINDS = (
@@ -340,10 +338,8 @@ def symbols_in_list(latex: str, most: int = 9) -> Iterator[str]:
     parts = split_pieces(pieces_of(latex), (",",))
     for part in parts if len(parts) <= most else ():
         try:
-            tree = parsed(part).sides[0]
+            tree = without_brackets(parsed(part).sides[0])
         except UnreadableError:
             continue
-        while tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
-            tree = tree.children[0]
         if tree.data == "symbol":
             yield str(tree.children[0])

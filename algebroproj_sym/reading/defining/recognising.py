@@ -14,7 +14,7 @@ from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 _RANDOM = re.compile(r"[XYZ](?:_.*)?")
@@ -36,13 +36,6 @@ def defined_by(tree: Formula) -> tuple[str, tuple[str, ...]]:
         if all(parameters) and len({*parameters}) == len(parameters):
             return str(name), tuple(parameters)
     return "", ()
-
-
-def without_brackets(tree: Formula) -> Formula:
-    """Return what stands in the brackets round a whole side."""
-    while tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
-        tree = tree.children[0]
-    return tree
 
 
 def without_power(tree: Formula) -> Formula:
@@ -90,7 +83,7 @@ def introduced_by(tree: Formula) -> frozenset[str]:
     return introduced_by(tree.children[0]) if tree.data == "marked" else frozenset()  # type: ignore[arg-type]
 
 
-def head_of(tree: Formula) -> str:
+def named_on_left(tree: Formula) -> str:
     r"""Return the letter that a side is, with whatever stands at it and in brackets behind it; empty for none.
 
     Of an operator in calligraphic style it is the operator, and of two letters with an operation the operation.
@@ -99,7 +92,7 @@ def head_of(tree: Formula) -> str:
     --------
     >>> from algebroproj_sym.reading.parsing.grammar import parsed
     >>> sides = r"\mathcal{C}_s^N(F)", r"\chi^2(m, b)", r"(\mathcal{D} u)(t)", r"x \oplus y", "2 x", "x y"
-    >>> [head_of(parsed(f"{each} = a").sides[0]) for each in sides]
+    >>> [named_on_left(parsed(f"{each} = a").sides[0]) for each in sides]
     ['\\mathcal{C}_s', '\\chi', '\\mathcal{D}', 'oplus', '', '']
     """
     tree = without_brackets(tree)
@@ -112,7 +105,7 @@ def head_of(tree: Formula) -> str:
     if tree.data == "run" and parts[-1].data in ("bracket", "call") and _OPERATOR.match(letter):
         return letter
     applied = tree.data == "run" and [each.data for each in parts[1:]] == ["bracket"]
-    return head_of(parts[0]) if parts and (applied or tree.data in ("power", "marked")) else ""
+    return named_on_left(parts[0]) if parts and (applied or tree.data in ("power", "marked")) else ""
 
 
 def operations_in(tree: Formula) -> list[str]:

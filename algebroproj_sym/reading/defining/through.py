@@ -12,9 +12,9 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.recognising import defined_by, without_brackets
+from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.parsing.grammar import Formula, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, trees_in, without_brackets
 
 MOST_STEPS = 6
 

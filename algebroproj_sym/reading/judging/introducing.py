@@ -13,7 +13,6 @@ from algebroproj_sym.reading.defining.recognising import (
     computes,
     defined_by,
     given_by,
-    head_of,
     introduced_by,
     is_arithmetic,
     is_case_of,
@@ -24,6 +23,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_one_value,
     is_step,
     is_table,
+    named_on_left,
     operations_in,
     says_more_than_a_number,
     without_numbers,
@@ -149,7 +149,7 @@ def names_its_letter(memory: Memory, statement: Statement, formula: Parsed) -> b
     left, right = formula.sides[:2]
     used = memory.seen.union(memory.given.whole.symbols, symbols_in(right), operations_in(right))
     return (
-        head_of(left) not in used | {""}
+        named_on_left(left) not in used | {""}
         and formula.relations[0] in EQUALITIES
         and says_more_than_a_number(right)
         and not is_case_of(defined_by(left)[1], right)

@@ -11,13 +11,21 @@ from sympy import Symbol
 
 from algebroproj_sym.expressions import NotRationalError, ParseError, evaluate, free_symbols, parse
 from algebroproj_sym.proving import Outcome
-from algebroproj_sym.reading.judging.questions import Way, asked_of, asked_under, is_lettered, used_by, values_of
+from algebroproj_sym.reading.judging.questions import (
+    OTHER_SHAPES,
+    Way,
+    asked_of,
+    asked_under,
+    is_lettered,
+    used_by,
+    values_of,
+)
 from algebroproj_sym.reading.judging.repairs import STRONG, WITHIN, Repair, repairs
 from algebroproj_sym.reading.judging.sampling import POINTS, agree, samples_of
 from algebroproj_sym.reading.judging.ways import along_directions_in
 from algebroproj_sym.reading.parsing.grammar import symbols_in
 
-_NO_SHAPES = ("the shapes", "the sides have shapes")
+_NO_SHAPES = ("the shapes", OTHER_SHAPES)
 """Why a relation cannot be asked that a missing or a wrong mark or power makes one of a number and a vector."""
 Repaired = tuple[Repair, Way]
 MOST_REPAIRS = 8

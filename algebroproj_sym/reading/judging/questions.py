@@ -22,16 +22,16 @@ from algebroproj_sym.reading.defining.dependence import captured_in, require_no_
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
-from algebroproj_sym.reading.defining.recognising import without_brackets
 from algebroproj_sym.reading.defining.values import Uncomputed, values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
 from algebroproj_sym.replaying.reals.terms import written
 
 Sides = tuple[Formula, Formula]
+OTHER_SHAPES = "the sides have different shapes"
 MOST_CALLS = 200
 """How many values of functions are looked at, to see whether they are taken in their range."""
 
@@ -127,7 +127,7 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
                 values[place] = values[place].T
     if shape(values[0]) != shape(values[1]):
         ours, theirs = (each or "a number" for each in shapes)
-        raise UnreadableError(f"the sides have different shapes: {ours} and {theirs}")
+        raise UnreadableError(f"{OTHER_SHAPES}: {ours} and {theirs}")
     for value in values:
         require_bounded(value, "the equation")
         if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):

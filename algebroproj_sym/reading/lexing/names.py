@@ -44,12 +44,12 @@ from algebroproj_sym.reading.lexing.pieces import (
 )
 
 
-@cache
 def bare_name(symbol: str) -> str:
     """Return a symbol without braces and spaces."""
     return re.sub(r"[{}\s]", "", symbol)
 
 
+@cache
 def split_symbol(symbol: str) -> tuple[str, int, str, str]:
     r"""Return letter, number of primes, subscript and superscript of a symbol; the whole if a script is missing.
 

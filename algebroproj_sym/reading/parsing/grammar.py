@@ -157,6 +157,13 @@ IN_BRACKETS = ("group", "bracket", "items")
 _OF_SYMBOLS = ("SYMBOL", "CALLEE", "OPAQUE")
 
 
+def without_brackets(tree: Formula) -> Formula:
+    """Return what stands in the brackets round a whole side."""
+    while tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
+        tree = tree.children[0]
+    return tree
+
+
 def symbols_in(tree: Formula) -> list[str]:
     """Return the symbols of a tree, as tables write them, in their order."""
     found = dict[str, None]()

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import tomllib
 from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
@@ -21,6 +22,7 @@ from algebroproj_sym.declaring.quotes import Edit
 from algebroproj_sym.declaring.transcription import numbers_in
 from algebroproj_sym.expressions import Matrix, TextForm, entries, over, vector
 from algebroproj_sym.mutating.forms import mutants
+from algebroproj_sym.papers import installed_papers
 from algebroproj_sym.proving import prove
 from algebroproj_sym.reading import Symbols, Table, UnreadableError, read_formula, symbols_for, tables_in
 from algebroproj_sym.reporting.audits import audit_counts, audit_record, audited_share
@@ -289,6 +291,24 @@ def test_a_malformed_file_of_quotes_is_refused(content, message, tmp_path):
         quotations(tmp_path)
 
 
+def test_quotes_are_read_from_a_file_for_each_section(tmp_path):
+    (tmp_path / "quotes").mkdir()
+    (tmp_path / "quotes.toml").write_text("source = 'demo.txt'\n", encoding="utf-8")
+    for section, line in (("1.10", 90), ("1.9", 40), ("2", 95)):
+        quote = f"[[quote]]\nclaims = ['{section}.1']\nline = {line}\nlatex = 'x'\n"
+        (tmp_path / "quotes" / f"{section}.toml").write_text(quote, encoding="utf-8")
+    found = quotations(tmp_path)
+    assert found.source == "demo.txt"
+    assert [(number, quote.line) for number, quote in found.quotes.items()] == [
+        ("1.9.1", 40),
+        ("1.10.1", 90),
+        ("2.1", 95),
+    ]
+    (tmp_path / "quotes" / "3.toml").write_text("[[unquoted]]\nclaims = ['2.1']\nreason = 'implied'\n")
+    with pytest.raises(DeclarationError, match=r"quoted once, got \['2.1'\] twice"):
+        quotations(tmp_path)
+
+
 # The papers.  Where their files are given, the quotes are looked up in them as well.
 
 
@@ -316,6 +336,30 @@ def test_only_what_goes_beyond_the_papers_is_without_a_quote(findings):
 
 def test_no_quote_belongs_to_nothing():
     assert stale(located()) == []
+
+
+@pytest.mark.parametrize("paper", [paper for paper in installed_papers() if paper != "bridges"])
+def test_each_quote_stands_in_the_file_of_its_section_in_the_order_of_the_paper(paper, repository):
+    sections = {claim.number: claim.section for claim in select((paper,))}
+    folder = repository / "derivations" / paper
+    assert "quote" not in tomllib.loads((folder / "quotes.toml").read_text(encoding="utf-8"))
+    files = sorted((folder / "quotes").iterdir())
+    for file in files:
+        text = file.read_text(encoding="utf-8")
+        entries = [entry for found in tomllib.loads(text).values() for entry in found]
+        claims = [number for entry in entries for number in entry.get("claims", ())]
+        claims += [
+            number
+            for entry in entries
+            if "name" in entry
+            for number in sections
+            if number.startswith(f"{entry['name']}#")
+        ]
+        assert claims
+        assert {sections[number] for number in claims} == {file.stem}, file
+        lines = [int(line) for line in re.findall(r"(?m)^line = (\d+)$", text)]
+        assert lines == sorted(lines), file
+        assert len(lines) == text.count("[[quote]]") + text.count("[[table]]")
 
 
 def test_most_of_what_the_papers_print_is_audited_by_machine(findings):

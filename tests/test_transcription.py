@@ -162,7 +162,7 @@ def test_a_quote_that_cannot_be_read_is_named_with_place_and_reason(quote, messa
 
 
 def test_a_claim_with_neither_a_form_nor_a_quote_is_refused(declared):
-    with pytest.raises(BrokenModuleError, match=r"claim demo:1.1, printed: expected .*quotes\.toml, got"):
+    with pytest.raises(BrokenModuleError, match=r"claim demo:1.1, printed: expected .*files of quotes of .*, got"):
         declared(IDENTITY, 'latex = "x"', ("1.2",))
 
 

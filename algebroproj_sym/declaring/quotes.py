@@ -1,8 +1,11 @@
-r"""Quotes: where a paper prints what a claim is about, word for word, from the file ``quotes.toml`` of its derivations.
+r"""Quotes: where a paper prints what a claim is about, word for word, from the files of quotes beside its derivations.
 
-::
+The file ``quotes.toml`` tells of the paper::
 
     source = "name of the paper's file"
+
+The file ``quotes/1.3.toml`` has the quotes of section 1.3 in the order of the paper.  A short paper may have all in
+``quotes.toml``::
 
     [[quote]]
     claims = ["1.3.5#mu3"]                          several claims may share a quote
@@ -59,7 +62,7 @@ Cells = Mapping[str, Mapping[str, str]]
 """The cells of a table, by row and column."""
 _BEYOND = "/beyond/"
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
-FILE = "quotes.toml"
+FILE, SECTIONS = "quotes.toml", "quotes"
 
 
 @dataclass(frozen=True)
@@ -182,38 +185,55 @@ class Quotations:
 
 
 def quotations(folder: Path) -> Quotations:
-    """Return the quotes of a folder of derivations; none if it has no file of quotes.
+    """Return the quotes of a folder of derivations; none if it has no files of quotes.
 
     Raises
     ------
     DeclarationError
-        If the file cannot be read, or a claim has two quotes.
+        If a file cannot be read, or a claim has two quotes.
     """
-    path = folder / FILE
-    return _read(path, path.stat().st_mtime_ns) if path.is_file() else Quotations()
+    return _read(folder, tuple((path, path.stat().st_mtime_ns) for path in quote_files(folder)))
+
+
+def quote_files(folder: Path) -> list[Path]:
+    """Return the files with the quotes of a folder, in the order of its sections."""
+    sections = sorted((folder / SECTIONS).glob("*.toml"), key=lambda path: _natural(path.stem))
+    return [path for path in (folder / FILE, *sections) if path.is_file()]
+
+
+def _natural(section: str) -> list[tuple[int, str]]:
+    return [(int(part or 0), rest) for part, rest in re.findall(r"(\d*)(\D*)", section)]
 
 
 @cache
-def _read(path: Path, stamp: int) -> Quotations:
+def _read(folder: Path, stamps: tuple[tuple[Path, int], ...]) -> Quotations:
+    settings: dict[str, Any] = {}
+    quotes, reasons, tables = list[Quote](), list[tuple[str, Unquoted]](), dict[str, Cells]()
+    for path, _ in stamps:
+        content = _content(path)
+        settings |= content
+        quotes += [_quote(entry, path) for entry in content.get("quote", ())]
+        for entry in content.get("table", ()):
+            rows = [*_rows(entry, path)]
+            named = {name: cells for _, name, cells in rows if name}
+            tables[entry["name"]] = {**tables.get(entry["name"], {}), **named}
+            quotes += _quotes_of(entry, rows)
+        reasons += [reason for entry in content.get("unquoted", ()) for reason in _reasons(entry, path)]
+    _require_once(
+        [*(number for quote in quotes for number in quote.claims), *(number for number, _ in reasons)], folder
+    )
+    by_number = {number: quote for quote in quotes for number in quote.claims}
+    by_number |= {mark.claim: Quote((mark.claim,), mark.line, (mark.words,)) for mark, _ in counted(folder, quotes)}
+    return Quotations(
+        str(settings.get("source", "")), by_number, dict(reasons), bool(settings.get("beyond", False)), tables
+    )
+
+
+def _content(path: Path) -> dict[str, Any]:
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise DeclarationError(f"{path}: expected TOML, got {error}") from error
-    quotes = [_quote(entry, path) for entry in content.get("quote", ())]
-    tables = dict[str, Cells]()
-    for entry in content.get("table", ()):
-        rows = [*_rows(entry, path)]
-        tables[entry["name"]] = {**tables.get(entry["name"], {}), **{name: cells for _, name, cells in rows if name}}
-        quotes += _quotes_of(entry, rows)
-    reasons = [(number, reason) for entry in content.get("unquoted", ()) for number, reason in _reasons(entry, path)]
-    _require_once([*(number for quote in quotes for number in quote.claims), *(number for number, _ in reasons)], path)
-    by_number = {number: quote for quote in quotes for number in quote.claims}
-    by_number |= {
-        mark.claim: Quote((mark.claim,), mark.line, (mark.words,)) for mark, _ in counted(path.parent, quotes)
-    }
-    return Quotations(
-        str(content.get("source", "")), by_number, dict(reasons), bool(content.get("beyond", False)), tables
-    )
 
 
 Row = tuple[str, str, dict[str, str]]

@@ -21,7 +21,7 @@ class Section:
 
     Each kind of claims has a method, such as `identity`, `rank` and `limit`.  It takes the number and the title of the
     claim, what is ``printed`` and what is ``derived``, and `Options`.  Without ``printed``, the quote of the number in
-    the file ``quotes.toml`` beside the module is read.
+    the files of quotes beside the module is read.
 
     Parameters
     ----------

@@ -13,7 +13,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.declaring.claim import DeclarationError
-from algebroproj_sym.declaring.quotes import FILE, UNPARSED, Quote, quotations
+from algebroproj_sym.declaring.quotes import UNPARSED, Quote, quotations
 from algebroproj_sym.expressions import Matrix, entries, remembered, shape, vector
 from algebroproj_sym.expressions.arranging import negated, sum_of
 from algebroproj_sym.proving.prove import prove
@@ -142,7 +142,9 @@ def _names_a_transpose(quote: Quote, section: str, number: str, folder: Path) ->
 def _quote_of(folder: Path, number: str) -> Quote:
     quote = quotations(folder).quotes.get(number)
     if quote is None:
-        raise DeclarationError(f"expected a form, or a quote of the number in {folder / FILE}, got none")
+        raise DeclarationError(
+            f"expected a form, or a quote of the number in the files of quotes of {folder}, got none"
+        )
     if quote.unparsed:
         why = UNPARSED[quote.unparsed]
         raise DeclarationError(f"expected a form, since the quote on line {quote.line} is not read: {why}")

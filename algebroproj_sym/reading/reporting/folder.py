@@ -54,13 +54,17 @@ def write_folder(document: Path, readings: Sequence[Reading], given: SymbolsFile
     if folder.exists():
         raise UnreadableDocumentError(f"--out: expected a folder without {name}, got one with it; nothing was written")
     numbers = _numbers(readings)
-    modules = {
-        f"s{part + 1:02}_part.py": "".join(_module(name, part + 1, [*group], numbers))
-        for part, group in groupby(readings, key=lambda each: each.statement.display.part)
+    files = {
+        "__init__.py": f'"""Derivations of {document.name}: one module for each of its parts."""\n',
+        "quotes.toml": f"source = {json.dumps(document.name)}\n",
+        "symbols.toml": _symbols(given),
     }
-    quotes = "".join([f"source = {json.dumps(document.name)}\n", *_quotes(readings, numbers)])
-    files = {"__init__.py": f'"""Derivations of {document.name}: one module for each of its parts."""\n', **modules}
-    write_texts({**files, "quotes.toml": quotes, "symbols.toml": _symbols(given)}, folder)
+    for place, group in groupby(readings, key=lambda each: each.statement.display.part):
+        part, found = place + 1, [*group]
+        files[f"s{part:02}_part.py"] = "".join(_module(name, part, found, numbers))
+        if quotes := "\n".join(_quotes(found, numbers)):
+            files[f"quotes/{part}.toml"] = quotes
+    write_texts(files, folder)
     return folder
 
 
@@ -127,8 +131,8 @@ def _quotes(readings: Sequence[Reading], numbers: dict[int, str]) -> Iterator[st
         claims = [number for number, _ in _claims(reading, numbers[id(reading)])]
         if claims:
             latex = json.dumps(" ".join(reading.latex.split()), ensure_ascii=False)
-            yield f"\n[[quote]]\nclaims = {json.dumps(claims)}\nline = {reading.line}\nlatex = {latex}\n"
-            yield 'unparsed = "implicit"\n'
+            where = f"claims = {json.dumps(claims)}\nline = {reading.line}\nlatex = {latex}"
+            yield f'[[quote]]\n{where}\nunparsed = "implicit"\n'
 
 
 def _symbols(given: SymbolsFile | None) -> str:

@@ -3,6 +3,7 @@
 import contextlib
 import json
 import random
+import re
 
 import pytest
 import sympy
@@ -28,6 +29,7 @@ from algebroproj_sym.reading.documents.statements import statements
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import parsed
 from algebroproj_sym.reading.parsing.writing import text_of
+from algebroproj_sym.replaying import replay_claim
 
 pytestmark = pytest.mark.usefixtures("decided_here")
 
@@ -614,22 +616,39 @@ def test_the_folder_is_checked_at_once(document, tmp_path):
         "2/line4": "misprint",
         "2/line6": "definition",
     }
-    module = (folder / "s02_part.py").read_text(encoding="utf-8")
+    (module,) = (path.read_text(encoding="utf-8") for path in folder.glob("s02_*.py"))
     assert r"# derive: line 5, not read: line 5: the command \exists is not known" in module
     again = run("read", document, "--out", tmp_path / "out")
     assert again.exit_code == 2
     assert "nothing was written" in again.output
 
 
-def test_a_folder_states_no_functions(tmp_path):
-    path = tmp_path / "waves.tex"
-    path.write_text(r"\[ h = \sqrt{a^2 + b^2} \] \[ h^2 = a^2 + b^2 \] \[ \sin 2x = 2\sin x\cos x \]", encoding="utf-8")
+STATED = r"""\section{The \emph{long} side}
+We do as \cite{a} in Eq.~\eqref{b} with $\hat{n}$, and get 5\% more:
+\[ h = \sqrt{a^2 + b^2} \] \[ h^2 = a^2 + b^2 \] \[ \sin 2x = 2\sin x\cos x \]
+\[ P(t) = \begin{bmatrix} \cos t & -\sin t \\ \sin t & \cos t \end{bmatrix} \]
+\section*{Rotations}
+The matrix $R$ is a rotation matrix and $\mathbf{a}$ a vector. \[ \mathbf{b} = R\mathbf{a} \] \[ R^T\mathbf{b} = \mathbf{a} \]
+\[ q = \sum_i x_i \] The complex number $z$. \[ z\bar{z} = |z|^2 \]
+"""
+
+
+def test_a_folder_states_functions_and_letters_and_is_replayed(tmp_path):
+    path = tmp_path / "sides.tex"
+    path.write_text(STATED, encoding="utf-8")
     assert run("read", path, "--out", tmp_path / "out").exit_code == 0
-    result = run("check", tmp_path / "out" / "waves")
+    folder = tmp_path / "out" / "sides"
+    result = run("check", folder, "--format", "json")
     assert result.exit_code == 0, result.output
-    assert "states rational expressions only" in (tmp_path / "out" / "waves" / "s01_part.py").read_text(
-        encoding="utf-8"
-    )
+    claims = json.loads(result.stdout)["claims"]
+    assert [claim["verdict"] for claim in claims] == ["definition", "proved", "proved", *["definition"] * 2, "proved"]
+    assert {replay_claim(claim).status for claim in claims} == {"replayed"}
+    first = (folder / "s02_the_long_side.py").read_text(encoding="utf-8")
+    assert 'Section("sides", "2", "The long side")' in first
+    assert r"# We do as [a] in Eq. b with $\hat{n}$, and get 5% more:" in first
+    second = (folder / "s03_rotations.py").read_text(encoding="utf-8")
+    assert "# derive: line 7, definition: it has values that are not computed" in second
+    assert not re.search(r"^(?!#).*long side", second, re.MULTILINE)
 
 
 def test_conditions_are_shown_as_they_are(tmp_path):

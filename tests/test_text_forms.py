@@ -10,7 +10,7 @@ from sympy import Eq, Identity, Matrix, MatrixSymbol, cos, pi, sin, sqrt, tan
 from algebroproj_sym import Section, prove
 from algebroproj_sym.declaring import DeclarationError, judge, select
 from algebroproj_sym.exporting.files import exported
-from algebroproj_sym.expressions import NotRationalError, TextForm, over
+from algebroproj_sym.expressions import NotRationalError, ParseError, TextForm, over
 from algebroproj_sym.expressions.letters import (
     Adjugate,
     Cross,
@@ -90,6 +90,13 @@ CLAIMS = {
         "expect": "misprint",
         "scale": True,
     },
+    "text in letters": {
+        "printed": "R.T*(k*R*a + a)",
+        "derived": "k*a + b",
+        "letters": {"R": "3x3 rotation", "a": "3x1", "b": "3x1"},
+        "constraints": ["R.T*a = b"],
+    },
+    "notation in letters": {"notation": True, "printed": "A**-1*v", "letters": {"A": "nxn", "v": "nx1"}},
     "domain": {"printed": tan(x) * cos(x), "derived": sin(x)},
     "assumption": {"printed": "sqrt(x^2)", "derived": x, "assumptions": [x >= 0]},
     "range": {"printed": sqrt(1 - sin(x) ** 2), "derived": cos(x), "assumptions": ["-pi/2 <= x <= pi/2"]},
@@ -102,6 +109,9 @@ CLAIMS = {
         "witness": {x: 0, y: 0},
     },
     "quotient": {"printed": sin(x) / y * y, "derived": sin(x), "nonzero": [y]},
+    "text": {"printed": "sin(y)*x", "derived": "sin(z)*x", "constraints": ["y = z"], "nonzero": ["x - 1"]},
+    "notation": {"notation": True, "printed": "Matrix([[sqrt(x)/y], [1]])"},
+    "notation of a symbol": {"notation": True, "printed": 1 / sqrt(x), "assumptions": [x > 0]},
     "constant": {"printed": sin(x + pi), "derived": -sin(x)},
     "author": {
         "printed": 1 + 2 * sin(x) ** 2,
@@ -123,6 +133,8 @@ IN_LETTERS = {name for name, claim in CLAIMS.items() if [*CLAIMS].index(name) < 
 
 def declared(name):
     section, options = Section("demo", "1", "Demo"), dict(CLAIMS[name])
+    if options.pop("notation", False):
+        return section.definition("1.1", name, **options)
     declare = section.up_to_scale if options.pop("scale", False) else section.identity
     return declare("1.1", name, **options)
 
@@ -253,6 +265,15 @@ FORGERIES = {
     "the wrong form up to scale": ("scaled misprint", set_to("adj(A).T", "corrected")),
     "another kind": ("words", set_to("identity up to scale", "kind")),
     "a definition": ("domain", set_to("definition", "kind")),
+    "a definition that is proved": ("notation", together(*(set_to("proved", key) for key in ("verdict", "expected")))),
+    "a definition of what is nowhere": ("notation", set_to("Matrix([[sqrt(-1 - x**2)/y], [1]])", "printed")),
+    "a definition of another": ("notation", set_to("Matrix([[sqrt(x)/z], [1]])", "printed")),
+    "a definition with a derived form": ("notation", set_to("Matrix([[sqrt(x)/y], [1]])", "derived")),
+    "a condition of a definition is dropped": ("notation", set_to(["y != 0"], "hypotheses")),
+    "a determinant of a definition may vanish": ("notation in letters", set_to([], "hypotheses")),
+    "a definition of another letter": ("notation in letters", set_to("B**-1*v", "printed")),
+    "a definition with a counterexample": ("notation", set_to({"x": "0", "y": "1"}, "counterexample")),
+    "a definition that is corrected": ("notation", set_to("Matrix([[x], [1]])", "corrected")),
     "no language": ("domain", dropped("setting", "assumptions")),
     "no letters": ("words", dropped("setting", "letters")),
     "both languages": ("words", set_to([], "setting", "assumptions")),
@@ -349,7 +370,7 @@ ERRORS = {
     "limit": (
         lambda s: s.limit("1.1", "t", printed=sin(x), derived=sin(x), variable=x),
         UnsupportedError,
-        "of kind limit, got real functions; only identity, identity under constraints, inequality takes them",
+        "of kind limit, got real functions; only definition, identity, identity under constraints, inequality takes them",
     ),
     "scale": (
         lambda s: s.up_to_scale("1.1", "t", printed=sin(x), derived=x),
@@ -360,6 +381,21 @@ ERRORS = {
         lambda s: s.vanishing("1.1", "t", printed=[sin(x)], derived=sin(2 * x)),
         UnsupportedError,
         "of kind vanishing, got real functions",
+    ),
+    "text that is none": (
+        lambda s: s.identity("1.1", "t", printed="x +", derived="x"),
+        ParseError,
+        "claim demo:1.1, printed, position 3: expected a number, a name or '(', got the end",
+    ),
+    "text of another language": (
+        lambda s: s.identity("1.1", "t", printed="R*a", derived="a", letters={"R": "3x3"}),
+        DeclarationError,
+        "claim demo:1.1, ",
+    ),
+    "letters": (
+        lambda s: s.identity("1.1", "t", printed="R", derived="R", letters={"R": 3}),
+        DeclarationError,
+        "letters, R: expected a shape and properties such as '3x3 rotation', got 3",
     ),
     "where": (
         lambda s: s.identity("1.1", "t", printed=sin(y), derived=sin(x), where={y: x}),
@@ -552,7 +588,7 @@ def test_a_form_at_the_end_of_a_cell_is_shown(form, shown):
 def test_every_claim_is_explained(judgements, name):
     judgement = judgements[name]
     told = str(explanation(judgement, "demo.s1", ()))
-    assert str(judgement.claim.derived) in told
+    assert str(judgement.claim.derived or judgement.claim.printed) in told
     assert all(str(hypothesis) in told for hypothesis in judgement.hypotheses)
     for _, properties in judgement.claim.letters:
         assert properties.partition(" ")[2] in told
@@ -574,12 +610,12 @@ def test_a_claim_has_no_theorem_for_a_plain_reason(records):
     reason = "no theorem is written yet for letters of any size, or with functions of angles"
     assert exported(records["words"]).reason == reason
     reason = "no theorem is written yet for a claim with real functions of this kind or verdict"
-    assert exported(records["branch"]).reason == reason
+    assert exported(records["branch"]).reason == exported(records["notation"]).reason == reason
     assert not exported(records["branch"]).refused
     assert exported(forged(records["domain"], set_to([], "hypotheses"))).refused
 
 
-@pytest.mark.parametrize("name", sorted(CLAIMS.keys() - IN_LETTERS - {"branch"}))
+@pytest.mark.parametrize("name", sorted(CLAIMS.keys() - IN_LETTERS - {"branch", "notation", "notation of a symbol"}))
 def test_a_claim_with_functions_has_a_theorem_for_each_entry(records, name):
     entries = {"matrix": 2, "turned": 4}.get(name, 1)
     assert len(exported(records[name]).theorems) == entries, exported(records[name]).reason

@@ -33,10 +33,13 @@ from algebroproj_sym.expressions import (
     assumption,
     free_symbols,
     is_plain,
+    parse,
+    parse_zero,
     rational,
     require_bounded,
     shape,
 )
+from algebroproj_sym.proving.statements import has_functions
 
 ROOM = 100
 """How many times as large as a text the form of a claim may be."""
@@ -56,12 +59,15 @@ def declared(
         or a false statement does not say what is true instead.
     NotRationalError
         If a form is not a rational expression over Q, and has no real functions or letters either.
+    ParseError
+        If a form that is text is not in the grammar.
     UnsupportedError
         If it has such, and claims of the kind do not take them.
     """
     where = f"claim {paper}:{number}"
     expected = options.pop("expect", KINDS[kind].when_it_holds)
     forms = {"printed": printed, "derived": derived, "corrected": options.pop("corrected", None)}
+    letters: Mapping[str, str] | None = options.pop("letters", None)
     if KINDS[kind].of_entries and (lettered(forms.values()) or options.get("properties")):
         lists = {name: options.get(name, ()) for name in ("nonzero", "kernel")}
         found = in_entries(forms | lists, options.pop("properties", {}), where)
@@ -74,6 +80,7 @@ def declared(
         nonzero=_sequence(options, "nonzero", where),
         assumptions=_sequence(options, "assumptions", where),
         properties=options.pop("properties", {}),
+        letters=letters,
     )
     about = {"paper": paper, "section": section, "number": number, "title": title, "kind": kind, "expected": expected}
     try:
@@ -90,7 +97,10 @@ def declared(
 def _is_real(given: Given, kind: str, options: Mapping[str, Any]) -> bool:
     """Whether a statement is one in letters or about real numbers, even if its forms are rational."""
     compared = "relation" in KINDS[kind].takes and "relation" in options
-    return bool(given.properties or given.assumptions) or compared
+    texts = (form for form in given.values if isinstance(form, str))
+    return bool(given.letters is not None or given.properties or given.assumptions or compared) or any(
+        map(has_functions, texts)
+    )
 
 
 def _of_text(about: Mapping[str, Any], given: Given, options: dict[str, Any], where: str) -> Claim:
@@ -110,7 +120,10 @@ def _rational(about: Mapping[str, Any], given: Given, options: dict[str, Any], w
     symbols: set[sympy.Symbol] = set()
 
     def read(value: Any, name: str) -> Any:
-        return _read(value, f"{where}, {name}", symbols)
+        place = f"{where}, {name}"
+        if isinstance(value, str):
+            value = (parse_zero if name == "constraints" else parse)(value, place)
+        return _read(value, place, symbols)
 
     claim = Claim(
         **about,

@@ -116,9 +116,9 @@ def _compared(claim: Claim, form: Statement | None, engine: str) -> Proof | None
 def _with_whole_witness(
     claim: Claim, verdict: Verdict, certificate: Mapping[str, Any] | None
 ) -> Mapping[str, Any] | None:
-    if certificate is None or "witness" not in certificate or isinstance(claim.derived, TextForm):
-        return certificate
     form = claim.corrected if verdict in (*CORRECTED, "illegible") else claim.printed
+    if certificate is None or "witness" not in certificate or isinstance(form, TextForm):
+        return certificate
     witness = {sympy.Symbol(name): value for name, value in certificate["witness"].items()}
     completed = _completed(claim, form, witness) or {}
     return {**certificate, "witness": {symbol.name: str(value) for symbol, value in completed.items()}}

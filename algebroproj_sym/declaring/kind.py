@@ -42,6 +42,7 @@ class Options(TypedDict, total=False):
     assumptions: Sequence[Any]
     relation: str
     properties: Mapping[Any, Any]
+    letters: Mapping[str, str]
     witness: Mapping[sympy.Symbol, Fraction | int] | Mapping[str, Fraction | int | str]
     variable: sympy.Symbol
     variables: Sequence[sympy.Symbol]

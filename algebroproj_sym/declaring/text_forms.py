@@ -33,6 +33,8 @@ class Given:
         The conditions.
     properties : mapping
         What letters are.
+    letters : mapping of str to str, or None
+        The vectors and matrices in forms that are text, such as ``{"R": "3x3 rotation"}``.
     """
 
     forms: Mapping[str, Any]
@@ -40,6 +42,7 @@ class Given:
     nonzero: Sequence[Any]
     assumptions: Sequence[Any]
     properties: Mapping[Any, Any]
+    letters: Mapping[str, str] | None = None
 
     @property
     def values(self) -> tuple[Any, ...]:
@@ -49,7 +52,7 @@ class Given:
     @property
     def in_letters(self) -> bool:
         """Whether matrices are named in it, and not written out."""
-        return bool(self.properties) or speaks_of_letters(self.values)
+        return self.letters is not None or bool(self.properties) or speaks_of_letters(self.values)
 
     @property
     def is_text(self) -> bool:
@@ -85,7 +88,11 @@ def _fields(given: Given, text: Callable[[Any, str], str]) -> dict[str, Any]:
     """Return the forms as text; a constraint may be an equation."""
 
     def zero(value: Any, name: str) -> str:
-        sides = value.args if isinstance(value, sympy.Eq) else (value, sympy.Integer(0))
+        if isinstance(value, str):
+            left, _, right = value.partition("=")
+            sides: Sequence[Any] = (left, right or "0")
+        else:
+            sides = value.args if isinstance(value, sympy.Eq) else (value, sympy.Integer(0))
         return " = ".join(text(side, name) for side in sides)
 
     fields: dict[str, Any] = {name: text(form, name) for name, form in given.forms.items()}
@@ -112,19 +119,22 @@ def _with_functions(given: Given) -> dict[str, Any]:
 
 
 def _in_letters(given: Given) -> dict[str, Any]:
-    from algebroproj_sym.expressions.letters import Reading, letters_text
-    from algebroproj_sym.proving.letters import declared_in, require_statement
+    from algebroproj_sym.expressions.letters import Reading, letters_text, parse_letters
+    from algebroproj_sym.proving.letters import declared_in, require_statement, shape_in_text
 
     reading = Reading()
+    shapes = {name: shape_in_text(name, text) for name, text in (given.letters or {}).items()}
 
     def text(value: Any, name: str) -> str:
-        return letters_text(reading.term(value, name))
+        term = parse_letters(value, shapes, name) if isinstance(value, str) else reading.term(value, name)
+        return letters_text(term)
 
     fields = _fields(given, text)
     _require_plain(reading.scalars.values())
-    letters = declared_in(reading, given.properties)
+    letters = {**declared_in(reading, given.properties), **(given.letters or {})}
     for name in given.forms.keys() - {"derived"}:
-        require_statement(fields[name], fields["derived"], letters, fields["constraints"], fields["nonzero"])
+        derived = fields.get("derived", fields[name])
+        require_statement(fields[name], derived, letters, fields["constraints"], fields["nonzero"])
     listed = tuple(letters.items())
     return {**_formed(fields, listed), "letters": listed}
 

@@ -30,7 +30,7 @@ SETTINGS: Mapping[str, set[str]] = {
     "limit": {"variable"},
     "numeric": {"rounding"},
     "reference": set(),
-    "definition": {"stated"},
+    "definition": {"stated", *_LANGUAGES},
 }
 """What an entry of each kind may say beside its forms."""
 

@@ -15,10 +15,11 @@ LANGUAGES = frozenset({"assumptions", "letters"})
 
 
 def require_form(record: Mapping[str, Any], form: str, certificate: Mapping[str, Any]) -> None:
-    """Check the proof that a form equals the derived one, perhaps up to scale."""
+    """Check the proof that a form equals the derived one, perhaps up to scale; what is defined equals itself."""
     proved = {"verdict": "proved", "hypotheses": record["hypotheses"], "counterexample": None}
     if record["kind"] != UP_TO_SCALE:
-        _require(record, record[form], record["derived"], certificate, **proved)
+        other = form if record["kind"] == "definition" else "derived"
+        _require(record, record[form], record[other], certificate, **proved)
         return
     require("nonzero at" in certificate, "no point shows that neither side is zero everywhere")
     own = {key: value for key, value in certificate.items() if key != "nonzero at"}

@@ -100,7 +100,8 @@ def _setting(claim: Claim) -> dict[str, Any]:
         setting["constraints"] = [*map(statement_text, claim.constraints)]
     if claim.nonzero:
         setting["nonzero"] = [*map(statement_text, claim.nonzero)]
-    if isinstance(claim.derived, TextForm) and claim.derived.letters is None:
+    form = claim.printed if claim.derived is None else claim.derived
+    if isinstance(form, TextForm) and form.letters is None:
         setting["assumptions"] = [*map(statement_text, claim.assumptions)]
     if claim.relation != "=":
         setting["relation"] = claim.relation

@@ -7,14 +7,20 @@ from typing import Any, Unpack
 
 from algebroproj_sym.declaring.claim import Claim
 from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
-from algebroproj_sym.expressions import Expression, evaluate, symbols_of
+from algebroproj_sym.declaring.kinds.identity import decided_text
+from algebroproj_sym.expressions import Expression, TextForm, evaluate, symbols_of
 from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_of, undecided
 
 TRIES = 100
 
 
 def compare(claim: Claim, printed: Any, engine: str) -> Proof:
-    """Find the denominators of the definiens and a point at which it is defined."""
+    """Find the denominators of the definiens and a point at which it is defined.
+
+    What has real functions or letters is proved to equal itself, which needs such a point, too.
+    """
+    if isinstance(printed, TextForm):
+        return decided_text(claim, printed, printed.text, engine)
     hypotheses = prove(printed, printed, engine=engine).hypotheses
     symbols = symbols_of((printed,))
     for point in islice(rational_points(symbols, seed_of(claim.number)), TRIES):
@@ -45,7 +51,7 @@ DEFINITION = Kind(
     definition,
     compare,
     "It introduces a notation.",
-    takes=("letters",),
+    takes=("letters", "assumptions"),
     of_entries=True,
     is_notation=True,
 )

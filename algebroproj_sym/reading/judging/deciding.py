@@ -61,7 +61,7 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
     for each in asked:
         each.answers = [answer for _, answer in found[: len(each.ways)]]
         place = _place_of_proof(each.answers)
-        each.link = replace(_link_of(each, each.answers[place], each.ways[place]), sides=found[place][0])
+        each.link = replace(_link_of(each, each.answers[place], each.ways[place]), asked=found[place][0])
         del found[: len(each.ways)]
         if each.link.verdict != "follows":
             answered = zip(each.ways, each.answers, strict=True)
@@ -75,8 +75,8 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         tried = [(repair, changed, *found.pop(0)) for repair, changed in changes]
         best = next((one for one in tried if one[3].verdict == "proved"), None)
         link = _refuted(each, way, refutation, best[0] if best else None, best[1] if best else way)
-        if best and best[2] and best[1].left is way.left:
-            link = replace(link, corrected=best[2][1])
+        if best and len(best[2]) == 1 and best[1].left is way.left:
+            link = replace(link, corrected=best[2][0].rhs)
         if way is each.ways[0] or _says(link) > _says(each.link):
             each.link = link
     for each in asked:

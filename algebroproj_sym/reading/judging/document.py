@@ -33,9 +33,8 @@ from algebroproj_sym.reading.judging.introducing import (
 )
 from algebroproj_sym.reading.judging.memory import Memory, where_of
 from algebroproj_sym.reading.judging.questions import (
-    asked_of,
-    both_sides,
     rests_of,
+    stated_by,
     used_by,
 )
 from algebroproj_sym.reading.judging.sentences import last_sentence
@@ -243,9 +242,9 @@ class _Pass:
             definition = None if repeats else definition
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None and not self.memory.ties(definition):
-                questions = asked_of(self.memory.vocabulary, definition.tree, definition.tree)
-                both = both_sides(questions) if isinstance(questions, list) else None
-                links.append(Link("definition", rests_on=rests_of(self.memory.vocabulary, definition.tree), sides=both))
+                rests = rests_of(self.memory.vocabulary, definition.tree)
+                stated = stated_by(self.memory.vocabulary, definition.tree)
+                links.append(Link("definition", rests_on=rests, asked=stated))
                 self.memory.tie(found.sides[:1])
                 continue
             if relation == "∈" and index and (definition is not None or tells(self.memory, statement, found, 0)):

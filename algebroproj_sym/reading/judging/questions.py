@@ -15,6 +15,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
+from algebroproj_sym.proving.reals.matrices import real_text
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.proving.statements import has_functions
 from algebroproj_sym.reading.defining.components import multiplies_columns
@@ -209,6 +210,22 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
         return _reason_of(error)
 
 
+def stated_by(vocabulary: Vocabulary, tree: Formula) -> tuple[Question, ...]:
+    """Return what a definition says, as the question whether it equals itself; none if it is not computed."""
+    questions = asked_of(vocabulary, tree, tree)
+    if isinstance(questions, str):
+        return ()
+    if (
+        len(questions) == 1
+        or _has_two_signs(tree)
+        or questions[0].complex is not None
+        or questions[0].letters is not None
+    ):
+        return tuple(questions)
+    whole = real_text(vocabulary.value(tree), "the definition")
+    return (Question(whole, whole),)
+
+
 def _reason_of(error: Exception) -> str:
     """Return the first line of a message."""
     if isinstance(error, RecursionError):
@@ -360,15 +377,15 @@ def _text(value: Any) -> str:
     return written(term_of(value, "the equation")) if value.atoms(type(sympy.E)) else text(value)
 
 
-def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[str, str] | None, Outcome]]:
-    """Return each pair of sides as text with its outcome; one that cannot be asked is open."""
+def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[Question, ...], Outcome]]:
+    """Return the questions of each way with the outcome; one that cannot be asked is open."""
     asked = [asked_under(each) for each in ways]
     questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = iter([*outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions)))] if questions else ())
     return [
-        (both_sides(each), _with_letters(each, _of_entries([*islice(decided, len(each))])))
+        (tuple(each), _with_letters(each, _of_entries([*islice(decided, len(each))])))
         if isinstance(each, list)
-        else (None, Outcome("open", "none", 0.0, each))
+        else ((), Outcome("open", "none", 0.0, each))
         for each in asked
     ]
 
@@ -377,14 +394,6 @@ def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
     """Return an outcome with what its letters are taken for among its hypotheses."""
     letters = {name: text for each in questions for name, text in (each.letters or {}).items()}
     return replace(outcome, hypotheses=(*outcome.hypotheses, *(f"{name} is {text}" for name, text in letters.items())))
-
-
-def both_sides(questions: Sequence[Question]) -> tuple[str, str] | None:
-    """Return the sides as a derivation states them; none with functions or values, which it does not."""
-    sides = questions[0].lhs, questions[0].rhs
-    plain = len(questions) == 1 and questions[0].letters is None and not values_of(questions)
-    plain = plain and questions[0].complex is None
-    return sides if plain and not any(map(has_functions, sides)) else None
 
 
 def _of_entries(found: Sequence[Outcome]) -> Outcome:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
+from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.documents.files import Line
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.parsing.grammar import Parsed
@@ -37,8 +38,8 @@ class Link:
         The smallest change by which it would follow; empty for none.
     certificate : mapping or None
         The evidence.
-    sides : tuple of str, or None
-        Both sides as the prover had them, with all definitions put in, if a derivation can state them.
+    asked : tuple of Question
+        What the prover was asked, with all definitions put in.
     corrected : str
         The right side with the suggested change, if it is one of the right side.
     """
@@ -50,7 +51,7 @@ class Link:
     counterexample: Mapping[str, str] | None = None
     suggestion: str = ""
     certificate: Mapping[str, Any] | None = field(default=None, repr=False)
-    sides: tuple[str, str] | None = field(default=None, repr=False)
+    asked: tuple[Question, ...] = field(default=(), repr=False)
     corrected: str = field(default="", repr=False)
 
 

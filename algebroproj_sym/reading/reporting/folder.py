@@ -4,23 +4,28 @@ from __future__ import annotations
 
 import json
 import re
+import textwrap
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 from keyword import iskeyword
 from pathlib import Path
+from typing import Any
 
 from algebroproj_sym.files import write_texts
+from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.files import UnreadableDocumentError
+from algebroproj_sym.reading.judging.questions import values_of
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
+from algebroproj_sym.reading.reporting.prose import prose_before, title_of
 
 _WIDTH = 100
+_SLUG = 40
 _HEADER = """
 # %%
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import parse
 
-section = Section("{paper}", "{number}", "Part {number}")
+section = Section("{paper}", "{number}", {title})
 """
 
 
@@ -61,7 +66,9 @@ def write_folder(document: Path, readings: Sequence[Reading], given: SymbolsFile
     }
     for place, group in groupby(readings, key=lambda each: each.statement.display.part):
         part, found = place + 1, [*group]
-        files[f"s{part:02}_part.py"] = "".join(_module(name, part, found, numbers))
+        title = title_of(found[0].statement.display) or f"Part {part}"
+        slug = re.sub(r"[\W_]+", "_", title.lower(), flags=re.ASCII).strip("_")[:_SLUG].strip("_") or "part"
+        files[f"s{part:02}_{slug}.py"] = "".join(_module(name, part, title, found, numbers))
         if quotes := "\n".join(_quotes(found, numbers)):
             files[f"quotes/{part}.toml"] = quotes
     write_texts(files, folder)
@@ -84,51 +91,58 @@ def _numbers(readings: Sequence[Reading]) -> dict[int, str]:
     return numbers
 
 
-def _claims(reading: Reading, number: str) -> list[tuple[str, Link]]:
-    """Return the links that become claims, each with its number."""
-    stated = [link for link in reading.links if link.sides is not None and link.verdict in _CLAIMED]
+def _claims(reading: Reading, number: str) -> list[tuple[str, Link, Question]]:
+    """Return what becomes a claim, each with its number: a link, or an entry of one."""
+    stated = [(link, each) for link in reading.links if not _why_no_claim(link) for each in link.asked]
     if len(stated) < 2:
-        return [(number, link) for link in stated]
-    return [(f"{number}#{place}", link) for place, link in enumerate(stated, 1)]
+        return [(number, *one) for one in stated]
+    return [(f"{number}#{place}", *one) for place, one in enumerate(stated, 1)]
 
 
-_NO_CLAIM = "a derivation states rational expressions only"
-_CLAIMED = ("definition", "follows", "contradicts")
+def _why_no_claim(link: Link) -> str:
+    if link.verdict not in ("definition", "follows", "contradicts"):
+        return link.reason
+    if any(each.complex is not None for each in link.asked):
+        return "claims do not take complex numbers"
+    if not link.asked or (link.verdict == "definition" and values_of(link.asked)):
+        return link.reason or "it has values that are not computed"
+    return ""
 
 
-def _module(paper: str, part: int, readings: Sequence[Reading], numbers: dict[int, str]) -> Iterator[str]:
-    yield f"# %% [markdown]\n# # Part {part}\n{_HEADER.format(paper=paper, number=part)}"
+def _module(paper: str, part: int, title: str, readings: Sequence[Reading], numbers: dict[int, str]) -> Iterator[str]:
+    yield f"# %% [markdown]\n# # {title}\n{_HEADER.format(paper=paper, number=part, title=json.dumps(title))}"
     for reading in readings:
-        number = numbers[id(reading)]
-        words = " ".join(_without_commands(reading.statement.display.before).split())
         yield "\n# %% [markdown]\n"
-        yield "".join(f"# {line}\n" for line in _wrapped(words))
+        yield "".join(f"# {line}\n" for line in textwrap.wrap(prose_before(reading.statement.display), _WIDTH))
         yield f"# $$ {' '.join(reading.latex.split())} $$\n\n# %%\n"
-        claims = _claims(reading, number)
-        for claim, link in claims:
-            yield _claim(claim, reading, link)
-        undone = [link for link in reading.links if link.verdict not in ("definition", "follows")]
-        if undone or reading.read is None or not claims:
-            reason = next((link.reason for link in undone if link.reason), reading.reason) or _NO_CLAIM
-            verdict = undone[0].verdict if undone else reading.verdict
-            yield f"# derive: {reading.where}, {verdict}: {' '.join(reason.split())}\n"
+        for claim in _claims(reading, numbers[id(reading)]):
+            yield _claim(*claim, str(reading.where))
+        undone = [(link.verdict, why) for link in reading.links if (why := _why_no_claim(link))]
+        if undone or not reading.links:
+            verdict, why = undone[0] if undone else (reading.verdict, reading.reason)
+            yield f"# derive: {reading.where}, {verdict}: {' '.join(why.split())}\n"
 
 
-def _claim(number: str, reading: Reading, link: Link) -> str:
-    assert link.sides is not None
-    left, right = link.sides
-    title = json.dumps(str(reading.where))
-    if link.verdict == "definition":
-        return f'section.definition("{number}", {title}, printed=parse({json.dumps(right)}))\n'
-    options = [f'"{number}"', title, f"printed=parse({json.dumps(right)})", f"derived=parse({json.dumps(left)})"]
+def _claim(number: str, link: Link, asked: Question, where: str) -> str:
+    """Return the declaration of a claim; what the prover was asked is stated, with all definitions put in."""
+    stated: dict[str, Any] = {"printed": asked.rhs}
+    if link.verdict != "definition":
+        stated["derived"] = asked.lhs
     if link.corrected:
-        options += ['expect="misprint"', f"corrected=parse({json.dumps(link.corrected)})"]
-    return "section.identity(\n" + "".join(f"    {option},\n" for option in options) + ")\n"
+        stated |= {"expect": "misprint", "corrected": link.corrected}
+    for name in ("constraints", "nonzero", "assumptions"):
+        stated[name] = [*getattr(asked, name)]
+    stated["letters"] = {name: asked.letters[name] for name in sorted(asked.letters)} if asked.letters else None
+    options = [f"{json.dumps(number)}", json.dumps(where)]
+    options += [f"{name}={json.dumps(value)}" for name, value in stated.items() if value]
+    declared = "section.definition(" if link.verdict == "definition" else "section.identity("
+    line = f"{declared}{', '.join(options)})\n"
+    return line if len(line) <= _WIDTH else f"{declared}\n" + "".join(f"    {option},\n" for option in options) + ")\n"
 
 
 def _quotes(readings: Sequence[Reading], numbers: dict[int, str]) -> Iterator[str]:
     for reading in readings:
-        claims = [number for number, _ in _claims(reading, numbers[id(reading)])]
+        claims = [number for number, *_ in _claims(reading, numbers[id(reading)])]
         if claims:
             latex = json.dumps(" ".join(reading.latex.split()), ensure_ascii=False)
             where = f"claims = {json.dumps(claims)}\nline = {reading.line}\nlatex = {latex}"
@@ -141,18 +155,3 @@ def _symbols(given: SymbolsFile | None) -> str:
         return text
     letters = "".join(f"{json.dumps(name)} = {json.dumps(value)}\n" for name, value in given.whole.letters.items())
     return f"{text}\n[table.letters]\n{letters}" if letters else text
-
-
-def _without_commands(words: str) -> str:
-    return re.sub(r"\\[a-zA-Z]+\*?(\[[^\]]*\])?|[{}]", " ", words)
-
-
-def _wrapped(words: str) -> Iterator[str]:
-    line = ""
-    for word in words.split(" "):
-        if line and len(line) + len(word) >= _WIDTH:
-            yield line
-            line = word
-        else:
-            line = f"{line} {word}".strip()
-    yield line

@@ -628,7 +628,8 @@ We do as \cite{a} in Eq.~\eqref{b} with $\hat{n}$, and get 5\% more:
 \[ h = \sqrt{a^2 + b^2} \] \[ h^2 = a^2 + b^2 \] \[ \sin 2x = 2\sin x\cos x \]
 \[ P(t) = \begin{bmatrix} \cos t & -\sin t \\ \sin t & \cos t \end{bmatrix} \]
 \section*{Rotations}
-The matrix $R$ is a rotation matrix and $\mathbf{a}$ a vector. \[ \mathbf{b} = R\mathbf{a} \] \[ R^T\mathbf{b} = \mathbf{a} \]
+The matrix $R$ is a rotation matrix and $\mathbf{a}$ a vector.
+\[ \mathbf{b} = R\mathbf{a} \] \[ R^T\mathbf{b} = \mathbf{a} \]
 \[ q = \sum_i x_i \] The complex number $z$. \[ z\bar{z} = |z|^2 \]
 """
 
@@ -647,7 +648,7 @@ def test_a_folder_states_functions_and_letters_and_is_replayed(tmp_path):
     assert 'Section("sides", "2", "The long side")' in first
     assert r"# We do as [a] in Eq. b with $\hat{n}$, and get 5% more:" in first
     second = (folder / "s03_rotations.py").read_text(encoding="utf-8")
-    assert "# derive: line 7, definition: it has values that are not computed" in second
+    assert "# derive: line 8, definition: it has values that are not computed" in second
     assert not re.search(r"^(?!#).*long side", second, re.MULTILINE)
 
 

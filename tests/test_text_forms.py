@@ -370,7 +370,7 @@ ERRORS = {
     "limit": (
         lambda s: s.limit("1.1", "t", printed=sin(x), derived=sin(x), variable=x),
         UnsupportedError,
-        "of kind limit, got real functions; only definition, identity, identity under constraints, inequality takes them",
+        "of kind limit, got real functions; only definition, identity, identity under constraints, inequality takes",
     ),
     "scale": (
         lambda s: s.up_to_scale("1.1", "t", printed=sin(x), derived=x),

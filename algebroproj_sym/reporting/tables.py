@@ -138,7 +138,15 @@ def summary_text(judgements: Sequence[Judgement]) -> Text:
 
 
 def line_of_counts(what: str, counts: Mapping[str, int], colors: Mapping[str, str], changed: int) -> Text:
-    """Return one line: of what, how many with each verdict, and how many verdicts are not the declared ones."""
+    """Return one line: of what, how many with each verdict, and how many verdicts are not the declared ones.
+
+    Examples
+    --------
+    >>> str(line_of_counts("2 claims", {"proved": 2}, COLORS, 0)), str(line_of_counts("0 claims", {}, COLORS, 0))
+    ('2 claims: 2 proved; all verdicts are as declared', '0 claims')
+    """
+    if not counts:
+        return Text(what)
     line = Text(f"{what}: ").append_text(_counts(counts, colors))
     return line.append("; " + as_declared_text(changed), style="bold red" if changed else "dim")
 

@@ -179,6 +179,12 @@ class Quotations:
             if cells.keys() >= {*columns}
         }
 
+    def cell(self, claim: str) -> str | None:
+        """Return the cell of a table that a claim is about, None if it is about none."""
+        table, _, place = claim.partition("#")
+        row, _, column = place.partition(".")
+        return self.tables.get(table, {}).get(row, {}).get(column)
+
     def why_unquoted(self, claim: Claim) -> Unquoted | None:
         """Return why a claim has no quote; None if that is not stated."""
         return "beyond" if self.beyond or _BEYOND in claim.number else self.unquoted.get(claim.number)

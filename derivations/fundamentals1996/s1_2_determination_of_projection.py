@@ -58,7 +58,6 @@ any_points = columns(*(homogeneous(vector(*sympy.symbols(f"g{j}1 g{j}2 g{j}3")))
 section.rank(
     "1.2/four-points",
     "in general four points establish an affine coordinate system of space",
-    printed=4,
     derived=any_points,
 )
 

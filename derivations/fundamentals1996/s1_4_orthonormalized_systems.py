@@ -107,7 +107,6 @@ section.identity("1.4.1#sum", "image point, rotated sum of the internal base", d
 section.reference(
     "1.4/ref-1.1.3",
     "equation into which the rotated base vectors are inserted",
-    printed="1.1.3",
     meant="1.1.4",
     note="(1.1.3) gives the reciprocal vectors; inserted there, R would rotate them and not give p.  (1.1.4) is the "
     "first number that contains p = B U u.",

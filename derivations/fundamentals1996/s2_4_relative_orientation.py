@@ -398,7 +398,6 @@ section.identity(
 section.reference(
     "2.4/ref-1.3.6",
     "equation with the restrictions that are extended to the epipole",
-    printed="1.3.6",
     meant="1.3.8",
     note="The restrictions a) and b) follow (1.3.8) and refer to it; for (1.3.6) the paper states none.",
 )
@@ -481,7 +480,6 @@ mu2_and_mu3 = solve(*linear_system([mu12_of_axis_point[1] - mu2, mu12_of_center[
 section.reference(
     "2.4/ref-2.2.3",
     "equations into whose solutions the third parameter is inserted",
-    printed="2.2.3",
     meant="2.3.3",
 )
 section.identity(
@@ -750,7 +748,6 @@ C_of_six = minors_of_cameras(M_left, M_right)
 section.count(
     "2.4/five-parameters",
     "five parameters are necessary for relative orientation",
-    printed=5,
     derived=C_of_six.applyfunc(lambda element: over(element, C_of_six[1, 0])),
     variables=(*mu_p, *mu_pp),
     kernel=[

@@ -168,7 +168,6 @@ g_lines = [line_through(g_direction, point) for point in (origin, unit2)]
 section.reference(
     "3.4/ref-4.2",
     "figure of the frame lines",
-    printed="4.2",
     meant="3.4",
     note="There is no Fig. 4.2.",
 )

@@ -21,7 +21,6 @@ section = Section("normalcase1992", "3.3", "Propagation of errors concerning rec
 section.reference(
     "3.3/ref-S_N",
     "the dispersion of the image coordinates",
-    printed="3.3.2",
     meant="3.2.2",
     note="(3.3.2) is the differential of the factor, further down.",
 )

@@ -45,7 +45,6 @@ images_of_six = Matrix.vstack(*(image(matrix_of(A), p) for p in six_points))
 section.count(
     "1#independent",
     "the eleven coefficients are independent",
-    printed=11,
     derived=images_of_six,
     variables=A,
 )
@@ -207,7 +206,6 @@ turn_of_picture = vector(*(rates.get(parameter, 0) for parameter in twelve))
 section.count(
     "1.1/twelve",
     "eleven of the twelve parameters of (6) are independent",
-    printed=11,
     derived=A_of_twelve,
     variables=twelve,
     kernel=[turn_of_picture],
@@ -223,7 +221,6 @@ eleven = tuple(parameter for parameter in twelve if parameter != t_gamma)
 section.count(
     "1.1/gamma",
     "with gamma = 0 the remaining eleven parameters are independent",
-    printed=11,
     derived=A_of_eleven,
     variables=eleven,
 )
@@ -268,7 +265,6 @@ A_of_nine = inserted(A_of_twelve, comparator_angles, (0, 0, 0))
 section.count(
     "1.1/nine",
     "a camera has nine independent parameters",
-    printed=9,
     derived=A_of_nine,
     variables=nine,
 )

@@ -224,7 +224,6 @@ ratios = coefficients_of(F)
 section.count(
     "2.1/seven",
     "the condition has seven independent parameters",
-    printed=7,
     derived=ratios,
     variables=both,
     kernel=collineations,
@@ -368,7 +367,6 @@ section.identity(
 section.count(
     "21#independent",
     "the fifteen coefficients of (21) are independent",
-    printed=15,
     derived=coefficients_of(adjugate(stacked)),
     variables=(*A_left, *A_right[:4]),
     note="Favourable reading, for photographs with the same denominator: there the solution is a collineation, "
@@ -378,7 +376,6 @@ section.count(
 section.count(
     "2.1/fifteen",
     "five points determine the fifteen parameters of (21)",
-    printed=15,
     derived=images_of_five,
     variables=B,
     note="Of (21) as a collineation, whose fifteen coefficients five points determine; that the solution of (20) is "
@@ -499,7 +496,6 @@ of_control = [vector(*image(P_left, p), image(P_right, p)[0]) for p in control_p
 section.rank(
     "2.1/twenty-two",
     "seven pairs of image points and five object points give 22 independent equations",
-    printed=22,
     derived=rates_of_equations(Matrix.vstack(*of_pairs, *of_control), both, tie_points),
 )
 

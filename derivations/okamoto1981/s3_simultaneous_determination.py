@@ -152,7 +152,6 @@ def bilinear_of(left: Matrix, right: Matrix) -> Matrix:
 section.count(
     "42#seven",
     "the condition has seven independent parameters",
-    printed=7,
     derived=seven_ratios(bilinear_of(inner_of(inner_left), inner_of(inner_right))),
     variables=twenty_two,
 )

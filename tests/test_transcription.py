@@ -70,13 +70,19 @@ def declared(tmp_path):
             "vector(0, 0, 0) * vector(0, 0).T",
         ),
         ('section.definition("1.1", "")', "latex = 'a = x/y'", "over(x, y)"),
+        ('section.definition("1.1", "")', "latex = 'a^T = (x, y)'\nbeside = 'columns'", "vector(x, y)"),
+        (
+            'section.identity("1.1", "", derived=sympy.eye(2))',
+            "latex = ['a^T = (x, 1)', 'b^T = (y, 2)']\nbeside = 'columns'",
+            "sympy.Matrix([[x, y], [1, 2]])",
+        ),
         ('section.vanishing("1.1", "", derived=x * y)', "latex = ['x = 0', 'y = 0']\nsides = [0]", "(x, y)"),
         ('section.up_to_scale("1.1", "", derived=vector(x, y))', r"latex = '\mathbf{u}'", "vector(x, y)"),
     ],
 )
 def test_the_printed_form_is_the_one_that_the_quote_has(call, quote, printed, declared):
     x, y, yp = sympy.symbols("x y yp")
-    wanted = eval(printed, {"x": x, "y": y, "yp": yp, "over": over, "vector": vector})
+    wanted = eval(printed, {"x": x, "y": y, "yp": yp, "over": over, "vector": vector, "sympy": sympy})
     (claim,) = declared(call, quote)
     assert statement_text(claim.printed) == statement_text(wanted)
 
@@ -195,7 +201,7 @@ def test_words_with_no_number_or_several_ones_are_refused(call, latex, message, 
 @pytest.mark.parametrize(
     ("quote", "message"),
     [
-        ('latex = "x"\nunparsed = "damaged"', "line 7 is not read: the scan does not preserve"),
+        ('latex = "x"\nunparsed = "illegible"', "line 7 is not read: the scan does not preserve"),
         ('latex = "x = z"\nsides = [4]', "line 7: the formula has 2 sides, and no side 4"),
         ("latex = 'a = x +'", "line 7, at character 7: the formula ends too early"),
         (r"latex = 'a = \mathbf{w}'", r"line 7, at character 5: no table of symbols has \\mathbf\{w\}"),

@@ -63,11 +63,13 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     DeclarationError
         If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
-    is_notation = derived is None
-    letters = _names_matrices(section, number, folder) if is_notation else speaks_of_letters([derived])
+    is_notation, joined = derived is None, bool(_quote_of(folder, number).beside)
+    letters = not joined and (_names_matrices(section, number, folder) if is_notation else speaks_of_letters([derived]))
     quote, found = _read(folder, section, number, build, letters)
     if letters:
         return beside(found)
+    if joined:
+        return found[0]
     wanted: tuple[int, ...] = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
         is_row_of_column = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
@@ -189,7 +191,7 @@ def _quote_of(folder: Path, number: str) -> Quote:
         )
     if quote.unparsed:
         why = UNPARSED[quote.unparsed]
-        raise DeclarationError(f"expected a form, since the quote on line {quote.line} is not read: {why}")
+        raise DeclarationError(f"expected a form, since the quote on line {quote.line} is not read: {quote.why or why}")
     return quote
 
 
@@ -202,7 +204,18 @@ def readings(quote: Quote, symbols: Symbols, build: Builder | None = None) -> li
         If the quote is not a formula, has no such side, or a symbol of it is not known.
     """
     found = [expression for piece in quote.read for expression in _readings(piece, quote, symbols, build)]
+    if quote.beside:
+        found = [_joined(found, quote.beside)]
     return found if build else [in_canonical_order(expression) for expression in found]
+
+
+def _joined(forms: Sequence[Any], beside: str) -> Any:
+    """Return the matrix with these rows or columns, which may be printed as the other ones."""
+    parts = [form if shape(form) else vector(form) for form in forms]
+    flat = [part.T if (part.rows if beside == "columns" else part.cols) == 1 else part for part in parts]
+    if len({part.rows if beside == "columns" else part.cols for part in flat}) != 1:
+        raise UnreadableError(f"the expressions cannot be {beside} of one matrix")
+    return Matrix.hstack(*flat) if beside == "columns" else Matrix.vstack(*flat)
 
 
 def in_canonical_order(expression: Any) -> Any:

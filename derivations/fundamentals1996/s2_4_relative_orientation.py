@@ -331,14 +331,10 @@ section.vanishing(
 AT_CENTER = given(axis_point, center)
 center_pair = [equation.subs(AT_CENTER) for equation in axis_equations]
 
-for number, equation, printed_form in (
-    ("1", axis_equations[0], vector(ya1 * (u01 - 1), ya2 * u01, -u01 * ya0 - ya3 * (u01 - u31) * mu3)),
-    ("2", axis_equations[1], vector(ya1 * u02, ya2 * (u02 - 1), -u02 * ya0 - ya3 * (u02 - u32) * mu3)),
-):
+for number, equation in zip("12", axis_equations, strict=False):
     section.up_to_scale(
         f"2.4/2.3.3#{number}",
         f"equation {number} of the right bundle, rearranged",
-        printed=printed_form,
         where=COMPLETED,
         derived=as_form(equation, mu1, mu2),
     )

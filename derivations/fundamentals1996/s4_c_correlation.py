@@ -240,7 +240,7 @@ section.numeric(
 # relative model.  Then (2.3.2) and (2.3.3) of section 2.4 give both bundles.
 
 # %%
-section.definition("4/d/yA", "point assumed on the epipolar axis", printed=Y_A)
+section.definition("4/d/yA", "point assumed on the epipolar axis")
 for side, prime in (("left", "'"), ("right", "''")):
     section.definition(f"4/d#{side}.mu0", f"normalization of the {side} bundle, mu{prime}0")
 

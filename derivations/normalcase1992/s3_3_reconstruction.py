@@ -117,7 +117,6 @@ section.identity(
 section.identity(
     "3.3/E#dlambda2",
     "variance of the factor",
-    printed=lam_n**4 * (s_xppxpp + s_xx - 2 * s_xxpp),
     where=WITH_FACTOR,
     derived=of_factor,
 )

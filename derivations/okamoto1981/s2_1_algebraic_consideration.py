@@ -240,7 +240,7 @@ section.count(
 
 # %%
 three_coordinates = vector(*general_collinearity(A_left), general_collinearity(A_right)[0])
-section.definition("20", "three of the four equations", printed=three_coordinates)
+section.definition("20", "three of the four equations")
 
 # %% [markdown]
 # It says that $(X, Y, Z)$ and $(x_{c1}, y_{c1}, x_{c2})$ differ by a collineation.  Every collineation takes the points
@@ -463,17 +463,13 @@ object_of_model = solve(
         tuple(point),
     )
 )
-printed_inverse = collineation(Ep, model)
-printed_denominator = E_[12] * XM + Ep[13] * YM + Ep[14] * ZM + 1
-denominator = Ep[12] * XM + Ep[13] * YM + Ep[14] * ZM + 1
 section.identity(
     "24",
     "object as a collineation of the model",
-    printed=vector(*(form * denominator / printed_denominator for form in printed_inverse[:2]), printed_inverse[2]),
     where=given(Ep, coefficients_of(adjugate(M))),
     derived=object_of_model,
     expect="misprint",
-    corrected=printed_inverse,
+    corrected=collineation(Ep, model),
     note="In the first two denominators the prime of E13 is missing, while all their other coefficients have theirs; "
     "the same slip twice.  As the coefficient of (23) E13 is wrong.",
 )

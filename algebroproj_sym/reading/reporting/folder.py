@@ -93,6 +93,7 @@ def _claims(reading: Reading, number: str) -> list[tuple[str, Link]]:
 
 
 _NO_CLAIM = "a derivation states rational expressions only"
+_UNREAD = "the claim has the letters that the document gives it"
 _CLAIMED = ("definition", "follows", "contradicts")
 
 
@@ -132,7 +133,7 @@ def _quotes(readings: Sequence[Reading], numbers: dict[int, str]) -> Iterator[st
         if claims:
             latex = json.dumps(" ".join(reading.latex.split()), ensure_ascii=False)
             where = f"claims = {json.dumps(claims)}\nline = {reading.line}\nlatex = {latex}"
-            yield f'[[quote]]\n{where}\nunparsed = "implicit"\n'
+            yield f'[[quote]]\n{where}\nunparsed = "unread"\nwhy = "{_UNREAD}"\n'
 
 
 def _symbols(given: SymbolsFile | None) -> str:

@@ -25,7 +25,7 @@ from algebroproj_sym.mutating.forms import mutants
 from algebroproj_sym.papers import installed_papers
 from algebroproj_sym.proving import prove
 from algebroproj_sym.reading import Symbols, Table, UnreadableError, read_formula, symbols_for, tables_in
-from algebroproj_sym.reporting.audits import audit_counts, audit_record, audited_share
+from algebroproj_sym.reporting.audits import audit_counts, audit_record, audited_shares
 
 x, y, D, u1, u2, up1, upp31, mu1, mu2, y01, z11 = sympy.symbols("x y D u1 u2 up1 upp31 mu1 mu2 y01 z11")
 DEMO = Table(
@@ -189,6 +189,14 @@ def test_pieces_sides_and_cells_are_taken_in_order():
     assert status(claim, "$y$\t$x$") == "failed"
 
 
+def test_expressions_stand_beside_each_other_where_the_quote_says_so():
+    claim = declared("identity", Matrix([[x, y], [1, 2]]))
+    assert status(claim, "a^T = (x, 1)", "b^T = (y, 2)", beside="columns") == "equal"
+    assert status(claim, "a^T = (x, y)", "b^T = (1, 2)", beside="rows") == "equal"
+    assert status(claim, "a^T = (x, 2)", "b^T = (y, 1)", beside="columns") == "failed"
+    assert status(claim, "a^T = (x, 1)", "b = y", beside="columns") == "failed"
+
+
 def test_a_matrix_is_not_its_transpose():
     claim = declared("identity", Matrix([[x, y], [1, 2]]))
     assert status(claim, r"\begin{bmatrix} x & y \\ 1 & 2 \end{bmatrix}") == "equal"
@@ -257,7 +265,7 @@ def test_an_illegible_claim_must_say_why_its_quote_is_not_parsed():
         "1.1", "", printed=None, derived=x, expect="illegible", corrected=x, note="A sign is lost."
     )
     assert status(claim, "y = x") == "failed"
-    assert status(claim, "y = x", unparsed="damaged") == "quoted"
+    assert status(claim, "y = x", unparsed="illegible") == "quoted"
 
 
 def test_a_quote_must_begin_on_its_line(tmp_path):
@@ -279,6 +287,8 @@ def test_a_quote_must_begin_on_its_line(tmp_path):
         ("[[quote]]\nclaims = ['1']\nline = 1\n", "expected latex"),
         ("[[quote]]\nclaims = ['1']\nlatex = 'x'\n", "expected claims and a line"),
         ("[[quote]]\nclaims = ['1']\nlatex = 'x'\nline = 1\nunparsed = 'lazy'\n", "expected unparsed to be one of"),
+        ("[[quote]]\nclaims = ['1']\nlatex = 'x'\nline = 1\nunparsed = 'unread'\n", "expected also why"),
+        ("[[quote]]\nclaims = ['1']\nlatex = 'x'\nline = 1\nbeside = 'cells'\n", "expected beside to be one of"),
         ("[[quote]]\nclaims = ['1']\nlatex = 'x'\nline = 1\nside = 1\n", "expected keys of"),
         ("[[quote]]\nclaims = ['1', '1']\nlatex = 'x'\nline = 1\n", "quoted once"),
         ("[[unquoted]]\nclaims = ['1']\nreason = 'lazy'\n", "expected a reason of"),
@@ -371,15 +381,15 @@ def test_most_of_what_the_papers_print_is_audited_by_machine(findings):
 def test_the_documentation_has_the_figures(findings, repository):
     text = (repository / "docs" / "explanation" / "transcription.md").read_text(encoding="utf-8")
     for paper, counts in audit_counts(findings).items():
-        cells = [counts[name] for name in ("equal", "number", "quoted", "beyond", "unquoted")]
-        row = " | ".join(map(str, (f"`{paper}`", counts.total(), *cells, audited_share(counts))))
+        cells = [counts[name] for name in ("equal", "number", "unread", "illegible", "prose", "beyond", "unquoted")]
+        row = " | ".join(map(str, (f"`{paper}`", counts.total(), *cells, *audited_shares(counts))))
         assert f"| {row} |" in text
-    for reason in ("words", "damaged", "abbreviated", "implicit"):
+    for reason in ("unread", "illegible", "prose"):
         assert f"({sum(f.reason == reason for f in findings)})" in text
 
 
 def test_words_are_quoted_sparingly(findings):
-    quotes = {f.quote for f in findings if f.quote and f.quote.unparsed == "words"}
+    quotes = {f.quote for f in findings if f.quote and f.quote.unparsed == "prose"}
     for quote in quotes:
         plain = re.sub(r"\$[^$]*\$", " ", " ".join(quote.pieces))
         assert len(re.findall(r"[A-Za-z]{2,}", plain)) <= 20, quote.text

@@ -70,13 +70,19 @@ def declared(tmp_path):
             "vector(0, 0, 0) * vector(0, 0).T",
         ),
         ('section.definition("1.1", "")', "latex = 'a = x/y'", "over(x, y)"),
+        ('section.definition("1.1", "")', "latex = 'a^T = (x, y)'\nbeside = 'columns'", "vector(x, y)"),
+        (
+            'section.identity("1.1", "", derived=sympy.eye(2))',
+            "latex = ['a^T = (x, 1)', 'b^T = (y, 2)']\nbeside = 'columns'",
+            "sympy.Matrix([[x, y], [1, 2]])",
+        ),
         ('section.vanishing("1.1", "", derived=x * y)', "latex = ['x = 0', 'y = 0']\nsides = [0]", "(x, y)"),
         ('section.up_to_scale("1.1", "", derived=vector(x, y))', r"latex = '\mathbf{u}'", "vector(x, y)"),
     ],
 )
 def test_the_printed_form_is_the_one_that_the_quote_has(call, quote, printed, declared):
     x, y, yp = sympy.symbols("x y yp")
-    wanted = eval(printed, {"x": x, "y": y, "yp": yp, "over": over, "vector": vector})
+    wanted = eval(printed, {"x": x, "y": y, "yp": yp, "over": over, "vector": vector, "sympy": sympy})
     (claim,) = declared(call, quote)
     assert statement_text(claim.printed) == statement_text(wanted)
 
@@ -146,9 +152,56 @@ def test_a_row_with_another_count_of_numbers_is_refused(declared):
 
 
 @pytest.mark.parametrize(
+    ("latex", "wanted"),
+    [
+        ("mu = 1 and nu = 0,25", "0.25"),
+        ("mu'_1 = mu'_2 = 0.25", "0.25"),
+        ("y_{01} = -0.25", "-0.25"),
+        ("7 0.25", "0.25"),
+    ],
+)
+def test_the_only_number_that_can_be_meant_is_taken(latex, wanted, declared):
+    (claim,) = declared('section.numeric("1.1", "", derived=over(1, 4))', f'latex = "{latex}"')
+    assert str(claim.printed) == wanted
+
+
+COUNT = 'section.count("1.1", "", derived=vector(x, y), variables=(x, y))'
+RANK = 'section.rank("1.1", "", derived=vector(x, y))'
+REFERENCE = 'section.reference("1.1", "", meant="1.3.8")'
+
+
+@pytest.mark.parametrize(
+    ("call", "latex", "printed"),
+    [
+        (COUNT, "two independent ones", 2),
+        (COUNT, "of $B_{15}$ only **11** are left", 11),
+        (RANK, "(rank(P)=4), by (1.1.1)", 4),
+        (REFERENCE, "as in (1.3.5) above", sympy.Matrix([[1, 3, 5]])),
+    ],
+)
+def test_counts_and_references_are_read_from_the_words(call, latex, printed, declared):
+    (claim,) = declared(call, f'latex = "{latex}"')
+    assert claim.printed == printed
+
+
+@pytest.mark.parametrize(
+    ("call", "latex", "message"),
+    [
+        (COUNT, "some are independent", "one whole number, got 0"),
+        (COUNT, "two of 11", "one whole number, got 2"),
+        (RANK, "2.5 or 3/4 x_{7}", "one whole number, got 2"),
+        (REFERENCE, "(1.3.5) and (1.3.6)", "one reference, got 2"),
+    ],
+)
+def test_words_with_no_number_or_several_ones_are_refused(call, latex, message, declared):
+    with pytest.raises(BrokenModuleError, match=f"claim demo:1.1, printed: expected {message}"):
+        declared(call, f'latex = "{latex}"')
+
+
+@pytest.mark.parametrize(
     ("quote", "message"),
     [
-        ('latex = "x"\nunparsed = "damaged"', "line 7 is not read: the scan does not preserve"),
+        ('latex = "x"\nunparsed = "illegible"', "line 7 is not read: the scan does not preserve"),
         ('latex = "x = z"\nsides = [4]', "line 7: the formula has 2 sides, and no side 4"),
         ("latex = 'a = x +'", "line 7, at character 7: the formula ends too early"),
         (r"latex = 'a = \mathbf{w}'", r"line 7, at character 5: no table of symbols has \\mathbf\{w\}"),

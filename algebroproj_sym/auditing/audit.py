@@ -12,7 +12,7 @@ import sympy
 
 from algebroproj_sym.declaring import Claim, Quotations, Quote
 from algebroproj_sym.declaring.claim import as_stated
-from algebroproj_sym.declaring.transcription import beside, numbers_in, readings
+from algebroproj_sym.declaring.transcription import beside, counts_in, numbers_in, readings
 from algebroproj_sym.expressions import NotRationalError, TextForm, entries, shape, vector
 from algebroproj_sym.expressions.letters import Reading, letters_text
 from algebroproj_sym.proving import prove
@@ -23,7 +23,6 @@ from algebroproj_sym.reading import Symbols, UnreadableError, in_letters
 Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
 STATUSES: tuple[Status, ...] = get_args(Status)
 _COUNTED = ("rank", "count", "reference")
-_WORDS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 
 
 @dataclass(frozen=True)
@@ -93,13 +92,8 @@ def _counted(claim: Claim, quote: Quote) -> Finding:
         found = re.search(rf"(?<![\d.]){pattern}(?![\d]|\.\d)", quote.text) is not None
     else:
         wanted = str(printed)
-        found = re.search(rf"(?<![\d.]){wanted}(?![\d.]*\d)", quote.text) is not None or _in_words(wanted, quote.text)
+        found = printed in counts_in(quote.text)
     return Finding(claim, "number" if found else "failed", "" if found else f"the quote has no {wanted}", quote)
-
-
-def _in_words(number: str, text: str) -> bool:
-    word = _WORDS[int(number)] if int(number) < len(_WORDS) else None
-    return word is not None and re.search(rf"(?i)\b{word}\b", text) is not None
 
 
 def _compared(claim: Claim, quote: Quote, symbols: Symbols) -> Finding:

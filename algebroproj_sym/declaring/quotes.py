@@ -44,13 +44,13 @@ from typing import Any, Literal, get_args
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
 from algebroproj_sym.declaring.outline import Mark, captions, outline, references
 
-Unparsed = Literal["words", "damaged", "abbreviated", "implicit"]
+Unparsed = Literal["prose", "illegible", "unread"]
+Beside = Literal["rows", "columns"]
 Unquoted = Literal["beyond", "implied", "figure", "lost"]
 UNPARSED: dict[Unparsed, str] = {
-    "words": "the paper says it in words, or shows no more than the number",
-    "damaged": "the scan does not preserve the formula",
-    "abbreviated": "the paper writes an ellipsis, a sum or one row for all, which the claim writes out",
-    "implicit": "the claim makes precise what the paper's abstract notation stands for",
+    "prose": "the paper says it in a sentence, without a formula or a number to read",
+    "illegible": "the scan does not preserve the formula",
+    "unread": "the formula is legible, and not read; the quote says why",
 }
 UNQUOTED: dict[Unquoted, str] = {
     "beyond": "the claim goes beyond the paper",
@@ -109,8 +109,12 @@ class Quote:
         Then: the unknowns whose coefficients the claims list, "1" for the constant, "-1" for it on the right side.
     indices : mapping of str to tuple of str
         Letters that stand for indices, and the values for which the quote is read.
+    beside : {"rows", "columns"} or ""
+        Whether the expressions of the quote are the rows or the columns of one matrix.
     unparsed : str
         Why the quote is not read as a formula; empty if it is.
+    why : str
+        What prevents that, in a few words: each quote that is ``unread`` says it.
     edits : tuple of Edit
         How damaged places are read.
     """
@@ -122,7 +126,9 @@ class Quote:
     equation: bool = False
     coefficients: tuple[str, ...] = ()
     indices: Mapping[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
+    beside: Beside | Literal[""] = ""
     unparsed: Unparsed | Literal[""] = ""
+    why: str = ""
     edits: tuple[Edit, ...] = ()
 
     @property
@@ -178,6 +184,12 @@ class Quotations:
             for name, cells in self.tables[table].items()
             if cells.keys() >= {*columns}
         }
+
+    def cell(self, claim: str) -> str | None:
+        """Return the cell of a table that a claim is about, None if it is about none."""
+        table, _, place = claim.partition("#")
+        row, _, column = place.partition(".")
+        return self.tables.get(table, {}).get(row, {}).get(column)
 
     def why_unquoted(self, claim: Claim) -> Unquoted | None:
         """Return why a claim has no quote; None if that is not stated."""
@@ -278,7 +290,21 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
     latex = entry.get("latex")
     pieces = (latex,) if isinstance(latex, str) else tuple(latex or ())
     unparsed = entry.get("unparsed", "")
-    known = {"claims", "line", "latex", "sides", "equation", "coefficients", "indices", "unparsed", "edits"}
+    known = {
+        *(
+            "claims",
+            "line",
+            "latex",
+            "sides",
+            "equation",
+            "coefficients",
+            "indices",
+            "beside",
+            "unparsed",
+            "why",
+            "edits",
+        )
+    }
     where = f"{path}, quote of {', '.join(entry.get('claims', ['?']))}"
     if not pieces or not all(isinstance(piece, str) and piece.strip() for piece in pieces):
         raise DeclarationError(f"{where}: expected latex, a text or a list of texts, got {latex!r}")
@@ -288,6 +314,10 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
         raise DeclarationError(f"{where}: expected keys of {sorted(known)}, got {sorted(set(entry) - known)}")
     if unparsed and unparsed not in get_args(Unparsed):
         raise DeclarationError(f"{where}: expected unparsed to be one of {get_args(Unparsed)}, got {unparsed!r}")
+    if unparsed == "unread" and not entry.get("why"):
+        raise DeclarationError(f"{where}: expected also why the formula is not read")
+    if (beside := entry.get("beside", "")) not in ("", *get_args(Beside)):
+        raise DeclarationError(f"{where}: expected beside to be one of {get_args(Beside)}, got {beside!r}")
     return Quote(
         claims=tuple(entry["claims"]),
         line=entry["line"],
@@ -296,7 +326,9 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
         equation=bool(entry.get("equation", "coefficients" in entry)),
         coefficients=tuple(entry.get("coefficients", ())),
         indices={letter: tuple(map(str, values)) for letter, values in entry.get("indices", {}).items()},
+        beside=beside,
         unparsed=unparsed,
+        why=str(entry.get("why", "")),
         edits=tuple(_edits(entry.get("edits", ()), pieces, where)),
     )
 

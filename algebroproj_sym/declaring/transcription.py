@@ -8,7 +8,7 @@ from dataclasses import replace
 from decimal import Decimal
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy
 
@@ -33,7 +33,12 @@ from algebroproj_sym.reading import (
 )
 
 _DIGITS = re.compile(r"(?<![\d.,])[-−]?\s?(?:\d+(?:[.,]\d+)?|\.\d+)(?!\d)")
+_FRACTION = re.compile(r"(?<![\d.,])[-−]?\s?\d*[.,]\d+(?!\d)")
+_SIDE = re.compile(rf"=\s*(?:\\mathbf\{{)?({_DIGITS.pattern})")
+_REFERENCE = re.compile(r"(?<![\d.])\d+(?:[./]\d+)+")
+_WORDS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 _PLAIN = str.maketrans({"−": "-", ",": "."})
+_Found = TypeVar("_Found")
 BROKEN_LINE = re.compile(r"\\n(?!eq|u(?![a-z]))")
 
 
@@ -58,11 +63,13 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
     DeclarationError
         If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
-    is_notation = derived is None
-    letters = _names_matrices(section, number, folder) if is_notation else speaks_of_letters([derived])
+    is_notation, joined = derived is None, bool(_quote_of(folder, number).beside)
+    letters = not joined and (_names_matrices(section, number, folder) if is_notation else speaks_of_letters([derived]))
     quote, found = _read(folder, section, number, build, letters)
     if letters:
         return beside(found)
+    if joined:
+        return found[0]
     wanted: tuple[int, ...] = derived.shape if isinstance(derived, sympy.MatrixBase) else ()
     if len(found) == 1 and (shape(found[0]) or not wanted):
         is_row_of_column = wanted[1:] == (1,) and shape(found[0]) == (1, wanted[0])
@@ -86,7 +93,10 @@ def transcribed_factors(
 
 
 def transcribed_number(folder: Path, section: str, number: str, derived: Any) -> Decimal:
-    """Return the decimal number that a quote has for a claim; claims that share a quote share its numbers in order.
+    """Return the decimal number that a quote has for a claim.
+
+    It is the cell of a table, or else the claims that share a quote share its numbers in order: all of them, or those
+    with a decimal point, or those that are a side of an equation.
 
     Raises
     ------
@@ -94,11 +104,45 @@ def transcribed_number(folder: Path, section: str, number: str, derived: Any) ->
         If the quote does not have one number for each of its claims.
     """
     quote = _quote_of(folder, number)
-    found = numbers_in(quote.text)
-    if len(found) != len(quote.claims):
-        wanted = f"a number for each of {len(quote.claims)} claims"
-        raise DeclarationError(f"expected {wanted}, got {len(found)} in the quote on line {quote.line}")
-    return found[quote.claims.index(number)]
+    cell = quotations(folder).cell(number)
+    if cell is not None:
+        return numbers_in(cell)[0]
+    choices = [numbers_in(quote.text), numbers_in(quote.text, _FRACTION), numbers_in(quote.text, _SIDE)]
+    for found in choices:
+        if len(found) == len(quote.claims):
+            return found[quote.claims.index(number)]
+    wanted = f"a number for each of {len(quote.claims)} claims"
+    raise DeclarationError(f"expected {wanted}, got {len(choices[0])} in the quote on line {quote.line}")
+
+
+def transcribed_count(folder: Path, section: str, number: str, derived: Any) -> int:
+    """Return the one whole number that a quote has, in digits or as a word.
+
+    Raises
+    ------
+    DeclarationError
+        If the quote has no such number, or several ones.
+    """
+    quote = _quote_of(folder, number)
+    return _only(counts_in(quote.text), "whole number", quote)
+
+
+def transcribed_reference(folder: Path, number: str) -> str:
+    """Return the one number that a quote refers to, such as "1.3.8".
+
+    Raises
+    ------
+    DeclarationError
+        If the quote has no such number, or several ones.
+    """
+    quote = _quote_of(folder, number)
+    return _only([found[0] for found in _REFERENCE.finditer(quote.text)], "reference", quote)
+
+
+def _only(found: Sequence[_Found], wanted: str, quote: Quote) -> _Found:
+    if len(found) != 1:
+        raise DeclarationError(f"expected one {wanted}, got {len(found)} in the quote on line {quote.line}")
+    return found[0]
 
 
 def beside(forms: Sequence[Any]) -> Any:
@@ -147,7 +191,7 @@ def _quote_of(folder: Path, number: str) -> Quote:
         )
     if quote.unparsed:
         why = UNPARSED[quote.unparsed]
-        raise DeclarationError(f"expected a form, since the quote on line {quote.line} is not read: {why}")
+        raise DeclarationError(f"expected a form, since the quote on line {quote.line} is not read: {quote.why or why}")
     return quote
 
 
@@ -160,7 +204,18 @@ def readings(quote: Quote, symbols: Symbols, build: Builder | None = None) -> li
         If the quote is not a formula, has no such side, or a symbol of it is not known.
     """
     found = [expression for piece in quote.read for expression in _readings(piece, quote, symbols, build)]
+    if quote.beside:
+        found = [_joined(found, quote.beside)]
     return found if build else [in_canonical_order(expression) for expression in found]
+
+
+def _joined(forms: Sequence[Any], beside: str) -> Any:
+    """Return the matrix with these rows or columns, which may be printed as the other ones."""
+    parts = [form if shape(form) else vector(form) for form in forms]
+    flat = [part.T if (part.rows if beside == "columns" else part.cols) == 1 else part for part in parts]
+    if len({part.rows if beside == "columns" else part.cols for part in flat}) != 1:
+        raise UnreadableError(f"the expressions cannot be {beside} of one matrix")
+    return Matrix.hstack(*flat) if beside == "columns" else Matrix.vstack(*flat)
 
 
 def in_canonical_order(expression: Any) -> Any:
@@ -168,7 +223,19 @@ def in_canonical_order(expression: Any) -> Any:
     return expression.replace(lambda part: isinstance(part, sympy.Add), lambda part: part.func(*part.args))
 
 
-def numbers_in(text: str) -> list[Decimal]:
+def counts_in(text: str) -> list[int]:
+    """Return the whole numbers of a text, those in digits and then those in words.
+
+    Examples
+    --------
+    >>> counts_in("five of 11 points, with 2.5 and $B_{15}$")
+    [11, 5]
+    """
+    in_digits = [int(found) for found in re.findall(r"(?<![\d.{_])\d+(?![\d.]*\d)", text)]
+    return in_digits + [_WORDS.index(word) for word in re.findall(r"[a-z]+", text.lower()) if word in _WORDS]
+
+
+def numbers_in(text: str, pattern: re.Pattern[str] = _DIGITS) -> list[Decimal]:
     """Return the decimal numbers of a text in their order; a comma before digits is a decimal point.
 
     Examples
@@ -176,7 +243,7 @@ def numbers_in(text: str) -> list[Decimal]:
     >>> numbers_in("1 & - 0.50 & u = 1,64746")
     [Decimal('1'), Decimal('-0.50'), Decimal('1.64746')]
     """
-    return [Decimal(re.sub(r"\s", "", found).translate(_PLAIN)) for found in _DIGITS.findall(text)]
+    return [Decimal(re.sub(r"\s", "", found).translate(_PLAIN)) for found in pattern.findall(text)]
 
 
 def _readings(piece: str, quote: Quote, symbols: Symbols, build: Builder | None) -> Iterator[Any]:

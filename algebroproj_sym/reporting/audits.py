@@ -19,16 +19,19 @@ if TYPE_CHECKING:
 OUTCOMES = {
     "equal": "parsed, equal",
     "number": "number found",
-    "quoted": "quoted only",
+    "unread": "not read",
+    "illegible": "illegible",
+    "prose": "prose",
     "beyond": "beyond the paper",
     "unquoted": "no quote",
     "failed": "failed",
 }
+SHARES = ("audited by machine", "of all")
 
 
 def outcome(finding: Finding) -> str:
-    """Return one of `OUTCOMES`: the status of a finding, where claims beyond the paper count apart."""
-    return "beyond" if finding.reason == "beyond" else finding.status
+    """Return one of `OUTCOMES`: the status, or why a quote is not read, or that the claim goes beyond the paper."""
+    return finding.reason if finding.status == "quoted" or finding.reason == "beyond" else finding.status
 
 
 def audit_counts(findings: Sequence[Finding]) -> dict[str, Counter[str]]:
@@ -38,29 +41,35 @@ def audit_counts(findings: Sequence[Finding]) -> dict[str, Counter[str]]:
 
 
 def audit_table(findings: Sequence[Finding]) -> Table:
-    """Return a row for each paper: how many claims have which outcome, and the share audited by machine."""
-    table = table_of("paper", "claims", *OUTCOMES.values(), "audited by machine")
-    for paper, counts in audit_counts(findings).items():
-        table.add_row(paper, str(counts.total()), *(str(counts[name]) for name in OUTCOMES), audited_share(counts))
+    """Return a row for each paper, and for all: how many claims have which outcome, and the shares."""
+    table = table_of("paper", "claims", *OUTCOMES.values(), *SHARES)
+    counted = audit_counts(findings)
+    if len(counted) > 1:
+        counted["all"] = sum(counted.values(), Counter())
+    for paper, counts in counted.items():
+        table.add_row(paper, str(counts.total()), *(str(counts[name]) for name in OUTCOMES), *audited_shares(counts))
     return table
 
 
-def audited_share(counts: Counter[str]) -> str:
-    """Return the share of the claims about the paper, those beyond it left out, that the machine has audited.
+def audited_shares(counts: Counter[str]) -> tuple[str, str]:
+    """Return which share the machine has audited: of what is legible and no prose, and of all claims about the paper.
 
     Examples
     --------
-    >>> audited_share(Counter(equal=2, number=1, quoted=1, beyond=5))
-    '75% of 4'
+    >>> audited_shares(Counter(equal=2, number=1, unread=1, prose=4, beyond=5))
+    ('75% of 4', '38% of 8')
     """
     about = counts.total() - counts["beyond"]
-    return f"{(counts['equal'] + counts['number']) / about:.0%} of {about}" if about else "–"
+    formulas = about - counts["prose"] - counts["illegible"]
+    audited = counts["equal"] + counts["number"]
+    of_formulas, of_all = (f"{audited / total:.0%} of {total}" if total else "–" for total in (formulas, about))
+    return of_formulas, of_all
 
 
 def audit_lines(findings: Sequence[Finding]) -> list[str]:
     """Return what failed, and how often each reason for a claim without audit is given."""
     failed = [f"{f.claim.paper}:{f.claim.number}  {f.reason}" for f in findings if f.status == "failed"]
-    reasons = Counter((f.status, f.reason) for f in findings if f.status in ("quoted", "unquoted"))
+    reasons = Counter((outcome(f), f.reason) for f in findings if f.status in ("quoted", "unquoted"))
     given = [f"{count:5}  {_explained(*reason)}" for reason, count in sorted(reasons.items())]
     return [*failed, *given]
 
@@ -123,6 +132,6 @@ def _record(finding: Finding) -> dict[str, Any]:
     return {"paper": claim.paper, "number": claim.number, "status": finding.status, "reason": finding.reason, **place}
 
 
-def _explained(status: str, reason: str) -> str:
+def _explained(found: str, reason: str) -> str:
     meanings: dict[str, str] = {**UNPARSED, **UNQUOTED}  # type: ignore[dict-item]
-    return f"{OUTCOMES[status]}: {meanings[reason]}"
+    return f"{OUTCOMES[found]}: {meanings[reason]}"

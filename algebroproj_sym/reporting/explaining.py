@@ -57,6 +57,7 @@ def explanation(
     lines = [
         *([("quoted", f"line {quote.line}: {_cut(quote.text, full, LONGEST_QUOTE)}")] if quote else []),
         *([("read as", edit.text) for edit in quote.edits] if quote else []),
+        *([("not read", quote.why)] if quote and quote.why else []),
         *about,
         *([("note", claim.note)] if claim.note else []),
         *([("follows", follows)] if follows else []),

@@ -51,7 +51,7 @@ def as_declared(claim: Claim, part: Part) -> Statement | None:
     (-3*x + 3*y, '-3*x + 3*y')
     """
     statement: Statement | None = as_stated(claim, part)
-    if statement is None or part in claim.stated or isinstance(statement, Decimal | TextForm):
+    if statement is None or part in claim.stated or isinstance(statement, Decimal | int | sympy.Integer | TextForm):
         return statement
     node = claim.source.argument(part) if claim.source else None
     if claim.source is None or (not isinstance(statement, tuple) and size(statement, LONG) > LONG):

@@ -58,7 +58,6 @@ def ratios(matrix: Matrix) -> Matrix:
 section.count(
     "0/introduction-eight-components",
     "a 3 by 3 matrix has eight significant components",
-    printed=8,
     derived=ratios(C_general),
     variables=tuple(C_general),
     kernel=[vector(*C_general)],
@@ -84,7 +83,6 @@ EIGHT = {"derived": ratios(C_singular), "variables": of_singular, "kernel": [vec
 section.count(
     "0/introduction-eight-parameters",
     "stereo correlation determines eight parameters",
-    printed=8,
     **EIGHT,
     expect="false",
     instead="0/beyond/seven-parameters",
@@ -207,7 +205,6 @@ def equations(points: list[Matrix], left: Matrix = M_left, right: Matrix = M_rig
 section.rank(
     "0/abstract-eight-equations",
     "eight irregularly distributed points determine the components",
-    printed=8,
     derived=equations(model),
     kernel=[vector(*C)],
 )

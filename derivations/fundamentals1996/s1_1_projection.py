@@ -193,7 +193,7 @@ unit1, unit2 = b1 - b0, b2 - b0
 u = vector(u1, u2)
 p = b0 + u1 * unit1 + u2 * unit2
 
-section.definition("1.1/e", "units of the image plane", printed=columns(unit1, unit2))
+section.definition("1.1/e", "units of the image plane")
 section.definition("1.1/u", "affine coordinates of an image point")
 section.definition("1.1/quasihomogeneous", "quasihomogeneous vector of an image point", printed=homogeneous(u))
 

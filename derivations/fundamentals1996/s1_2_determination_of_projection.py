@@ -12,7 +12,7 @@ from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
 from algebroproj_derivations.inserting import given
 from algebroproj_sym import Section
-from algebroproj_sym.expressions import Matrix, columns, determinant, homogeneous, inverse, rows, solve, vector
+from algebroproj_sym.expressions import Matrix, columns, determinant, homogeneous, inverse, solve, vector
 
 section = Section("fundamentals1996", "1.2", "Determination of the matrix of projection")
 
@@ -32,7 +32,7 @@ def image_coordinates(direction: Matrix) -> Matrix:
     return solve(B * U, direction)
 
 
-section.definition("1.2/e", "unit points of space", printed=rows(e0, e1, e2, e3))
+section.definition("1.2/e", "unit points of space")
 section.identity(
     "1.2/e'0",
     "image of the origin",
@@ -48,7 +48,7 @@ section.identity(
 # %%
 section.identity("1.2/e'1", "image of the first unit point", derived=image_coordinates(b1))
 section.identity("1.2/e'2", "image of the second unit point", derived=image_coordinates(b2))
-section.definition("1.2/e'3", "image of the third unit point, a general point", printed=image_e3)
+section.definition("1.2/e'3", "image of the third unit point, a general point")
 
 # %% [markdown]
 # Four points can be unit points of space, unless they are coplanar.
@@ -58,7 +58,6 @@ any_points = columns(*(homogeneous(vector(*sympy.symbols(f"g{j}1 g{j}2 g{j}3")))
 section.rank(
     "1.2/four-points",
     "in general four points establish an affine coordinate system of space",
-    printed=4,
     derived=any_points,
 )
 
@@ -91,7 +90,6 @@ section.vanishing(
 section.identity(
     "1.2.1",
     "equations of projection of the basic points",
-    printed=columns(mu0 * image_e0, mu1 * image_e1, mu2 * image_e2, mu3 * image_e3),
     where=seen,
     derived=P_star_of_rays * columns(*rays),
 )

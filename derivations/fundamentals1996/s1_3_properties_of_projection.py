@@ -180,7 +180,6 @@ braces = -u31 * (mu1 - 1) * mu3 / mu1 - u32 * (mu2 - 1) * mu3 / mu2
 section.identity(
     "1.3/insertion",
     "the first equation after insertion",
-    printed=y03 * (braces + (mu2 - 1)),
     derived=inserted,
     expect="misprint",
     corrected=y03 * (braces + (mu3 - 1)),

@@ -53,12 +53,10 @@ external = [k + (xj - x_center) * i + (yj - y_center) * j for xj, yj in zip(xs, 
 section.definition(
     "1.4/b",
     "base vectors in the system of the image",
-    printed=columns(*internal),
 )
 section.identity(
     "1.4/b#external",
     "base vectors in the system of the object",
-    printed=columns(*(R * b for b in internal)),
     derived=columns(*external),
 )
 
@@ -107,7 +105,6 @@ section.identity("1.4.1#sum", "image point, rotated sum of the internal base", d
 section.reference(
     "1.4/ref-1.1.3",
     "equation into which the rotated base vectors are inserted",
-    printed="1.1.3",
     meant="1.1.4",
     note="(1.1.3) gives the reciprocal vectors; inserted there, R would rotate them and not give p.  (1.1.4) is the "
     "first number that contains p = B U u.",
@@ -245,7 +242,6 @@ section.identity("1.4.2#p", "factor of the ray, from the image point", where=on_
 section.identity(
     "1.4.2",
     "factor of the ray, from the affine image coordinates",
-    printed=over(dot(X - X0, X - X0), dot(plane_point, plane_point)),
     where=on_the_ray(R * plane_point),
     derived=lam**2,
     constraints=orthogonal,
@@ -282,7 +278,6 @@ axes = [sympy.symbols(f"{axis}:4") for axis in "XYZ"]
 section.identity(
     "1.4.3",
     "from cartesian to affine coordinates of space",
-    printed=solve(frame(G), homogeneous(X)),
     derived=homogeneous(coordinates(X, G)),
 )
 section.identity(
@@ -294,7 +289,6 @@ section.identity(
 section.identity(
     "1.4.4",
     "the unit points become the basic points",
-    printed=frame(G) * unit_points,
     derived=basic_points,
 )
 
@@ -308,13 +302,11 @@ section.identity(
     "1.4/ray", "cartesian and affine ray", derived=homogeneous(point_at(point, G)) - homogeneous(point_at(center, G))
 )
 z = vector(*sympy.symbols("z1 z2 z3"))
-affine_ray = frame(G) * vector(0, *z)
 object_ray = point_at(point, G) - point_at(center, G)
 rotated_point = rotation * plane_point
 section.identity(
     "1.4/lambda2",
     "factor of the ray, affine",
-    printed=over(dot(affine_ray, affine_ray), dot(plane_point, plane_point)),
     where=given(z, point - center),
     derived=over(dot(object_ray, object_ray), dot(rotated_point, rotated_point)),
 )

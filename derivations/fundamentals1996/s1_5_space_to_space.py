@@ -110,12 +110,10 @@ M_star
 section.definition(
     "1.5/e",
     "quasihomogeneous unit points of both systems",
-    printed=Matrix([[1, 0, 0, 0], [1, 1, 0, 0], [1, 0, 1, 0], [1, 0, 0, 1]]),
 )
 section.identity(
     "1.5/images",
     "images of the unit points",
-    printed=columns(vector(mu0, 0, 0, 0), vector(mu1, mu1, 0, 0), vector(mu2, 0, mu2, 0), vector(mu3, 0, 0, mu3)),
     derived=M_star * units,
 )
 section.identity("1.5.2", "matrix of the regular projective transformation", derived=M_star)
@@ -334,7 +332,6 @@ section.identity(
 section.up_to_scale(
     "1.5.6",
     "coefficients of a plane in image space from those in object space",
-    printed=M_star.T * a,
     derived=solve(M_star.T, a),
     expect="misprint",
     corrected=inverse(M_star).T * a,

@@ -83,8 +83,7 @@ M_f = rows(*(coefficients(component, xi) for component in image_vector))
 M_f
 
 # %%
-M_f_printed = f * Matrix([[1, 0, 0, 1 / f], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-section.identity("1.6/M_f", "projective matrix of the lens", printed=M_f_printed, derived=M_f)
+section.identity("1.6/M_f", "projective matrix of the lens", derived=M_f)
 section.identity("1.6/M_f#inverse", "its inverse", derived=inverse(M_f))
 section.up_to_scale(
     "1.6/M_f#backward",

@@ -358,7 +358,6 @@ section.identity(
 section.rank(
     "2.1/rank-C",
     "the rank of the matrix of correlation",
-    printed=2,
     derived=Pp.T * Skew(d_bold) * Ppp,
     kernel=[Ppp.I * d_bold],
 )
@@ -524,7 +523,6 @@ def skew(a: sympy.Expr, b: sympy.Expr, c: sympy.Expr) -> Matrix:
 section.rank(
     "2.1/rank-K",
     "the rank of the products on the left of (2.1.8)",
-    printed=2,
     derived=Pp.T * Skew(d_bold) * Pp,
     kernel=[Pp.I * d_bold],
 )

@@ -66,7 +66,6 @@ section.identity(
 section.count(
     "2.2/eight-unknowns",
     "of nine elements with a free factor eight are unknown",
-    printed=8,
     derived=c.applyfunc(lambda element: over(element, c[1, 0])),
     variables=tuple(c),
     kernel=[vector(*c)],
@@ -189,7 +188,6 @@ base_of_rotation = vector(*sympy.symbols("d1 d2 d3"))
 section.count(
     "2.2/conventional",
     "conventional relative orientation needs five homologous points",
-    printed=5,
     derived=ratios(correlation_matrix(E3, scaled_rotation, base_of_rotation)),
     variables=(*quaternion, *base_of_rotation),
     kernel=[vector(*quaternion, 0, 0, 0), vector(0, 0, 0, 0, *base_of_rotation)],
@@ -255,7 +253,6 @@ eight_rows = basic_rows.col_join(Matrix.vstack(*(homologous_row(design, index) f
 section.rank(
     "2.2/eight-points",
     "eight points determine the eight unknowns",
-    printed=8,
     derived=eight_rows,
     kernel=[vector(*unknowns, -1).xreplace(eliminated).xreplace(singular)],
 )
@@ -302,14 +299,12 @@ AFFINE_REFERENCE = (
 section.reference(
     "2.2/ref-1.3.5",
     "equation for the affine transformation of image coordinates",
-    printed="1.3.5",
     meant="1.4.5",
     note=AFFINE_REFERENCE + "(1.4.3), the affine transformation of space, would serve as well; (1.3.5) gives mu.",
 )
 section.reference(
     "2.2/ref-1.3.6",
     "equation to which the transformed correlation is analogous",
-    printed="1.3.6",
     meant="1.4.6",
     note=AFFINE_REFERENCE + "(1.4.5), the core between two affine transformations, would serve as well; (1.3.6) gives "
     "P* in y0 and u3.",
@@ -363,7 +358,6 @@ section.identity("2.2.4", "one equation of the reduced system", derived=reduced)
 section.rank(
     "2.2/five-equations",
     "five further points determine the five unknowns",
-    printed=5,
     derived=Matrix.vstack(*(homologous_row(reduced, index) for index in range(3, 8))),
     kernel=[vector(*remaining, -1).xreplace(singular)],
 )
@@ -388,7 +382,6 @@ section.rank(
 section.count(
     "2.2/five-parameters",
     "five elements are left of the matrix referred to the basic points",
-    printed=5,
     derived=Z_printed,
     variables=remaining,
 )
@@ -479,7 +472,6 @@ printed_right = vector(z22 - z12 * z20, z11 * z20 - z21)
 section.identity(
     "2.2.6",
     "epipole in P'",
-    printed=printed_left / D,
     where={D: D_printed},
     derived=epipole_left,
     expect="error",
@@ -493,7 +485,6 @@ section.identity(
 section.identity(
     "2.2.7",
     "epipole in P''",
-    printed=printed_right / D,
     where={D: D_printed},
     derived=epipole_right,
     expect="error",

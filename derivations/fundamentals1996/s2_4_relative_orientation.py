@@ -331,14 +331,10 @@ section.vanishing(
 AT_CENTER = given(axis_point, center)
 center_pair = [equation.subs(AT_CENTER) for equation in axis_equations]
 
-for number, equation, printed_form in (
-    ("1", axis_equations[0], vector(ya1 * (u01 - 1), ya2 * u01, -u01 * ya0 - ya3 * (u01 - u31) * mu3)),
-    ("2", axis_equations[1], vector(ya1 * u02, ya2 * (u02 - 1), -u02 * ya0 - ya3 * (u02 - u32) * mu3)),
-):
+for number, equation in zip("12", axis_equations, strict=False):
     section.up_to_scale(
         f"2.4/2.3.3#{number}",
         f"equation {number} of the right bundle, rearranged",
-        printed=printed_form,
         where=COMPLETED,
         derived=as_form(equation, mu1, mu2),
     )
@@ -398,7 +394,6 @@ section.identity(
 section.reference(
     "2.4/ref-1.3.6",
     "equation with the restrictions that are extended to the epipole",
-    printed="1.3.6",
     meant="1.3.8",
     note="The restrictions a) and b) follow (1.3.8) and refer to it; for (1.3.6) the paper states none.",
 )
@@ -481,7 +476,6 @@ mu2_and_mu3 = solve(*linear_system([mu12_of_axis_point[1] - mu2, mu12_of_center[
 section.reference(
     "2.4/ref-2.2.3",
     "equations into whose solutions the third parameter is inserted",
-    printed="2.2.3",
     meant="2.3.3",
 )
 section.identity(
@@ -750,7 +744,6 @@ C_of_six = minors_of_cameras(M_left, M_right)
 section.count(
     "2.4/five-parameters",
     "five parameters are necessary for relative orientation",
-    printed=5,
     derived=C_of_six.applyfunc(lambda element: over(element, C_of_six[1, 0])),
     variables=(*mu_p, *mu_pp),
     kernel=[

@@ -403,7 +403,6 @@ left_condition = sympy.expand(condition(y_a, center_left, left_fourth))
 section.rank(
     "3.2/one-coordinate",
     "parallelism to the base defines one coordinate of the fourth point",
-    printed=1,
     derived=linear_system([left_condition], list(left_fourth))[0],
 )
 section.rank(
@@ -451,7 +450,6 @@ section.identity("3.2.8", "fourth point of the right image", derived=fourth_of_r
 section.reference(
     "3.2/ref-3.3.6",
     "conditions on which (3.2.8) is based",
-    printed="3.3.6",
     meant="3.2.6",
 )
 

@@ -168,7 +168,6 @@ g_lines = [line_through(g_direction, point) for point in (origin, unit2)]
 section.reference(
     "3.4/ref-4.2",
     "figure of the frame lines",
-    printed="4.2",
     meant="3.4",
     note="There is no Fig. 4.2.",
 )
@@ -203,18 +202,12 @@ section.vanishing(
     "the lines intersect where delta is not zero",
     derived=determinant(rows(g_direction, epipolar_direction)),
 )
-for name, printed in (
-    ("U0", vector(0, 0)),
-    ("U1", vector(-(tau2 - 1), tau1 - 1) / delta),
-    ("unit", vector((tau2 - 1) * (z_n - 1), tau1 - tau2) / delta),
-    ("U2", vector(z_n * (tau2 - 1), -(tau2 - 1)) / delta),
-):
+for name, corner in corners.items():
     section.identity(
         f"table:3.4#{name}",
         f"corner {name} of the frame",
-        printed=printed,
         where={delta: DELTA_PRINTED},
-        derived=corners[name],
+        derived=corner,
     )
 
 # %% [markdown]
@@ -343,7 +336,6 @@ x_left, x_right = ((A_of_lines * homogeneous(u_normal)).xreplace(side) for side 
 section.identity(
     "3.4/x1",
     "the normal case condition in rectangular coordinates",
-    printed=x_right[1],
     derived=x_left[1],
     constraints=[dot(vector(1, z_n), vector(LEFT[un1] - RIGHT[un1], LEFT[un2] - RIGHT[un2]))],
     nonzero=[1 - side[tau2] for side in (LEFT, RIGHT)],

@@ -75,13 +75,12 @@ AFFINE_SLIPS = {
     ("O2", 0): ("-0.9009221", SIGN),
 }
 
-for name, printed in AFFINE.items():
+for name in AFFINE:
     for component, coordinate in enumerate(affine(object_points, BASIC, name)):
         slip = AFFINE_SLIPS.get((name, component))
         section.numeric(
             f"4/a#{name}.y{component + 1}",
             f"point {name}, affine coordinate y{component + 1}",
-            printed=printed[component],
             derived=coordinate,
             **({"expect": "misprint", "corrected": slip[0], "note": slip[1]} if slip else {}),
             same_as="4/a#O1.y1" if (name, component) == ("O2", 0) else "",
@@ -296,14 +295,13 @@ def item_b(matrices: dict[str, Matrix]) -> dict[str, sympy.Rational]:
 
 full_values = item_b(FULL_ROTATIONS)
 for side, (table, _) in PICTURES.items():
-    for name, printed in table.items():
-        for place, (column, cell) in enumerate(zip(COLUMNS, printed, strict=True)):
+    for name in table:
+        for place, column in enumerate(COLUMNS):
             slip = IMAGE_SLIPS.get((side, name, place))
             cut = (side, column) == ("right", "u2")
             section.numeric(
                 f"4/b#{name}.{side}.{column}",
                 f"point {name}, {side} picture, {column}",
-                printed=cell,
                 derived=full_values[f"{name}.{side}.{column}"],
                 rounding="cut" if cut else "nearest",
                 **(

@@ -13,15 +13,7 @@ import sympy
 
 from algebroproj_derivations.figures import ImageDrawing, SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import center, fourth_image, mu
-from algebroproj_derivations.fundamentals1996.printed_tables import (
-    MODEL,
-    PRINTED_CENTERS,
-    PRINTED_EPIPOLES,
-    PRINTED_M,
-    PRINTED_MU,
-    PRINTED_Z,
-    TRANSFORMED,
-)
+from algebroproj_derivations.fundamentals1996.printed_tables import MODEL
 from algebroproj_derivations.fundamentals1996.s1_3_properties_of_projection import y0_of_mu
 from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import M_star as core
 from algebroproj_derivations.fundamentals1996.s1_5_space_to_space import (
@@ -160,27 +152,21 @@ full_c = item_c(full_u)
 # before rounding.
 
 # %%
-declare_cells(section, "4/c", "matrix of correlation", entries_of("z", PRINTED_Z), full_c)
+declare_cells(section, "4/c", "matrix of correlation", r"z\d\d", full_c)
 
 # %% [markdown]
 # The determinant is zero, as the pictures are exactly homologous; the elements with eight decimals leave 4e-9.  The
 # epipoles (2.2.6) and (2.2.7) follow.
 
 # %%
-declare_cells(
-    section,
-    "4/c",
-    "determinant of the matrix of correlation",
-    {"det": "0.0000000000"},
-    full_c,
-)
+declare_cells(section, "4/c", "determinant of the matrix of correlation", "det", full_c)
 full_epipoles = epipoles_of(full_elements)
 for side in SIDES:
     declare_cells(
         section,
         "4/c",
         f"epipole in the {side} picture",
-        named(f"{side}.u0", PRINTED_EPIPOLES[side]),
+        rf"{side}\.u0\d",
         full_c,
         exceptions={"4/c#left.u01": {"note": "Printed with a decimal comma."}},
     )
@@ -189,13 +175,14 @@ for side in SIDES:
 # The author's program did not use (2.2.6) as printed, which gives the other signs.
 
 # %%
-declare_cells(
-    section,
-    "4/c/beyond/as-printed",
-    "where (2.2.6) as printed puts the epipole of the left picture",
-    {"left.u01": "-1.64746", "left.u02": "12.56421"},
-    named("left.u0", at(printed_left / D_printed, (remaining, full_elements))),
-)
+epipole_as_printed = at(printed_left / D_printed, (remaining, full_elements))
+for part, printed, value in zip(("u01", "u02"), ("-1.64746", "12.56421"), epipole_as_printed, strict=True):
+    section.numeric(
+        f"4/c/beyond/as-printed#left.{part}",
+        f"where (2.2.6) as printed puts the epipole of the left picture, left.{part}",
+        printed=printed,
+        derived=value,
+    )
 
 # %% [markdown]
 # **Meaning.**  The epipoles solve all three equations, of which (2.2.6) and (2.2.7) use two.  And they are the images
@@ -253,7 +240,7 @@ section.numeric(
 # relative model.  Then (2.3.2) and (2.3.3) of section 2.4 give both bundles.
 
 # %%
-section.definition("4/d/yA", "point assumed on the epipolar axis", printed=Y_A)
+section.definition("4/d/yA", "point assumed on the epipolar axis")
 for side, prime in (("left", "'"), ("right", "''")):
     section.definition(f"4/d#{side}.mu0", f"normalization of the {side} bundle, mu{prime}0")
 
@@ -302,14 +289,14 @@ for side in SIDES:
         section,
         "4/d",
         f"parameters of the {side} bundle",
-        named(f"{side}.mu", PRINTED_MU[side]),
+        rf"{side}\.mu\d",
         full_d,
     )
     declare_cells(
         section,
         "4/d",
         f"center of projection of the {side} bundle",
-        named(f"{side}.y0", PRINTED_CENTERS[side]),
+        rf"{side}\.y0\d",
         full_d,
     )
 
@@ -331,14 +318,12 @@ section.identity(
 section.reference(
     "4/d/ref-left",
     "parameters of the left bundle",
-    printed="3.2.2",
     meant="2.3.2",
     note="(3.2.2) are epipolar lines of the normal case.",
 )
 section.reference(
     "4/d/ref-right",
     "first and second parameter of the right bundle",
-    printed="3.2.3",
     meant="2.3.3",
     note="(3.2.3) is an epipolar line of the normal case.",
     same_as="4/d/ref-left",
@@ -346,7 +331,6 @@ section.reference(
 section.reference(
     "4/d/ref-mu3",
     "third parameter of the right bundle",
-    printed="3.2.4",
     meant="2.4",
     note="Meant is a display of section 2.4 without a number.  (2.3.4), with the digits exchanged as in the other two "
     "references, are the equations of a model point, which do not determine parameters.",
@@ -424,13 +408,13 @@ def item_e(images: Images) -> Values:
 
 full_e = item_e(full_u)
 full_factors = fitted(full_model[FIFTH], object_affine[FIFTH])
-for name, printed in MODEL.items():
-    declare_cells(section, "4/e", f"point {name}, relative model", named(f"{name}.ybar", printed), full_e)
+for name in MODEL:
+    declare_cells(section, "4/e", f"point {name}, relative model", rf"{name}\.ybar\d", full_e)
 declare_cells(
     section,
     "4/e",
     "matrix of transformation to the object",
-    entries_of("m", PRINTED_M),
+    r"m\d\d",
     full_e,
 )
 
@@ -454,8 +438,8 @@ section.numeric(
 # first coordinate of both.
 
 # %%
-for name, printed in TRANSFORMED.items():
-    declare_cells(section, "4/e", f"point {name}, transformed to the object", named(f"{name}.y", printed), full_e)
+for name in MODEL:
+    declare_cells(section, "4/e", f"point {name}, transformed to the object", rf"{name}\.y\d", full_e)
 section.identity(
     "4/e/comparison",
     "the transformed model is the initial one",

@@ -4,6 +4,7 @@
 # A table becomes claims cell by cell.  What does not follow would be a slip: `exceptions` has the options of its claim.
 
 # %%
+import re
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import Any
@@ -21,16 +22,16 @@ def declare_cells(
     into: Section,
     number: str,
     title: str,
-    cells: Mapping[str, str],
+    pattern: str,
     values: Mapping[str, sympy.Rational],
     note: str = "",
     exceptions: Exceptions = MappingProxyType({}),
 ) -> None:
-    """Declare printed numbers, part by part of one claim number, each beside its exact value."""
-    for part, printed in cells.items():
-        claim = f"{number}#{part}"
-        options = {"note": note} | dict(exceptions.get(claim, {}))
-        into.numeric(claim, f"{title}, {part}", printed=printed, derived=values[part], **options)
+    """Declare the numbers that the quotes have for the parts that a pattern matches, each beside its exact value."""
+    for part, value in values.items():
+        if re.fullmatch(pattern, part):
+            options = {"note": note} | dict(exceptions.get(f"{number}#{part}", {}))
+            into.numeric(f"{number}#{part}", f"{title}, {part}", derived=value, **options)
 
 
 def named(prefix: str, numbers: Iterable[Any]) -> dict[str, Any]:

@@ -1,10 +1,9 @@
 # %% [markdown]
 # # 4 Numerical example: the tables, as printed
 #
-# Nothing is computed here.  What is printed is not typed again but for the second matrix: the digits are those of the
-# quotes.
+# Nothing is computed here, and what is printed is not typed again: the digits are those of the quotes.
 #
-# The eight points, in millimeters, and the two matrices of correlation.
+# The eight points, in millimeters, and the matrix of correlation.
 
 # %%
 from pathlib import Path
@@ -17,16 +16,12 @@ LEFT = tuple(zip(coordinates[:8], coordinates[8:16], strict=True))
 RIGHT_X, RIGHT_Y = coordinates[16:23], coordinates[23:]
 z = quotes.decimals("4/Z#z11")
 Z_PRINTED = tuple(zip(z[:3], z[3:6], z[6:], strict=True))
-C_PRINTED = (("-0.00404", "0.26580", "0.01111"), (None, None, "-0.99454"), ("-0.00696", "1.00000", None))
 
 # %% [markdown]
-# The error equations: five coefficients, parallax and weight.  Then the inverse matrix in $10^{-6}$, the solutions with
-# their standard errors and the definitive rotations in gon, and the definitive matrix.
+# The error equations: five coefficients, parallax and weight.  Then the definitive rotations in gon.
 
 # %%
-TABLE = tuple(quotes.decimals(f"4/errors#{row}.phip") for row in range(1, 9))
-q, last = quotes.decimals("4/Q#11"), quotes.decimals("4/Q#55")
-Q_PRINTED = (*((*q[4 * i : 4 * i + 4], last[i]) for i in range(4)), last)
+TABLE = (*quotes.rows("4/errors", "phip", "kappap", "omega", "phipp", "kappapp", "deltap", "g").values(),)
 ANGLES = ("phip", "kappap", "omega", "phipp", "kappapp")
 DEFINITIVE = dict(zip(ANGLES, quotes.decimals("4/definitive#phip"), strict=True))
 

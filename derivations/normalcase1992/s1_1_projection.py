@@ -30,7 +30,7 @@ X = vector(*sympy.symbols("X1:4"))
 X0 = vector(*sympy.symbols("X01 X02 X03"))
 X0_left, X0_right = (vector(*sympy.symbols(f"X01{primes} X02{primes} X03{primes}")) for primes in ("p", "pp"))
 
-section.definition("1.1/x", "vector of image coordinates", printed=x_vector)
+section.definition("1.1/x", "vector of image coordinates")
 section.definition("1.1/p", "projector in the model space")
 section.identity(
     "1.1/E",
@@ -49,7 +49,6 @@ section.identity(
 section.definition(
     "1.1.1",
     "condition of intersection: the point on a ray of each image",
-    printed=columns(X0_left + lam_p * R_left * x_left, X0_right + lam_pp * R_right * x_right),
 )
 section.identity(
     "1.1/b",

@@ -135,7 +135,6 @@ section.identity(
 section.rank(
     "1.2/rank",
     "rank of the matrix of correlation",
-    printed=2,
     derived=C_of_images,
     properties={Rp: "rotation", Rpp: "rotation"},
     kernel=[Rpp.T * b_bold],

@@ -125,7 +125,6 @@ IMAGES = (
 section.reference(
     "2.2/ref-2.3.1",
     "number of the equations for swing and tip",
-    printed="2.3.1",
     meant="2.2.1",
     note="The equation stands in section 2.2; section 2.3 has a (2.3.1) of its own, to which section 3.2 refers.",
 )
@@ -226,7 +225,6 @@ section.identity("2.2/cosine", "cosine of the tip from the last equation", const
 section.reference(
     "2.2/ref-2.3.2",
     "number of the equations for the tilt",
-    printed="2.3.2",
     meant="2.2.2",
     note="The same slip as 2.2/ref-2.3.1.",
     same_as="2.2/ref-2.3.1",

@@ -202,7 +202,6 @@ fictitious = dot(line_left.col_join(line_right), v_left.col_join(v_right))
 section.identity(
     "2.3/w",
     "fictitious residual",
-    printed=h1p * vxp + h2p * vyp + h1pp * vxpp + h2pp * vypp,
     derived=fictitious,
 )
 

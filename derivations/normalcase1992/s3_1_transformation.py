@@ -106,7 +106,6 @@ h_left, h_right = C_normal * x_right, C_normal.T * x_left
 section.identity(
     "3.1.2#h'",
     "epipolar line in the left image of the normal case",
-    printed=Matrix.hstack(Matrix([[0, 0, 0], [0, 0, -1], [0, 1, 0]]) * x_right, vector(0, c, ypp)),
     derived=Matrix.hstack(h_left, h_left),
 )
 section.identity("3.1.2", "equation of the epipolar line in the left image", derived=dot(h_left, x_left))
@@ -120,7 +119,6 @@ section.identity(
 section.identity(
     "3.1.3",
     "equation of the epipolar line in the right image",
-    printed=-c * ypp + c * yp,
     derived=dot(h_right, x_right),
 )
 

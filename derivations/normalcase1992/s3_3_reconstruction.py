@@ -21,7 +21,6 @@ section = Section("normalcase1992", "3.3", "Propagation of errors concerning rec
 section.reference(
     "3.3/ref-S_N",
     "the dispersion of the image coordinates",
-    printed="3.3.2",
     meant="3.2.2",
     note="(3.3.2) is the differential of the factor, further down.",
 )
@@ -118,7 +117,6 @@ section.identity(
 section.identity(
     "3.3/E#dlambda2",
     "variance of the factor",
-    printed=lam_n**4 * (s_xppxpp + s_xx - 2 * s_xxpp),
     where=WITH_FACTOR,
     derived=of_factor,
 )

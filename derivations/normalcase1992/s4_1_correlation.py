@@ -30,7 +30,7 @@ from algebroproj_derivations.normalcase1992.notation import (
     turn_phi,
     unit_base,
 )
-from algebroproj_derivations.normalcase1992.printed_tables import C_PRINTED, LEFT, RIGHT_X, RIGHT_Y, Z_PRINTED
+from algebroproj_derivations.normalcase1992.printed_tables import LEFT, RIGHT_X, RIGHT_Y, Z_PRINTED
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import (
     Matrix,
@@ -260,7 +260,6 @@ for i, j in product(range(3), repeat=2):
 section.numeric(
     "4/det",
     "determinant of Z",
-    printed="-0.0001351",
     derived=determinant(Z),
 )
 
@@ -294,10 +293,7 @@ def epipole(matrix: Matrix, first: int, second: int) -> Matrix:
     return -c / direction[2] * direction
 
 
-EPIPOLES = {
-    "left": ("P'", Z.T, ("192.457", "1.476")),
-    "right": ("P''", Z, ("-178.264", "-0.569")),
-}
+EPIPOLES = {"left": ("P'", Z.T), "right": ("P''", Z)}
 FIRST_TWO = "From the first and the second of the three equations; the other pairs do not give it."
 LAST_DIGIT = {
     "expect": "misprint",
@@ -306,12 +302,11 @@ LAST_DIGIT = {
     "three other coordinates, and x would have another last digit if it were cut off: an arithmetic of about seven "
     "digits has lost the last one.",
 }
-for side, (image, matrix, printed) in EPIPOLES.items():
+for side, (image, matrix) in EPIPOLES.items():
     for component, name in enumerate(("x", "y")):
         section.numeric(
             f"4/epipole#{side}.{name}",
             f"provisional epipole in {image}, {name}",
-            printed=printed[component],
             derived=epipole(matrix, 0, 1)[component],
             **(LAST_DIGIT if (side, name) == ("left", "y") else {"note": FIRST_TWO}),
         )
@@ -328,7 +323,7 @@ OTHER_PAIRS = {
     ("right", 1, 2): ("-178.269", "-0.479"),
 }
 for (side, first, second), values in OTHER_PAIRS.items():
-    image, matrix, _ = EPIPOLES[side]
+    image, matrix = EPIPOLES[side]
     for component, name in enumerate(("x", "y")):
         section.numeric(
             f"4/beyond/epipole#{side}{first + 1}{second + 1}.{name}",
@@ -448,8 +443,8 @@ C = R_left.T * B * R_right
 
 RECONSTRUCTED = {(1, 0): "0.28548", (1, 1): "0.01706", (2, 2): "0.01310"}
 for i, j in product(range(3), repeat=2):
-    printed, title = C_PRINTED[i][j], f"(1 / c32) R'^T B R'', row {i + 1}, column {j + 1}"
-    if printed is not None:
+    title = f"(1 / c32) R'^T B R'', row {i + 1}, column {j + 1}"
+    if (i, j) not in RECONSTRUCTED:
         section.numeric(f"4/C#c{i + 1}{j + 1}", title, derived=C[i, j] / C[2, 1])
         continue
     section.identity(

@@ -29,7 +29,6 @@ from algebroproj_derivations.normalcase1992.printed_tables import (
     BY_WEIGHTS,
     DEFINITIVE,
     LEFT_OVER,
-    Q_PRINTED,
     TABLE,
 )
 from algebroproj_derivations.normalcase1992.s4_1_correlation import (
@@ -166,13 +165,12 @@ def verdict_of(number: str, slug: str, place: tuple[int, int]) -> dict[str, str]
     return finding | {"same_as": SAME_FINDING.get(slug, "")}
 
 
-for i, printed in enumerate(TABLE):
+for i in range(len(TABLE)):
     for j, (slug, head) in enumerate(HEADS.items()):
         number = f"4/errors#{i + 1}.{slug}"
         section.numeric(
             number,
             f"error equation {i + 1}, {head}",
-            printed=printed[j],
             derived=table[i, j],
             **verdict_of(number, slug, (i, j)),
         )
@@ -210,7 +208,6 @@ for i, j in product(range(5), repeat=2):
     section.numeric(
         f"4/Q#{i + 1}{j + 1}",
         f"inverse matrix of the error equations as printed, row {i + 1}, column {j + 1}, in 10^-6",
-        printed=Q_PRINTED[i][j],
         derived=unrounded.Q[i, j] * MILLION,
         **(
             {
@@ -234,7 +231,6 @@ s0 = square_root(sum(sympy.Rational(g) * square for g, square in squares_of_resi
 section.numeric(
     "4/s0",
     "standard error of adjustment",
-    printed="0.117",
     derived=s0,
     note="0.1171, from the residuals without rounding and the weights with one decimal, as the table prints them; the "
     "weights without rounding give 0.1184, 4/beyond/s0.",

@@ -45,7 +45,6 @@ images_of_six = Matrix.vstack(*(image(matrix_of(A), p) for p in six_points))
 section.count(
     "1#independent",
     "the eleven coefficients are independent",
-    printed=11,
     derived=images_of_six,
     variables=A,
 )
@@ -58,7 +57,7 @@ section.count(
 
 # %%
 e = Matrix(3, 3, sympy.symbols("e1:4(1:4)"))
-e11, e12, e13, e21, e22, e23, e31, e32, e33 = e
+e31, e32, e33 = e[6:]
 ray = e * (point - center)
 
 section.definition("2", "central projection")
@@ -71,16 +70,10 @@ section.definition("3#rotation", "elements of the transposed rotation of the pic
 # %%
 scale = over(-c, ray[2])
 picture = scale * ray
-divisor = e31 * (X - Xo) + e32 * (Y - Yo) + e33 * (Z - Zo)
-printed_picture = vector(
-    -c * (e11 * (X - Xo) + e12 * (Y - Yo) + e13 * (Z - Zo)) / divisor,
-    -c * (e21 * (X - Xo) + e22 * (Y - Yo) + e23 * (Z - Zo)) / divisor,
-)
 section.identity("3", "collinearity equations", derived=picture[:2, :])
 section.identity(
     "3a",
     "collinearity equations as a vector",
-    printed=vector(*printed_picture, -c),
     derived=picture,
 )
 
@@ -119,7 +112,6 @@ measured = comparator_center + d[:2, :] * picture
 section.identity(
     "6",
     "measured coordinates of an object point",
-    printed=-c * d[:2, :] * vector(printed_picture[0] / -c, printed_picture[1] / -c, 1),
     derived=measured - comparator_center,
 )
 
@@ -207,7 +199,6 @@ turn_of_picture = vector(*(rates.get(parameter, 0) for parameter in twelve))
 section.count(
     "1.1/twelve",
     "eleven of the twelve parameters of (6) are independent",
-    printed=11,
     derived=A_of_twelve,
     variables=twelve,
     kernel=[turn_of_picture],
@@ -223,7 +214,6 @@ eleven = tuple(parameter for parameter in twelve if parameter != t_gamma)
 section.count(
     "1.1/gamma",
     "with gamma = 0 the remaining eleven parameters are independent",
-    printed=11,
     derived=A_of_eleven,
     variables=eleven,
 )
@@ -268,7 +258,6 @@ A_of_nine = inserted(A_of_twelve, comparator_angles, (0, 0, 0))
 section.count(
     "1.1/nine",
     "a camera has nine independent parameters",
-    printed=9,
     derived=A_of_nine,
     variables=nine,
 )

@@ -68,7 +68,6 @@ images_of_five = Matrix.vstack(*(image(matrix_of(B), p) for p in five_points))
 section.count(
     "8#independent",
     "the fifteen coefficients are independent",
-    printed=15,
     derived=images_of_five,
     variables=B,
 )
@@ -258,7 +257,6 @@ other_planes = ((2, 3), (1, 3), (0, 3), (0, 1))
 section.count(
     "1.2/independent",
     "the fifteen coefficients are independent functions of sixteen parameters",
-    printed=15,
     derived=coefficients_of(camera_of_planes(other_planes, four_of_object, four_of_comparator)),
     variables=sixteen,
     note="Favourable reading, with the planes that are named above; the paper does not say which planes its rotations "
@@ -381,7 +379,6 @@ section.count(
 section.count(
     "15#independent",
     "the coefficients of (15) are independent, as those of (8)",
-    printed=15,
     derived=A_of_twenty,
     variables=(*six_of_object, *picture_parameters, *six_of_comparator),
     note="For general rotations, 1.2/beyond/rotations-of-space.",

@@ -224,7 +224,6 @@ ratios = coefficients_of(F)
 section.count(
     "2.1/seven",
     "the condition has seven independent parameters",
-    printed=7,
     derived=ratios,
     variables=both,
     kernel=collineations,
@@ -241,7 +240,7 @@ section.count(
 
 # %%
 three_coordinates = vector(*general_collinearity(A_left), general_collinearity(A_right)[0])
-section.definition("20", "three of the four equations", printed=three_coordinates)
+section.definition("20", "three of the four equations")
 
 # %% [markdown]
 # It says that $(X, Y, Z)$ and $(x_{c1}, y_{c1}, x_{c2})$ differ by a collineation.  Every collineation takes the points
@@ -368,7 +367,6 @@ section.identity(
 section.count(
     "21#independent",
     "the fifteen coefficients of (21) are independent",
-    printed=15,
     derived=coefficients_of(adjugate(stacked)),
     variables=(*A_left, *A_right[:4]),
     note="Favourable reading, for photographs with the same denominator: there the solution is a collineation, "
@@ -378,7 +376,6 @@ section.count(
 section.count(
     "2.1/fifteen",
     "five points determine the fifteen parameters of (21)",
-    printed=15,
     derived=images_of_five,
     variables=B,
     note="Of (21) as a collineation, whose fifteen coefficients five points determine; that the solution of (20) is "
@@ -466,17 +463,13 @@ object_of_model = solve(
         tuple(point),
     )
 )
-printed_inverse = collineation(Ep, model)
-printed_denominator = E_[12] * XM + Ep[13] * YM + Ep[14] * ZM + 1
-denominator = Ep[12] * XM + Ep[13] * YM + Ep[14] * ZM + 1
 section.identity(
     "24",
     "object as a collineation of the model",
-    printed=vector(*(form * denominator / printed_denominator for form in printed_inverse[:2]), printed_inverse[2]),
     where=given(Ep, coefficients_of(adjugate(M))),
     derived=object_of_model,
     expect="misprint",
-    corrected=printed_inverse,
+    corrected=collineation(Ep, model),
     note="In the first two denominators the prime of E13 is missing, while all their other coefficients have theirs; "
     "the same slip twice.  As the coefficient of (23) E13 is wrong.",
 )
@@ -499,7 +492,6 @@ of_control = [vector(*image(P_left, p), image(P_right, p)[0]) for p in control_p
 section.rank(
     "2.1/twenty-two",
     "seven pairs of image points and five object points give 22 independent equations",
-    printed=22,
     derived=rates_of_equations(Matrix.vstack(*of_pairs, *of_control), both, tie_points),
 )
 

@@ -236,7 +236,6 @@ def seven_ratios(form: Matrix) -> Matrix:
 section.count(
     "2.2/seven",
     "the condition has seven independent parameters among fifteen",
-    printed=7,
     derived=seven_ratios(coplanarity_of(inner_of(inner_left), inner_of(inner_right))),
     variables=fifteen,
 )
@@ -294,7 +293,6 @@ coordinates_of_five = tuple(coordinate for p in five for coordinate in p)
 section.count(
     "2.2/nine",
     "five points have nine independent line segments",
-    printed=9,
     derived=vector(*squared_distances(five)),
     variables=coordinates_of_five,
     kernel=[rates(five, movement) for movement in movements],
@@ -302,7 +300,6 @@ section.count(
 section.count(
     "2.2/eight",
     "the similarity of five points has eight independent equations",
-    printed=8,
     derived=ratios_to_first(squared_distances(five)),
     variables=coordinates_of_five,
     kernel=[rates(five, similarity) for similarity in similarities],
@@ -370,7 +367,6 @@ followed_by_similarities = [vector(*(infinitesimal(s) * collineation_matrix)[:15
 section.count(
     "2.2/five-points",
     "fifteen parameters are obtained from the correspondence if five points are given",
-    printed=15,
     derived=Matrix.vstack(*mapped_points),
     variables=B_,
 )

@@ -53,7 +53,6 @@ Xo1, Yo1, Zo1 = center_left
 Xo2, Yo2, Zo2 = center_right
 l1, m1, n1 = g1
 l2, m2, n2 = g2
-X1, Y1, Z1 = reduced_left
 on_left_ray, on_right_ray = center_left + rho1 * g1, center_right + rho2 * g2
 
 
@@ -89,7 +88,6 @@ section.vanishing(
 section.identity(
     "42#base",
     "the base",
-    printed=vector(Xo2 - Xo1, Yo2 - Yo1, Zo2 - Zo1),
     derived=base_vector,
 )
 
@@ -152,7 +150,6 @@ def bilinear_of(left: Matrix, right: Matrix) -> Matrix:
 section.count(
     "42#seven",
     "the condition has seven independent parameters",
-    printed=7,
     derived=seven_ratios(bilinear_of(inner_of(inner_left), inner_of(inner_right))),
     variables=twenty_two,
 )
@@ -213,7 +210,6 @@ section.identity(
 section.identity(
     "44",
     "first type, left photograph",
-    printed=vector(Xo1 + X1 / Z1 * (Z - Zo1), Yo1 + Y1 / Z1 * (Z - Zo1)),
     derived=vector(*(in_reduced(from_known(2, k, center_left, g1)) for k in (0, 1))),
 )
 section.identity(

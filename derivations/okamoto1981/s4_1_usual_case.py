@@ -76,7 +76,6 @@ SpaceDrawing(
 section.count(
     "4.1/nine",
     "a picture has nine parameters",
-    printed=9,
     derived=A_of_nine,
     variables=nine,
 )

@@ -117,7 +117,6 @@ seven_of_eleven = seven_ratios(coplanarity_of(inner_of(inner_left), inner_of(inn
 section.count(
     "4.2/six",
     "the condition has six independent parameters",
-    printed=6,
     derived=seven_of_eleven,
     variables=eleven,
     expect="false",
@@ -158,7 +157,6 @@ section.count(
 section.count(
     "4.2/metric",
     "with given interior orientation the condition determines the five exterior elements",
-    printed=5,
     derived=seven_of_eleven,
     variables=(*angles_left, *angles_right),
 )
@@ -207,7 +205,6 @@ coefficients_of_twelve = coefficients_of(camera_of_planes(other_planes, four_of_
 section.count(
     "55#twelve",
     "twelve independent parameters",
-    printed=12,
     derived=coefficients_of_twelve,
     variables=twelve,
     note="Favourable reading, with the planes of 1.2/independent.  With the rotations of (2) there are eleven, and "
@@ -219,7 +216,6 @@ images_of_four = [image(camera_of_planes(other_planes, four_of_object), p) for p
 section.count(
     "55#four-points",
     "four points determine the correspondence",
-    printed=12,
     derived=Matrix.vstack(*images_of_four),
     variables=twelve,
     note="Favourable reading, that of 55#twelve: the twelve coordinates are independent functions of the parameters.",
@@ -420,7 +416,6 @@ coordinates_of_four = tuple(coordinate for p in four for coordinate in p)
 section.count(
     "4.2/six-segments",
     "four points have six independent line segments",
-    printed=6,
     derived=vector(*squared_distances(four)),
     variables=coordinates_of_four,
     kernel=[rates(four, movement) for movement in movements],
@@ -428,7 +423,6 @@ section.count(
 section.count(
     "4.2/five",
     "the similarity of four points has five independent equations",
-    printed=5,
     derived=ratios_to_first(squared_distances(four)),
     variables=coordinates_of_four,
     kernel=[rates(four, similarity) for similarity in similarities],

@@ -35,7 +35,6 @@ section = Section("okamoto1981", "4.3", "Simultaneous determination of all orien
 section.count(
     "4.3/nine",
     "a picture has nine independent parameters",
-    printed=9,
     derived=A_of_nine,
     variables=nine,
 )
@@ -51,7 +50,6 @@ seven_of_eighteen = seven_ratios(bilinear_of(inner_of(inner_left), inner_of(inne
 section.count(
     "4.3/six",
     "the condition of coplanarity has six independent elements",
-    printed=6,
     derived=seven_of_eighteen,
     variables=eighteen,
     expect="false",

@@ -54,14 +54,12 @@ section = Section("okamoto1981", "5", "Concluding remarks")
 section.count(
     "5/eleven",
     "a photograph has eleven independent orientation elements",
-    printed=11,
     derived=A_of_eleven,
     variables=eleven,
 )
 section.count(
     "5/seven",
     "the stereo model is constructed with seven independent parameters",
-    printed=7,
     derived=ratios[1:, :],
     variables=both,
 )
@@ -90,7 +88,6 @@ section.count(
 section.count(
     "5/six",
     "in the usual case the condition of coplanarity has six independent elements",
-    printed=6,
     derived=seven_of_eleven,
     variables=eleven_of_pair,
     expect="false",

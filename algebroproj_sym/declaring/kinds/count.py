@@ -11,9 +11,10 @@ from typing import Any, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.declaring.kinds.minor import Minor, largest_minor
 from algebroproj_sym.declaring.kinds.rank import Bound, bounded, generic_rank, polynomial_vectors, values_at
+from algebroproj_sym.declaring.transcription import transcribed_count
 from algebroproj_sym.expressions import columns, derivatives, entries, evaluate, jacobian, symbols_of
 from algebroproj_sym.proving import Point, Proof, RationalFunctionField
 
@@ -55,7 +56,7 @@ def _is_invariant(claim: Claim, direction: sympy.MatrixBase, field: RationalFunc
 
 
 def count(
-    section: Declaring, number: str, title: str, *, printed: int, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: int = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare how many of the functions `derived` of `variables` are independent.
 
@@ -69,6 +70,7 @@ COUNT = Kind(
     count,
     compare,
     "The number of independent functions.",
+    transcribe=transcribed_count,
     takes=("variables", "kernel"),
     is_reduced=False,
     printed="Printed: how many are independent",

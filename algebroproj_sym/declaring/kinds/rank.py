@@ -15,8 +15,9 @@ from typing import Any, NamedTuple, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
 from algebroproj_sym.declaring.kinds.minor import Minor, largest_minor
+from algebroproj_sym.declaring.transcription import transcribed_count
 from algebroproj_sym.expressions import Expression, columns, evaluate, symbols_of, text, vector
 from algebroproj_sym.proving import (
     Point,
@@ -175,7 +176,7 @@ def values_at(matrix: Any, point: Point) -> list[list[Fraction]]:
 
 
 def rank(
-    section: Declaring, number: str, title: str, *, printed: int, derived: Any, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: int = QUOTED, derived: Any, **options: Unpack[Options]
 ) -> Claim:
     """Declare the rank that a matrix has in general; `kernel` are independent vectors that it takes to zero."""
     return section.declare(RANK, number, title, printed, derived, **options)
@@ -186,6 +187,7 @@ RANK = Kind(
     rank,
     compare,
     "The generic rank of the matrix.",
+    transcribe=transcribed_count,
     takes=("kernel", "letters"),
     of_entries=True,
     is_reduced=False,

@@ -8,7 +8,9 @@ from typing import Any, Unpack
 import sympy
 
 from algebroproj_sym.declaring.claim import Claim, DeclarationError
-from algebroproj_sym.declaring.kind import Declaring, Kind, Options
+from algebroproj_sym.declaring.kind import QUOTED, Declaring, Kind, Options
+from algebroproj_sym.declaring.source import calling
+from algebroproj_sym.declaring.transcription import transcribed_reference
 from algebroproj_sym.proving import Proof
 
 
@@ -21,10 +23,15 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
 
 
 def reference(
-    section: Declaring, number: str, title: str, *, printed: str, meant: str, **options: Unpack[Options]
+    section: Declaring, number: str, title: str, *, printed: str = QUOTED, meant: str, **options: Unpack[Options]
 ) -> Claim:
     """Declare which formula a reference such as "2.3.3" means; a wrong reference is a misprint."""
     where = f"claim {section.paper}:{number}"
+    if printed is QUOTED:
+        try:
+            printed = transcribed_reference(calling(depth=1).folder, number)
+        except DeclarationError as error:
+            raise DeclarationError(f"{where}, printed: {error}") from error
     right = numbers(meant, f"{where}, meant")
     if printed != meant:
         options = {"expect": "misprint", "corrected": right, **options}

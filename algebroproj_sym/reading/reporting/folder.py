@@ -109,6 +109,9 @@ def _why_no_claim(link: Link) -> str:
     return ""
 
 
+_UNREAD = "the claim has the letters that the document gives it"
+
+
 def _module(paper: str, part: int, title: str, readings: Sequence[Reading], numbers: dict[int, str]) -> Iterator[str]:
     yield f"# %% [markdown]\n# # {title}\n{_HEADER.format(paper=paper, number=part, title=json.dumps(title))}"
     for reading in readings:
@@ -146,7 +149,7 @@ def _quotes(readings: Sequence[Reading], numbers: dict[int, str]) -> Iterator[st
         if claims:
             latex = json.dumps(" ".join(reading.latex.split()), ensure_ascii=False)
             where = f"claims = {json.dumps(claims)}\nline = {reading.line}\nlatex = {latex}"
-            yield f'[[quote]]\n{where}\nunparsed = "implicit"\n'
+            yield f'[[quote]]\n{where}\nunparsed = "unread"\nwhy = "{_UNREAD}"\n'
 
 
 def _symbols(given: SymbolsFile | None) -> str:

@@ -32,21 +32,14 @@ class UnknownSelectorError(ValueError):
 
 @dataclass(frozen=True)
 class Derivation:
-    """A derivation module and what it declares.
-
-    Attributes
-    ----------
-    module : str
-        Its name.
-    section : Section
-        Its claims and kernels.
-    path : Path
-        Its file.
-    """
+    """A derivation module and what it declares."""
 
     module: str
+    """Its name."""
     section: Section
+    """Its claims and kernels."""
     path: Path
+    """Its file."""
 
 
 @cache

@@ -14,19 +14,13 @@ from algebroproj_sym.declaring.claim import DeclarationError
 
 @dataclass(frozen=True)
 class Driver:
-    """A hand-written function.
-
-    Attributes
-    ----------
-    module, name : str
-        Where it is found in the package: ``algebroproj.<module>.<name>``.
-    source : Path
-        The module that defines it, which is copied into the package.
-    """
+    """A hand-written function."""
 
     module: str
     name: str
+    """Where it is found in the package: ``algebroproj.<module>.<name>``."""
     source: Path
+    """The module that defines it, which is copied into the package."""
 
     @property
     def sources(self) -> frozenset[Path]:

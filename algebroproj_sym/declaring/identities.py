@@ -38,27 +38,17 @@ class MalformedFileError(ValueError):
 
 @dataclass(frozen=True)
 class Identity:
-    """A statement of a file.
-
-    Attributes
-    ----------
-    file : Path
-        The file.
-    place : str
-        Where it stands: file, item and name.
-    name : str
-        Its name, or its place in the file.
-    question : Question
-        What is asked.
-    expected : str or None
-        The verdict that is declared, if one is.
-    """
+    """A statement of a file."""
 
     file: Path
     place: str
+    """Where it stands: file, item and name."""
     name: str
+    """Its name, or its place in the file."""
     question: Question
+    """What is asked."""
     expected: str | None
+    """The verdict that is declared, if one is."""
 
 
 @dataclass(frozen=True)

@@ -87,21 +87,14 @@ class Argument:
 
 @dataclass(frozen=True)
 class Result:
-    """A result of a kernel.
-
-    Attributes
-    ----------
-    name : str
-        What it is called.
-    derived : Expression
-        What the derivation computes: the truth that the function is held against.
-    form : Expression
-        An equal expression that is to be lowered; it may use the abbreviations of the kernel.
-    """
+    """A result of a kernel."""
 
     name: str
+    """What it is called."""
     derived: Expression
+    """What the derivation computes: the truth that the function is held against."""
     form: Expression
+    """An equal expression that is to be lowered; it may use the abbreviations of the kernel."""
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -21,24 +21,16 @@ LINEAR = ("solve", "null_vector")
 
 @dataclass(frozen=True)
 class Stage:
-    """Symbols, and the primitive function that defines them.
-
-    Attributes
-    ----------
-    primitive : str
-        ``let``, one of `LINEAR`, or the name of an elementary function.
-    results : tuple of Symbol
-        What it gives.
-    derived : Expression
-        What it takes, as derived: for linear equations a row is coefficients and right side.
-    form : Expression
-        The same, in the form to be lowered.
-    """
+    """Symbols, and the primitive function that defines them."""
 
     primitive: str
+    """``let``, one of `LINEAR`, or the name of an elementary function."""
     results: tuple[sympy.Symbol, ...]
+    """What it gives."""
     derived: Matrix
+    """What it takes, as derived: for linear equations a row is coefficients and right side."""
     form: Matrix
+    """The same, in the form to be lowered."""
 
 
 def let(values: Mapping[sympy.Symbol, Any], *, form: Mapping[sympy.Symbol, Any] | None = None) -> Stage:

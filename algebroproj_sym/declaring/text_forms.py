@@ -23,23 +23,16 @@ from algebroproj_sym.proving.statements import UnsupportedError, has_functions, 
 
 @dataclass(frozen=True)
 class Given:
-    """What is declared of a statement, as it was given.
-
-    Attributes
-    ----------
-    forms : mapping of str to object
-        The printed, the derived and the corrected form, where there is one.
-    constraints, nonzero, assumptions : sequence
-        The conditions.
-    properties : mapping
-        What letters are.
-    """
+    """What is declared of a statement, as it was given."""
 
     forms: Mapping[str, Any]
+    """The printed, the derived and the corrected form, where there is one."""
     constraints: Sequence[Any]
     nonzero: Sequence[Any]
     assumptions: Sequence[Any]
+    """The conditions."""
     properties: Mapping[Any, Any]
+    """What letters are."""
 
     @property
     def values(self) -> tuple[Any, ...]:

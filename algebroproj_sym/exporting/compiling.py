@@ -42,24 +42,16 @@ class NoCompilerError(Exception):
 
 @dataclass(frozen=True)
 class Compiled:
-    """What Coq says of a file.
-
-    Attributes
-    ----------
-    name : str
-        The file, without its suffix.
-    seconds : float
-        How long it took.
-    axioms : tuple of str
-        What it says that is assumed, if it was asked.
-    error : str
-        Why the file is rejected; empty if it is accepted.
-    """
+    """What Coq says of a file."""
 
     name: str
+    """The file, without its suffix."""
     seconds: float
+    """How long it took."""
     axioms: tuple[str, ...] = ()
+    """What it says that is assumed, if it was asked."""
     error: str = ""
+    """Why the file is rejected; empty if it is accepted."""
 
 
 def require_compiler() -> None:

@@ -17,21 +17,14 @@ from algebroproj_sym.exporting.theorems import CHECKED, Hypotheses, premises, sp
 
 @dataclass(frozen=True)
 class Functions:
-    """Functions of some variables.
-
-    Attributes
-    ----------
-    variables : tuple of str
-        All symbols that occur.
-    definitions : mapping of str to Term
-        Names of formulas.
-    entries : tuple of Term
-        The functions.
-    """
+    """Functions of some variables."""
 
     variables: tuple[str, ...]
+    """All symbols that occur."""
     definitions: Mapping[str, Term]
+    """Names of formulas."""
     entries: tuple[Term, ...]
+    """The functions."""
 
     def chosen(self, rows: Sequence[int]) -> Functions:
         """Return some of the functions, with the definitions that they use."""

@@ -40,27 +40,7 @@ FUNCTIONS = f"From Coq Require Import Lra.\nFrom {LIBRARY} Require Import Functi
 
 @dataclass(frozen=True)
 class Exported:
-    """The theorems of a claim, or why there are none.
-
-    Attributes
-    ----------
-    paper, number, section, title, kind, verdict : str
-        The claim as the ledger has it.
-    theorems : tuple of Theorem
-        What it shows.
-    reason : str
-        Why there is no theorem; empty if there is one.
-    refused : bool
-        Whether the evidence does not replay, or does not show what the ledger says.
-    definitions : tuple of Definition
-        The objects that the theorems are about.
-    why : str
-        Why there are no such objects, if it is known.
-    line : int
-        The line of the paper that has the claim, 0 if none is quoted.
-    functions : bool
-        Whether the theorems are about real functions.
-    """
+    """The theorems of a claim, or why there are none."""
 
     paper: str
     number: str
@@ -68,13 +48,21 @@ class Exported:
     title: str
     kind: str
     verdict: str
+    """The claim as the ledger has it."""
     theorems: tuple[Theorem, ...] = ()
+    """What it shows."""
     reason: str = ""
+    """Why there is no theorem; empty if there is one."""
     refused: bool = False
+    """Whether the evidence does not replay, or does not show what the ledger says."""
     definitions: tuple[Definition, ...] = ()
+    """The objects that the theorems are about."""
     why: str = ""
+    """Why there are no such objects, if it is known."""
     line: int = 0
+    """The line of the paper that has the claim, 0 if none is quoted."""
     functions: bool = False
+    """Whether the theorems are about real functions."""
 
     @property
     def equations(self) -> int:

@@ -42,50 +42,33 @@ class Theorem:
 
 @dataclass(frozen=True)
 class Goal:
-    """An equation, and why it holds: its difference is, up to a power and divisors, a combination of the constraints.
-
-    Attributes
-    ----------
-    left, right : Term
-        The sides.
-    power : int
-        To which power the difference is raised.
-    multiplier : tuple of int
-        By which powers of the divisors it is multiplied.
-    cofactors : tuple of Term
-        The factors of the constraints.
-    """
+    """An equation, and why it holds: its difference is, up to a power and divisors, a combination of constraints."""
 
     left: Term
     right: Term
+    """The sides."""
     power: int = 1
+    """To which power the difference is raised."""
     multiplier: tuple[int, ...] = ()
+    """By which powers of the divisors it is multiplied."""
     cofactors: tuple[Term, ...] = ()
+    """The factors of the constraints."""
 
 
 @dataclass(frozen=True)
 class Hypotheses:
-    """What a theorem assumes.
-
-    Attributes
-    ----------
-    variables : tuple of str
-        Free variables.
-    divisors : tuple of Term
-        Polynomials in them that are not zero.
-    definitions : mapping of str to Term
-        Names of formulas.
-    units : tuple of Term
-        Other formulas that are not zero.
-    constraints : tuple of Term
-        Formulas that are zero.
-    """
+    """What a theorem assumes."""
 
     variables: tuple[str, ...]
+    """Free variables."""
     divisors: tuple[Term, ...] = ()
+    """Polynomials in them that are not zero."""
     definitions: Mapping[str, Term] = field(default_factory=dict)
+    """Names of formulas."""
     units: tuple[Term, ...] = ()
+    """Other formulas that are not zero."""
     constraints: tuple[Term, ...] = ()
+    """Formulas that are zero."""
 
 
 @dataclass(frozen=True)

@@ -61,19 +61,13 @@ VARIABLE = Size(1, 1, 1)
 
 
 class Extent(NamedTuple):
-    """Bounds on what an expression becomes when it is multiplied out as one fraction.
-
-    Attributes
-    ----------
-    above, below : Size
-        Of numerator and denominator.
-    divided : bool
-        Whether it keeps a division, so that nothing in it is multiplied out by SymPy.
-    """
+    """Bounds on what an expression becomes when it is multiplied out as one fraction."""
 
     above: Size
     below: Size = ONE
+    """Of numerator and denominator."""
     divided: bool = False
+    """Whether it keeps a division, so that nothing in it is multiplied out by SymPy."""
 
     def excess(self, times: int = 1) -> tuple[str, str] | None:
         """Return what was expected, and what came, if this is more than there may be."""

@@ -40,30 +40,20 @@ class LoweringError(ValueError):
 
 @dataclass(frozen=True)
 class Lowered:
-    """A kernel and its program.
-
-    Attributes
-    ----------
-    kernel : Kernel
-        What was lowered.
-    program : Program
-        The program that is shipped, with twice the digits where they are needed.
-    plain : Program
-        The same without changes of digits, proved equal to ``kernel.derived``.
-    hypotheses : tuple of sympy.Expr
-        The irreducible factors that must not vanish.
-    guarded : tuple of sympy.Expr
-        Those of them that only guards divide by.
-    forms : int
-        Among how many forms, all proved equal, this one was chosen.
-    """
+    """A kernel and its program."""
 
     kernel: Kernel
+    """What was lowered."""
     program: Program
+    """The program that is shipped, with twice the digits where they are needed."""
     plain: Program
+    """The same without changes of digits, proved equal to ``kernel.derived``."""
     hypotheses: tuple[Scalar, ...]
+    """The irreducible factors that must not vanish."""
     guarded: tuple[Scalar, ...]
+    """Those of them that only guards divide by."""
     forms: int = 1
+    """Among how many forms, all proved equal, this one was chosen."""
 
     @property
     def input_hypotheses(self) -> tuple[Scalar, ...]:

@@ -22,25 +22,17 @@ SHORT = 200
 
 @dataclass(frozen=True)
 class MutantFate:
-    """What became of a changed form.
-
-    Attributes
-    ----------
-    change : str
-        What was changed.
-    form : str
-        The changed form; empty for one that is refuted or undefined of a long printed form.
-    fate : {"refuted", "undefined", "equivalent", "explained", "survived"}
-        Whether it is refuted by an exact counterexample, undefined because a denominator is zero, or proved equivalent
-        to the unchanged form; if not, whether it is known why.
-    reason : str
-        Why it survives, or is undefined.
-    """
+    """What became of a changed form."""
 
     change: str
+    """What was changed."""
     form: str
+    """The changed form; empty for one that is refuted or undefined of a long printed form."""
     fate: Fate
+    """Whether it is refuted by an exact counterexample, undefined because a denominator is zero, or proved
+    equivalent to the unchanged form; if not, whether it is known why."""
     reason: str = ""
+    """Why it survives, or is undefined."""
 
 
 @dataclass(frozen=True)

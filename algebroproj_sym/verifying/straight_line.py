@@ -22,15 +22,6 @@ Operation: TypeAlias = "tuple[str, tuple[int, ...]]"
 class StraightLine:
     """Numbered operations; each number is greater than those of its operands.
 
-    Attributes
-    ----------
-    inputs : tuple of str
-        The names of the inputs.
-    operations : mapping of int to Operation
-        Constants, inputs, then what is computed: ``+ - * / neg``, and ``product_error``, a*b - p for a product p.
-    outputs : tuple of int
-        The numbers of the results.
-
     Examples
     --------
     >>> numbered(Program(("x",), (Step("t0", "-", (1, "x")),), ("t0",))).operations
@@ -38,8 +29,11 @@ class StraightLine:
     """
 
     inputs: tuple[str, ...]
+    """The names of the inputs."""
     operations: Mapping[int, Operation]
+    """Constants, inputs, then what is computed: ``+ - * / neg``, and ``product_error``, a*b - p for a product p."""
     outputs: tuple[int, ...]
+    """The numbers of the results."""
 
 
 def numbered(program: Program) -> StraightLine:

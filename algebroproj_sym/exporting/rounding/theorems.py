@@ -52,18 +52,12 @@ _BY_NUMBER = ("LowOfSum", "Separated", "NegativeOf", "RoundedPair", "RoundedSum"
 
 @dataclass(frozen=True)
 class Accuracy:
-    """The bounds of a function.
-
-    Attributes
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    analysis : Analysis
-        What was found of its C source.
-    """
+    """The bounds of a function."""
 
     lowered: Lowered
+    """The kernel and its program."""
     analysis: Analysis
+    """What was found of its C source."""
 
     @property
     def reach(self) -> int | None:

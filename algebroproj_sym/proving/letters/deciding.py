@@ -67,24 +67,15 @@ _EXPRESSIONS = Field(lambda value: sympy.Rational(value.numerator, value.denomin
 
 @dataclass(frozen=True)
 class Point:
-    """Exact values of letters and numbers, at sizes that have names.
-
-    Attributes
-    ----------
-    letters : mapping of str to rows
-        The matrices.
-    scalars : mapping of str to Fraction
-        The numbers.
-    sizes : mapping of str to int
-        The sizes.
-    turn : Turn, optional
-        The angle of which others are multiples; values have a number in its place.
-    """
+    """Exact values of letters and numbers, at sizes that have names."""
 
     letters: Mapping[str, Rows]
+    """The matrices."""
     scalars: Mapping[str, Fraction]
+    """The numbers."""
     sizes: Mapping[str, int]
     turn: Turn | None = None
+    """The angle of which others are multiples; values have a number in its place."""
 
     def value(self, term: Term) -> Rows:
         """Return the rows of a term.
@@ -111,27 +102,18 @@ class Point:
 
 @dataclass(frozen=True)
 class Found:
-    """What became of a statement.
-
-    Attributes
-    ----------
-    verdict : {"proved", "refuted", "open"}
-        The decision.
-    certificate : mapping
-        The evidence, or why there is none.
-    scope : str
-        What it holds for: ``for every size``, or some sizes.
-    point : Point or None
-        A counterexample.
-    hypotheses : tuple of Term
-        What is not zero wherever the statement is made: determinants of what is inverted, and divisors.
-    """
+    """What became of a statement."""
 
     verdict: Decision
+    """The decision."""
     certificate: Mapping[str, Any]
+    """The evidence, or why there is none."""
     scope: str = ""
+    """What it holds for: ``for every size``, or some sizes."""
     point: Point | None = None
+    """A counterexample."""
     hypotheses: tuple[Term, ...] = ()
+    """What is not zero wherever the statement is made: determinants of what is inverted, and divisors."""
 
     @property
     def conditions(self) -> tuple[str, ...]:

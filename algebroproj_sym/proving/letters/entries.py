@@ -19,18 +19,12 @@ Rows: TypeAlias = list[list[Any]]
 
 @dataclass(frozen=True)
 class Field:
-    """Where a term is evaluated.
-
-    Attributes
-    ----------
-    lift : callable
-        The embedding of the rational numbers.
-    divide : callable
-        The division; it raises `ZeroDivisionError` where the divisor is zero.
-    """
+    """Where a term is evaluated."""
 
     lift: Callable[[Fraction], Any]
+    """The embedding of the rational numbers."""
     divide: Callable[[Any, Any], Any] = truediv
+    """The division; it raises `ZeroDivisionError` where the divisor is zero."""
 
 
 def entries_of(

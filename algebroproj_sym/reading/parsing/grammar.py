@@ -28,21 +28,14 @@ _SEEN = re.compile(
 
 @dataclass(frozen=True)
 class Parsed:
-    """A formula.
-
-    Attributes
-    ----------
-    sides : tuple of Tree
-        What the relations join.
-    relations : tuple of str
-        One less than the sides.
-    chose : str
-        What LaTeX leaves open, and the reader chose; empty for nothing.
-    """
+    """A formula."""
 
     sides: tuple[Formula, ...]
+    """What the relations join."""
     relations: tuple[str, ...]
+    """One less than the sides."""
     chose: str = ""
+    """What LaTeX leaves open, and the reader chose; empty for nothing."""
 
 
 def parsed(

@@ -39,10 +39,7 @@ class Driver:
 def declared_driver(qualified_name: str, function: Callable[..., Any]) -> Driver:
     """Return a driver.
 
-    Raises
-    ------
-    DeclarationError
-        If the function has another name than the driver.
+    It raises `DeclarationError` if the function has another name than the driver.
     """
     module, _, name = qualified_name.partition(".")
     if function.__name__ != name:

@@ -232,11 +232,8 @@ def declared_kernel(
     here, once.  By ``properties={S: "symmetric"}`` a letter is symmetric, skew, diagonal, positive definite,
     orthogonal, a rotation, or a unit vector.
 
-    Raises
-    ------
-    DeclarationError
-        If a symbol of the expression is neither an entry of an argument nor an abbreviation, an entry occurs twice,
-        no claim is named, or the example does not give every argument.
+    It raises `DeclarationError` if a symbol of the expression is neither an entry of an argument nor an abbreviation,
+    an entry occurs twice, no claim is named, or the example does not give every argument.
     """
     label = f"kernel {qualified_name}"
     if speaks_of_letters(parts["arguments"].values()) or parts.get("properties"):

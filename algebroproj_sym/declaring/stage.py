@@ -62,10 +62,7 @@ def solution(unknowns: Sequence[sympy.Symbol], matrix: Any, right_side: Any, *, 
 
     `form` is the system with its right side as last column, in the form to be lowered.
 
-    Raises
-    ------
-    DeclarationError
-        If matrix, right side and unknowns do not fit.
+    It raises `DeclarationError` if matrix, right side and unknowns do not fit.
     """
     system: Any = rational(matrix, "matrix")
     values: Any = rational(right_side, "right_side")
@@ -82,10 +79,7 @@ def null_vector(unknowns: Sequence[sympy.Symbol], matrix: Any, *, form: Any = No
 
     The vector is scaled so that its largest component is 1.
 
-    Raises
-    ------
-    DeclarationError
-        If matrix and unknowns do not fit.
+    It raises `DeclarationError` if matrix and unknowns do not fit.
     """
     system: Any = rational(matrix, "matrix")
     size = len(unknowns)

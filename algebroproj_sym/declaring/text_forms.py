@@ -53,12 +53,8 @@ class Given:
 def text_fields(given: Given, kind: str, where: str) -> dict[str, Any]:
     """Return the forms, conditions and letters of a claim as text.
 
-    Raises
-    ------
-    UnsupportedError
-        If claims of the kind have rational forms alone.
-    DeclarationError
-        If a form cannot be read, or letters do not fit together.
+    It raises `UnsupportedError` if claims of the kind have rational forms alone.  It raises `DeclarationError` if a
+    form cannot be read, or letters do not fit together.
     """
     field, what = ("letters", "letters") if given.in_letters else ("assumptions", "real functions")
     if field not in KINDS[kind].takes:

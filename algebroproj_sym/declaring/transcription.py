@@ -40,6 +40,8 @@ BROKEN_LINE = re.compile(r"\\n(?!eq|u(?![a-z]))")
 def transcribed(folder: Path, section: str, number: str, derived: Any, build: Builder | None = None) -> Any:
     """Return what is printed, as the quote of a claim has it.
 
+    It raises `DeclarationError` if there is no quote, or it cannot be read: with its line, the place and the reason.
+
     Parameters
     ----------
     folder : Path
@@ -52,11 +54,6 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
         the quote is read in letters, several forms side by side.  So is a definition with a matrix of the tables.
     build : callable, optional
         What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
-
-    Raises
-    ------
-    DeclarationError
-        If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
     is_notation = derived is None
     letters = _names_matrices(section, number, folder) if is_notation else speaks_of_letters([derived])
@@ -88,10 +85,7 @@ def transcribed_factors(
 def transcribed_number(folder: Path, section: str, number: str, derived: Any) -> Decimal:
     """Return the decimal number that a quote has for a claim; claims that share a quote share its numbers in order.
 
-    Raises
-    ------
-    DeclarationError
-        If the quote does not have one number for each of its claims.
+    It raises `DeclarationError` if the quote does not have one number for each of its claims.
     """
     quote = _quote_of(folder, number)
     found = numbers_in(quote.text)
@@ -152,10 +146,7 @@ def _quote_of(folder: Path, number: str) -> Quote:
 def readings(quote: Quote, symbols: Symbols, build: Builder | None = None) -> list[Any]:
     """Return the expressions that a quote has for its claims.
 
-    Raises
-    ------
-    UnreadableError
-        If the quote is not a formula, has no such side, or a symbol of it is not known.
+    It raises `UnreadableError` if the quote is not a formula, has no such side, or a symbol of it is not known.
     """
     found = [expression for piece in quote.read for expression in _readings(piece, quote, symbols, build)]
     return found if build else [in_canonical_order(expression) for expression in found]

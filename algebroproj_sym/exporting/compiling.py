@@ -55,13 +55,7 @@ class Compiled:
 
 
 def require_compiler() -> None:
-    """Raise an error unless coqc and coqchk are there.
-
-    Raises
-    ------
-    NoCompilerError
-        If one of them is missing.
-    """
+    """Raise `NoCompilerError` unless coqc and coqchk are there."""
     for program in ("coqc", "coqchk"):
         _path(program)
 
@@ -79,22 +73,7 @@ def compiled_lemmas(folder: Path) -> list[Compiled]:
 
 
 def compiled(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Compiled]:
-    """Compile files of theorems after the lemmas.
-
-    Parameters
-    ----------
-    folder : Path
-        Where they are.
-    names : sequence of str
-        The files of theorems, without suffix.
-    jobs : int
-        How many at a time.
-
-    Yields
-    ------
-    Compiled
-        For each file in order.
-    """
+    """Compile files of theorems, named without suffix, after the lemmas, and yield what became of each."""
     yield from _each(_compiled, folder, names, jobs)
 
 

@@ -76,14 +76,9 @@ class Exported:
 
 
 def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
-    """Return the theorems of a claim.
+    """Return the theorems of a claim of the ledger.
 
-    Parameters
-    ----------
-    record : mapping
-        A claim of the ledger.
-    made : Object or str
-        How its derivation makes the derived form, or why that is not known.
+    `made` is how its derivation makes the derived form, or why that is not known.
 
     Examples
     --------
@@ -155,18 +150,10 @@ def export(
     replayed: Sequence[Replayed] | None = None,
     objects: Mapping[tuple[str, str], Object | str] | None = None,
 ) -> Iterator[Exported]:
-    """Yield the theorems of claims, in order.
+    """Yield the theorems of claims of the ledger, in order.
 
-    Parameters
-    ----------
-    records : sequence of mapping
-        Claims of the ledger.
-    jobs : int
-        How many processes.
-    replayed : sequence of Replayed, optional
-        What the replay of a whole ledger says of them; without it each claim is replayed by itself.
-    objects : mapping of (paper, number) to Object or str, optional
-        How the derivations make what they derive, or why that is not known.
+    What the replay of a whole ledger says of them may be given; without it each claim is replayed by itself.  So may,
+    by paper and number, how the derivations make what they derive, or why that is not known.
     """
     said = [None] * len(records) if replayed is None else replayed
     made = [(objects or {}).get((str(r.get("paper")), str(r.get("number"))), "") for r in records]
@@ -204,15 +191,8 @@ def _spelled(character: str) -> str:
 def render(claims: Iterable[Exported]) -> dict[str, str]:
     """Return the text of every file by its name.
 
-    Parameters
-    ----------
-    claims : iterable of Exported
-
-    Returns
-    -------
-    dict of str to str
-        The lemmas, a file of theorems for each section, `assumptions.v`, `_CoqProject`, `Makefile`, and the lists
-        `not_exported.txt` and `conventions.txt`.
+    There are the lemmas, a file of theorems for each section, `assumptions.v`, `_CoqProject`, `Makefile`, and the lists
+    `not_exported.txt` and `conventions.txt`.
     """
     claims = [*claims]
     sections: dict[str, list[Exported]] = {}

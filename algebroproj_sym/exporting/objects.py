@@ -108,13 +108,7 @@ class Object:
 
 
 class Workshop:
-    """The objects of a section.
-
-    Parameters
-    ----------
-    called : mapping of Made to str
-        What the derivation calls its objects.
-    """
+    """The objects of a section, which the derivation calls by some names."""
 
     def __init__(self, called: Mapping[Made, str]) -> None:
         self.called = called

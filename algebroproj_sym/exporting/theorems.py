@@ -144,14 +144,8 @@ def universal(
 ) -> tuple[str, str]:
     """Return statement and proof of the theorem that equations follow from hypotheses.
 
-    Parameters
-    ----------
-    given : Hypotheses
-    goals : sequence of Goal
-    conclusion : str
-        What is concluded, if it is not the conjunction of the equations.
-    using : callable
-        What makes a proof of the conclusion of the names of the hypotheses and the proof of the conjunction.
+    If another `conclusion` than the conjunction of the equations is stated, `using` makes its proof of the names of the
+    hypotheses and the proof of the conjunction.
     """
     given = needed(given, goals)
     stated, introduced = premises(given)

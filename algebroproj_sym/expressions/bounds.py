@@ -150,10 +150,7 @@ def require_bounded(value: Any, argument: str, times: int = 1) -> None:
 def most_terms(value: Any) -> int:
     """Return how many terms an expression has at most when it is multiplied out.
 
-    Raises
-    ------
-    TooLargeError
-        If it is larger than a text may be.
+    It raises `TooLargeError` if it is larger than a text may be.
 
     Examples
     --------

@@ -88,11 +88,8 @@ def lowered_form(kernel: Kernel, reciprocals: bool = False) -> Lowered:
 
     Quotients with one divisor can be products with its reciprocal.
 
-    Raises
-    ------
-    LoweringError
-        If the program, run on rational functions, does not give the derived expression, or an entry is a constant
-        fraction, which integers cannot give.
+    It raises `LoweringError` if the program, run on rational functions, does not give the derived expression, or an
+    entry is a constant fraction, which integers cannot give.
     """
     field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)

@@ -62,10 +62,7 @@ def mutate_kernel(lowered: Lowered, package: ModuleType, limit: int = 0, size: i
     At most `limit` changes are tried, chosen by the name of the function; all if it is 0. There are `size` samples in
     each stratum.
 
-    Raises
-    ------
-    ValueError
-        If the unchanged source does not pass.
+    It raises `ValueError` if the unchanged source does not pass.
     """
     kernel = lowered.kernel
     function = function_of(kernel, package)

@@ -120,10 +120,8 @@ def source_of(text: str) -> Source:
 def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Meaning) -> list[Any]:
     """Execute a kernel for one point; return its outputs.
 
-    Raises
-    ------
-    NotUnderstoodError
-        If there is no such kernel, it is more than loops over points, or an output is not set.
+    It raises `NotUnderstoodError` if there is no such kernel, it is more than loops over points, or an output is not
+    set.
     """
     if name not in source.kernels:
         raise NotUnderstoodError(f"C source: expected a kernel {name}, there is none")
@@ -137,11 +135,8 @@ def plain_outputs(
 ) -> list[Any]:
     """Execute a function without compensation for one point; return the entries of its results.
 
-    Raises
-    ------
-    NotUnderstoodError
-        If there is no such function, it takes or is given other arrays, it is more than loops over points, or an entry
-        is not set.
+    It raises `NotUnderstoodError` if there is no such function, it takes or is given other arrays, it is more than
+    loops over points, or an entry is not set.
     """
     if name not in source.plains or name not in source.calls:
         raise NotUnderstoodError(f"C source: expected a function {name} and its call, there is none")

@@ -50,10 +50,7 @@ class Expectation:
     def is_met_by(self, function: Function) -> bool:
         """Whether a generated function, executed in the field, computes what is expected.
 
-        Raises
-        ------
-        ZeroDivisionError
-            If the source divides by the zero of the field.
+        It raises `ZeroDivisionError` if the source divides by the zero of the field.
         """
         inputs = {symbol.name: np.array(self.values[symbol], dtype=object) for symbol in self.kernel.symbols}
         calls = Calls(self)

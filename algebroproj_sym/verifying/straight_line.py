@@ -64,10 +64,7 @@ def straight_line(lowered: Lowered) -> StraightLine:
 def straight_line_of_c(lowered: Lowered, package: ModuleType) -> StraightLine:
     """Return what the C source of a rational kernel computes, read from the file of a package.
 
-    Raises
-    ------
-    NotUnderstoodError
-        If the source is not what the generator writes.
+    It raises `NotUnderstoodError` if the source is not what the generator writes.
     """
     path = Path(str(package.__file__)).parent / "_c" / "kernels.h"
     return executed(lowered, source_of(path.read_text(encoding="utf-8")))

@@ -42,10 +42,8 @@ def numeric(
 def decimal(value: Any, where: str) -> Decimal:
     """Return a printed number with all its digits.
 
-    Raises
-    ------
-    DeclarationError
-        If the value is not the text of digits with a decimal point (a float has lost the printed digits).
+    It raises `DeclarationError` if the value is not the text of digits with a decimal point (a float has lost the
+    printed digits).
 
     Examples
     --------

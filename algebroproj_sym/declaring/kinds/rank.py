@@ -104,23 +104,10 @@ def generic_rank(
     bound_at: Callable[[Point], Bound],
     engine: str,
 ) -> Proof:
-    """Decide a rank from below by points and from above by a bound.
+    """Decide a rank from below by points and from above by a bound, which rests on vectors.
 
-    Parameters
-    ----------
-    claim : Claim
-        What is decided.
-    printed : int
-        The rank that is claimed.
-    symbols : sequence of Symbol
-        The coordinates of points.
-    vectors : sequence of matrix
-        What the bound rests on.
-    minor_at, bound_at : callable
-        A largest minor at a point that is not zero, and an upper bound of all ranks that a point gives; they raise
-        ZeroDivisionError where something is not defined.
-    engine : {"flint", "sympy"}
-        For the record.
+    `minor_at` returns a largest minor that is not zero at a point, and `bound_at` an upper bound of all ranks that the
+    point gives.  They raise `ZeroDivisionError` where something is not defined.
     """
     if not isinstance(printed, int | sympy.Integer):
         raise DeclarationError(f"{claim.number}: expected a number as printed form, got {printed}")

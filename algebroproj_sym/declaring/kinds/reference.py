@@ -34,10 +34,7 @@ def reference(
 def numbers(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
     """Return a reference such as "1.3.8" as its numbers in a row.
 
-    Raises
-    ------
-    DeclarationError
-        If the value is not the text of numbers separated by points or strokes.
+    It raises `DeclarationError` if the value is not the text of numbers separated by points or strokes.
 
     Examples
     --------

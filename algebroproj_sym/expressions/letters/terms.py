@@ -70,10 +70,7 @@ def factors_of(term: Term) -> set[Term]:
 def made(kind: str, *parts: Term, value: Any = None) -> Term:
     """Return a term of some parts.
 
-    Raises
-    ------
-    LetterError
-        If the parts do not fit together.
+    It raises `LetterError` if the parts do not fit together.
 
     Examples
     --------

@@ -45,17 +45,14 @@ ENGINES = tuple(_RINGS)
 def ring(engine: str, names: Sequence[str]) -> Ring:
     """Return the polynomial ring over Q in the named variables.
 
+    It raises `ValueError` if there is no such engine.
+
     Parameters
     ----------
     engine : {"flint", "sympy"}
         Which implementation.
     names : sequence of str
         The variables; may be empty.
-
-    Raises
-    ------
-    ValueError
-        If there is no such engine.
     """
     if engine not in _RINGS:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")

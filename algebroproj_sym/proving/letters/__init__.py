@@ -55,6 +55,9 @@ def prove_letters(
 ) -> Proof:
     """Decide whether two sides are equal wherever both are defined and all letters have their properties.
 
+    It raises `LetterError` if shapes do not fit, a property is unknown, or a name is not declared.  It raises
+    `UndefinedError` if what is inverted has no inverse anywhere.  It raises `ValueError` if the engine is unknown.
+
     Parameters
     ----------
     lhs, rhs : SymPy matrix expression, or number made of such
@@ -67,15 +70,6 @@ def prove_letters(
         What letters are, see `PROPERTIES`.
     engine : {"flint", "sympy"}
         Which polynomial arithmetic to use.
-
-    Raises
-    ------
-    LetterError
-        If shapes do not fit, a property is unknown, or a name is not declared.
-    UndefinedError
-        If what is inverted has no inverse anywhere.
-    ValueError
-        If the engine is unknown.
 
     Examples
     --------
@@ -119,10 +113,7 @@ def prove_texts(
 ) -> Proof:
     """Decide a statement that is given as text, with letters such as ``{"R": "3x3 rotation", "v": "nx1"}``.
 
-    Raises
-    ------
-    LetterError
-        If a text is not of the grammar, or a letter is not declared well.
+    It raises `LetterError` if a text is not of the grammar, or a letter is not declared well.
 
     Examples
     --------

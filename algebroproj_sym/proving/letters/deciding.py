@@ -80,10 +80,7 @@ class Point:
     def value(self, term: Term) -> Rows:
         """Return the rows of a term.
 
-        Raises
-        ------
-        ZeroDivisionError
-            If it is not defined, or not known exactly.
+        It raises `ZeroDivisionError` if it is not defined, or not known exactly.
         """
         return entries_of(term, self.letters, self.scalars, _NUMBERS, self.sizes, self.turn)
 
@@ -124,12 +121,8 @@ class Found:
 def decide(statement: Statement, engine: str = "flint") -> Found:
     """Decide a statement.
 
-    Raises
-    ------
-    LetterError
-        If a norm is not squared, or entries are needed and a letter is too large for them.
-    UndefinedError
-        If what is inverted has no inverse anywhere.
+    It raises `LetterError` if a norm is not squared, or entries are needed and a letter is too large for them.  It
+    raises `UndefinedError` if what is inverted has no inverse anywhere.
 
     Examples
     --------

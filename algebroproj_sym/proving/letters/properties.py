@@ -66,10 +66,8 @@ class Letter:
 def declared_letters(shapes: Mapping[str, Shape], properties: Mapping[str, Any]) -> dict[str, Letter]:
     """Return the letters of a statement with their properties.
 
-    Raises
-    ------
-    LetterError
-        If a name does not occur, a property is unknown or of another shape, or two properties are not decided together.
+    It raises `LetterError` if a name does not occur, a property is unknown or of another shape, or two properties are
+    not decided together.
 
     Examples
     --------

@@ -90,10 +90,7 @@ def proof_of_complex(
 ) -> Proof:
     """Decide a statement about complex numbers, as statements about their parts.
 
-    Raises
-    ------
-    NotRationalError
-        If a function of complex numbers is not known here.
+    It raises `NotRationalError` if a function of complex numbers is not known here.
     """
 
     def text(value: Any, argument: str) -> str:

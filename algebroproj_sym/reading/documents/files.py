@@ -61,10 +61,7 @@ class Source:
 def source_at(path: Path, text: str) -> Source:
     """Return a LaTeX document with the files that it includes, behind the preamble of the whole of which it is a part.
 
-    Raises
-    ------
-    UnreadableDocumentError
-        If there are too many files, or too many characters.
+    It raises `UnreadableDocumentError` if there are too many files, or too many characters.
     """
     path = path.resolve()
     whole = _whole_of(path, text)

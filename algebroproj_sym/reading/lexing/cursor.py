@@ -41,10 +41,7 @@ class Cursor:
     def within(self, pieces: Sequence[Piece]) -> Cursor:
         """Return where reading of an argument begins.
 
-        Raises
-        ------
-        UnreadableError
-            If it is nested too deep.
+        It raises `UnreadableError` if it is nested too deep.
         """
         if self.depth >= MAX_NESTING:
             raise self.fail(f"expected at most {MAX_NESTING} levels of nesting, got more")

@@ -46,17 +46,14 @@ def parsed(
 ) -> Parsed:
     """Parse a formula.
 
+    It raises `UnreadableError` if the text is no formula of the grammar; it says where reading stopped.
+
     Parameters
     ----------
     latex : str or sequence of Piece
         One expression, or several joined by relations.
     known, functions, wide_arguments
         As for `tokens_of`.
-
-    Raises
-    ------
-    UnreadableError
-        If the text is no formula of the grammar; it says where reading stopped.
     """
     pieces = _without_end(pieces_of(latex) if isinstance(latex, str) else list(latex))
     if functions is not None and (sides := split_pieces(pieces, MAPS))[1:] and _is_map(sides[0]):

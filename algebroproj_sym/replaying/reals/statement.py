@@ -212,20 +212,9 @@ def _given(record: Mapping[str, Any]) -> Iterator[Condition]:
 
 
 def require_real(record: Mapping[str, Any]) -> None:
-    """Check whether the verdict on a statement with real functions follows from its evidence.
+    """Require that the verdict on a statement with real functions follows from its evidence.
 
-    Parameters
-    ----------
-    record : mapping
-        ``lhs``, ``rhs``, ``relation``, ``assumptions``, ``constraints``, ``nonzero``, ``verdict``, ``hypotheses``,
-        ``counterexample`` and ``certificate``.
-
-    Raises
-    ------
-    Rejected
-        If it does not.
-    NotReplayable
-        If there is no evidence.
+    It raises `Rejected` if it does not, and `NotReplayable` if there is no evidence.
 
     Examples
     --------

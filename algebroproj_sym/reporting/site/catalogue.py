@@ -200,22 +200,9 @@ def catalogue(
     live: bool = False,
     rests: Dependences | None = None,
 ) -> Catalogue:
-    """Return what the site is about.
+    """Return what the site is about: judgements in any order, each with the derivation that declares its claim.
 
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        In any order.
-    derivations : sequence of Derivation
-        Where each of their claims is declared.
-    functions : sequence of Function
-        The generated functions.
-    notebooks : sequence of Notebook
-        The derivations, run.
-    live : bool
-        Whether the pages carry the prover.
-    rests : mapping of (str, str) to tuple of (str, str), optional
-        What claims rest on, by paper and number.
+    What claims rest on is given by paper and number.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
     groups = _grouped(sorted(entries, key=_place), lambda entry: entry.claim.paper)

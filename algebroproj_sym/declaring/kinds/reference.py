@@ -12,12 +12,12 @@ from algebroproj_sym.declaring.kind import Declaring, Kind, Options
 from algebroproj_sym.proving import Proof
 
 
-def compare(claim: Claim, printed: Any, engine: str) -> Proof:
+def compare(claim: Claim, printed: Any) -> Proof:
     """Decide ``printed == derived``, number by number."""
     certificate = {"method": "comparison of references"}
     if printed == claim.derived:
-        return Proof("proved", (), certificate, None, engine)
-    return Proof("refuted", (), certificate, {}, engine)
+        return Proof("proved", (), certificate, None)
+    return Proof("refuted", (), certificate, {})
 
 
 def reference(

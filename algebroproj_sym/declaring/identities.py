@@ -6,7 +6,7 @@ import difflib
 import json
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
@@ -15,20 +15,7 @@ from algebroproj_sym.proving.worker import Outcome, Question
 from algebroproj_sym.replaying.reals.terms import has_parts
 
 EXPECTED = ("proved", "refuted", "open")
-KEYS = (
-    "name",
-    "lhs",
-    "rhs",
-    "relation",
-    "letters",
-    "complex",
-    "constraints",
-    "nonzero",
-    "assumptions",
-    "variables",
-    "witness",
-    "expected",
-)
+KEYS = ("name", *(field.name for field in fields(Question)), "expected")
 MAX_BYTES = 20_000_000
 
 

@@ -75,8 +75,8 @@ class Exported:
         return sum(theorem.trivial for theorem in self.theorems)
 
 
-def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
-    """Return the theorems of a claim of the ledger.
+def exported(record: Mapping[str, Any], made: Object | str = "", replayed: Replayed | None = None) -> Exported:
+    """Return the theorems of a claim of the ledger, which is replayed unless that was done.
 
     `made` is how its derivation makes the derived form, or why that is not known.
 
@@ -97,7 +97,7 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     >>> exported({**record, "derived": "x + 2"}).reason
     'the evidence does not replay: the digest differs from that of the declaration'
     """
-    replayed = replay_claim(record)
+    replayed = replayed or replay_claim(record)
     if replayed.status == "replayed":
         return translated(record, made)
     return _exported(record, reason=f"the evidence does not replay: {replayed.reason}", refused=True)
@@ -157,16 +157,11 @@ def export(
     """
     said = [None] * len(records) if replayed is None else replayed
     made = [(objects or {}).get((str(r.get("paper")), str(r.get("number"))), "") for r in records]
-    return mapped(_judged, list(zip(records, said, made, strict=True)), jobs)
+    return mapped(_of_claim, list(zip(records, made, said, strict=True)), jobs)
 
 
-def _judged(claim: tuple[Mapping[str, Any], Replayed | None, Object | str]) -> Exported:
-    record, replayed, made = claim
-    if replayed is None:
-        return exported(record, made)
-    if replayed.status == "replayed":
-        return translated(record, made)
-    return _exported(record, reason=f"the evidence does not replay: {replayed.reason}", refused=True)
+def _of_claim(claim: tuple[Mapping[str, Any], Object | str, Replayed | None]) -> Exported:
+    return exported(*claim)
 
 
 def word(text: str) -> str:
@@ -204,7 +199,7 @@ def render(claims: Iterable[Exported]) -> dict[str, str]:
     return {
         **{f"{name}.v": text for name, text in lemmas().items()},
         **{f"{section}.v": text for section, (text, _) in texts.items()},
-        f"{ASSUMPTIONS}.v": _assumptions({section: called for section, (_, called) in texts.items()}),
+        f"{ASSUMPTIONS}.v": assumptions_of({section: called for section, (_, called) in texts.items()}),
         "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*names, ASSUMPTIONS))]),
         "Makefile": _makefile([*texts]),
         UNEXPORTED: "".join(_reason(claim) for claim in claims if claim.reason),
@@ -248,7 +243,7 @@ def _section(claims: Sequence[Exported]) -> tuple[str, list[str]]:
     return "\n".join(parts), called
 
 
-def _assumptions(theorems: Mapping[str, Sequence[str]]) -> str:
+def assumptions_of(theorems: Mapping[str, Sequence[str]]) -> str:
     """Return a file that requires all others, mentions all theorems, and prints what they assume."""
     required = "".join(f"From {LIBRARY} Require {section}.\n" for section in theorems)
     mentioned = "".join(

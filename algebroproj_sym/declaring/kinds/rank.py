@@ -23,6 +23,7 @@ from algebroproj_sym.proving import (
     Proof,
     RationalFunctionField,
     numerators_over_one,
+    point_record,
     prove,
     rational_points,
     seed_of,
@@ -132,7 +133,7 @@ def generic_rank(
     if largest < printed or bound.rank > printed:
         reason = f"the rank lies between {largest} and {bound.rank}"
         return undecided(reason)
-    certificate = {"method": "rank at a point and kernel vectors", "point": _as_text(point), **below, **above}
+    certificate = {"method": "rank at a point and kernel vectors", "point": point_record(point), **below, **above}
     return Proof("proved", (), certificate, None)
 
 
@@ -143,14 +144,10 @@ def _above(vectors: Sequence[Expression], bound: Bound, point: Point) -> dict[st
     rows, chosen, value = bound.independent
     return {
         "kernel": [text(vectors[place]) for place in chosen],
-        "kernel at": _as_text(point),
+        "kernel at": point_record(point),
         "kernel rows": rows,
         "kernel minor": str(value),
     }
-
-
-def _as_text(point: Point) -> dict[str, str]:
-    return {symbol.name: str(value) for symbol, value in point.items()}
 
 
 def values_at(matrix: Any, point: Point) -> list[list[Fraction]]:

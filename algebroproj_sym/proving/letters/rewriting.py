@@ -77,19 +77,13 @@ class Part:
 
 @dataclass(frozen=True)
 class Proof:
-    """Why a polynomial is zero.
-
-    Attributes
-    ----------
-    rules : list of Rule
-        What is zero, and used.
-    sums : list of list of Part
-        Sums of multiples of rules, which have places from 0 on, and of earlier sums, which follow.  The last one is
-        the polynomial.
-    """
+    """Why a polynomial is zero."""
 
     rules: list[Rule]
+    """What is zero, and used."""
     sums: list[list[Part]]
+    """Sums of multiples of rules, which have places from 0 on, and of earlier sums, which follow.  The last one is
+    the polynomial."""
 
     def record(self, algebra: Algebra) -> dict[str, Any]:
         """Return the proof as text."""

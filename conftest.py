@@ -144,10 +144,10 @@ def decided_here(monkeypatch):
     """Questions are decided in the process of the test: no worker is started, and no time is limited."""
     from algebroproj_sym.proving import worker
 
-    def outcomes(questions, *, seconds, jobs, engine="flint"):
+    def outcomes(questions, *, seconds, jobs):
         for question in questions:
             try:
-                yield worker._decided(question, engine)
+                yield worker._decided(question)
             except Exception as error:
                 yield worker.Outcome("error", "none", 0.0, f"{type(error).__name__}: {error}")
 

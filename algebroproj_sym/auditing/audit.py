@@ -27,24 +27,14 @@ _COUNTED = ("rank", "count", "reference")
 
 @dataclass(frozen=True)
 class Finding:
-    """What the audit of a claim found.
-
-    Attributes
-    ----------
-    claim : Claim
-        The claim.
-    status : str
-        ``equal``: the quote was parsed, and equals what the claim says is printed; ``number``: the quote has the
-        printed number; ``quoted``: the quote is there and not parsed; ``unquoted``: there is no quote; ``failed``.
-    reason : str
-        For ``quoted`` and ``unquoted``: the reason that is declared; for ``failed``: what is wrong.
-    quote : Quote or None
-        The quote.
-    """
+    """What the audit of a claim found."""
 
     claim: Claim
     status: Status
+    """``equal``: the quote was parsed, and equals what the claim says is printed; ``number``: the quote has the
+    printed number; ``quoted``: the quote is there and not parsed; ``unquoted``: there is no quote; ``failed``."""
     reason: str = ""
+    """For ``quoted`` and ``unquoted``: the reason that is declared; for ``failed``: what is wrong."""
     quote: Quote | None = None
 
 

@@ -28,10 +28,7 @@ class Line:
 def coverage(located: Sequence[tuple[Derivation, Claim]], papers: Path) -> dict[str, list[Line]]:
     """Return the lines of each paper, with the claims that quote them.
 
-    Raises
-    ------
-    DeclarationError
-        If the file of a paper is missing.
+    It raises `DeclarationError` if the file of a paper is missing.
     """
     quoting: dict[str, dict[int, list[str]]] = {}
     files: dict[str, Path] = {}

@@ -27,10 +27,7 @@ def marks_in(file: Path) -> list[Mark]:
 
     It is Markdown with LaTeX, whose formulas are numbered as "(1.3.8)".
 
-    Raises
-    ------
-    DeclarationError
-        If there is no such file.
+    It raises `DeclarationError` if there is no such file.
     """
     found, is_display = [], False
     for line, text in enumerate(text_of(file).split("\n"), 1):

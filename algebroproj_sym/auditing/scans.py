@@ -16,10 +16,7 @@ def misplaced(quote: Quote, file: Path) -> str:
 
     The first piece begins on the line of the quote, the others follow within `NEAR` lines.
 
-    Raises
-    ------
-    DeclarationError
-        If there is no such file.
+    It raises `DeclarationError` if there is no such file.
     """
     for place, piece in enumerate(quote.pieces):
         begins = [first for first, _ in _occurrences(piece, file)]
@@ -43,10 +40,7 @@ def lines_of(quote: Quote, file: Path) -> set[int]:
 def text_of(file: Path) -> str:
     """Return the text of a paper's file.
 
-    Raises
-    ------
-    DeclarationError
-        If there is no such file.
+    It raises `DeclarationError` if there is no such file.
     """
     if not file.is_file():
         raise DeclarationError(f"papers: expected the file {file.name} in {file.parent}, got none")

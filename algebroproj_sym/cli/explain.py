@@ -11,8 +11,7 @@ from algebroproj_sym.cli import options
 @options.required_selectors
 @options.output_as("text", "markdown", help="Format of the output. Markdown has formulas in LaTeX.")
 @click.option("--full", is_flag=True, help="Show long forms and lists as a whole.")
-@options.engine
-def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) -> None:
+def explain(selectors: tuple[str, ...], output: str, full: bool) -> None:
     """Show one claim: the printed form, the derived form, the verdict and the evidence.
 
     SELECTOR names a claim, such as okamoto1981:24, or a section, module or folder, as for check.
@@ -31,7 +30,7 @@ def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) ->
     kernels = kernels_on((claim for _, claim in found), [split(selector)[0] for selector in selectors])
     judgements = []
     for derivation, claim in found:
-        judgement = judge(claim, engine)
+        judgement = judge(claim)
         judgements.append(judgement)
         if output == "markdown":
             echo(f"{markdown(judgement)}\n")

@@ -42,7 +42,6 @@ from algebroproj_sym.declaring.identities import Answer, Identity, MalformedFile
 from algebroproj_sym.declaring.importing import BrokenModuleError, import_root
 from algebroproj_sym.declaring.judging import Judgement, judge, judge_all
 from algebroproj_sym.declaring.kernel import Argument, Kernel, Result
-from algebroproj_sym.declaring.kind import Kind
 from algebroproj_sym.declaring.kinds import KINDS
 from algebroproj_sym.declaring.primitive import Primitive
 from algebroproj_sym.declaring.quotes import UNPARSED, UNQUOTED, Quotations, Quote, quotations
@@ -71,7 +70,6 @@ __all__ = [
     "Identity",
     "Judgement",
     "Kernel",
-    "Kind",
     "MalformedFileError",
     "Primitive",
     "Publication",

@@ -12,25 +12,17 @@ from algebroproj_sym import papers
 
 @dataclass(frozen=True)
 class Publication:
-    """What is known of a paper.
-
-    Attributes
-    ----------
-    key : str
-        The paper key.
-    title : str
-        Its title, or the key if nothing is known.
-    author, published : str
-        Family name first; where it was published.  Empty if not known.
-    year : int or None
-        None for what is not a paper.
-    """
+    """What is known of a paper."""
 
     key: str
     title: str
+    """Its title, or the key if nothing is known."""
     author: str = ""
+    """Family name first; empty if not known."""
     year: int | None = None
+    """None for what is not a paper."""
     published: str = ""
+    """Where it was published; empty if not known."""
 
     @property
     def origin(self) -> str:

@@ -52,17 +52,11 @@ def declared(
 ) -> Claim:
     """Return a claim of a kind, after checking that its declaration is complete.
 
-    Raises
-    ------
-    DeclarationError
-        If the number is not of the form of the contract, a misprint or an illegible formula has no corrected form,
-        or a false statement does not say what is true instead.
-    NotRationalError
-        If a form is not a rational expression over Q, and has no real functions or letters either.
-    ParseError
-        If a form that is text is not in the grammar.
-    UnsupportedError
-        If it has such, and claims of the kind do not take them.
+    It raises `DeclarationError` if the number is not of the form of the contract, a misprint or an illegible formula
+    has no corrected form, or a false statement does not say what is true instead.  It raises `NotRationalError` if a
+    form is not a rational expression over Q, and has no real functions or letters either.  It raises `UnsupportedError`
+    if it has such, and claims of the kind do not take them.  It raises `ParseError` if a form that is text is
+    not in the grammar.
     """
     where = f"claim {paper}:{number}"
     expected = options.pop("expect", KINDS[kind].when_it_holds)

@@ -32,31 +32,22 @@ class UnknownSelectorError(ValueError):
 
 @dataclass(frozen=True)
 class Derivation:
-    """A derivation module and what it declares.
-
-    Attributes
-    ----------
-    module : str
-        Its name.
-    section : Section
-        Its claims and kernels.
-    path : Path
-        Its file.
-    """
+    """A derivation module and what it declares."""
 
     module: str
+    """Its name."""
     section: Section
+    """Its claims and kernels."""
     path: Path
+    """Its file."""
 
 
 @cache
 def derivations(paper: str) -> tuple[Derivation, ...]:
     """Import the derivation modules of an installed paper, in the order of their names.
 
-    Raises
-    ------
-    DeclarationError
-        If a number is declared twice, or a claim or kernel refers to a number that is not declared.
+    It raises `DeclarationError` if a number is declared twice, or a claim or kernel refers to a number that is not
+    declared.
     """
     found = _imported(paper, papers.module_files(paper))
     _require_consistent(found)
@@ -72,23 +63,10 @@ def derivation_at(path: Path, *, alone: bool = False) -> tuple[Derivation, ...]:
     """Import the derivation module at a path, or those of a folder in the order of their names.
 
     A module of an installed paper keeps its own name.  A module of a package is held against all modules of the
-    package, another one against itself alone.
+    package, another one, or one that is wanted `alone`, against itself.
 
-    Parameters
-    ----------
-    path : Path
-        A Python file or a folder.
-    alone : bool
-        Do not import other modules of the package.
-
-    Raises
-    ------
-    UnknownSelectorError
-        If there is no derivation module.
-    BrokenModuleError
-        If a module cannot be imported.
-    DeclarationError
-        If a number is declared twice, or a claim or kernel refers to a number that is not declared.
+    It raises `UnknownSelectorError` if there is no derivation module, `BrokenModuleError` if one cannot be imported,
+    and `DeclarationError` if a number is declared twice, or a claim or kernel refers to a number that is not declared.
     """
     target = path.resolve()
     if target.is_dir():
@@ -168,24 +146,11 @@ def split(selector: str) -> tuple[str, str]:
 def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together: bool = False) -> tuple[Kernel, ...]:
     """Return the kernels of some sources, sorted by module, in the order of their declaration.
 
-    For names in the installed papers, only the modules whose text may declare them are imported.  The others are
-    imported if those do not declare all.
+    Modules or qualified names choose some of them.  With `together`, the modules that are numbered together with the
+    sources are searched, too.  For names in the installed papers, only the modules whose text may declare them are
+    imported.  The others are imported if those do not declare all.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Modules or qualified names; without one, all kernels are returned.
-    sources : sequence of str
-        Where to look; without one, in all installed papers.
-    together : bool
-        Look also in the modules that are numbered together with the sources.
-
-    Raises
-    ------
-    UnknownSelectorError
-        If a name names nothing.
-    DeclarationError
-        If two kernels have the same name.
+    It raises `UnknownSelectorError` if a name names nothing, and `DeclarationError` if two kernels have the same name.
     """
     at_once = _making(names) if names and not sources else ()
     modules_found = at_once or (numbered_with(sources) if together else derivations_of(sources))

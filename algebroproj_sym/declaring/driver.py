@@ -14,19 +14,13 @@ from algebroproj_sym.declaring.claim import DeclarationError
 
 @dataclass(frozen=True)
 class Driver:
-    """A hand-written function.
-
-    Attributes
-    ----------
-    module, name : str
-        Where it is found in the package: ``algebroproj.<module>.<name>``.
-    source : Path
-        The module that defines it, which is copied into the package.
-    """
+    """A hand-written function."""
 
     module: str
     name: str
+    """Where it is found in the package: ``algebroproj.<module>.<name>``."""
     source: Path
+    """The module that defines it, which is copied into the package."""
 
     @property
     def sources(self) -> frozenset[Path]:
@@ -45,10 +39,7 @@ class Driver:
 def declared_driver(qualified_name: str, function: Callable[..., Any]) -> Driver:
     """Return a driver.
 
-    Raises
-    ------
-    DeclarationError
-        If the function has another name than the driver.
+    It raises `DeclarationError` if the function has another name than the driver.
     """
     module, _, name = qualified_name.partition(".")
     if function.__name__ != name:

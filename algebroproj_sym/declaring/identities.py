@@ -6,7 +6,7 @@ import difflib
 import json
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
@@ -15,20 +15,7 @@ from algebroproj_sym.proving.worker import Outcome, Question
 from algebroproj_sym.replaying.reals.terms import has_parts
 
 EXPECTED = ("proved", "refuted", "open")
-KEYS = (
-    "name",
-    "lhs",
-    "rhs",
-    "relation",
-    "letters",
-    "complex",
-    "constraints",
-    "nonzero",
-    "assumptions",
-    "variables",
-    "witness",
-    "expected",
-)
+KEYS = ("name", *(field.name for field in fields(Question)), "expected")
 MAX_BYTES = 20_000_000
 
 
@@ -38,27 +25,17 @@ class MalformedFileError(ValueError):
 
 @dataclass(frozen=True)
 class Identity:
-    """A statement of a file.
-
-    Attributes
-    ----------
-    file : Path
-        The file.
-    place : str
-        Where it stands: file, item and name.
-    name : str
-        Its name, or its place in the file.
-    question : Question
-        What is asked.
-    expected : str or None
-        The verdict that is declared, if one is.
-    """
+    """A statement of a file."""
 
     file: Path
     place: str
+    """Where it stands: file, item and name."""
     name: str
+    """Its name, or its place in the file."""
     question: Question
+    """What is asked."""
     expected: str | None
+    """The verdict that is declared, if one is."""
 
 
 @dataclass(frozen=True)

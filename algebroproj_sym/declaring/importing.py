@@ -33,17 +33,9 @@ class BrokenModuleError(ValueError):
 
 
 def import_at(paths: Sequence[Path]) -> tuple[ModuleType, ...]:
-    """Import modules; those of one folder share what they import from it.
+    """Import modules, given by resolved paths; those of one folder share what they import from it.
 
-    Parameters
-    ----------
-    paths : sequence of Path
-        Resolved paths of Python files.
-
-    Raises
-    ------
-    BrokenModuleError
-        If a module raises an exception; the message has its type, text and line.
+    It raises `BrokenModuleError` if a module raises an exception; the message has its type, text and line.
     """
     with _without_trace(paths):
         return tuple(map(_imported, paths))

@@ -26,10 +26,7 @@ def jacobian_parts(kernel: Kernel) -> KernelParts:
     Its results are those of the kernel: of each, a matrix of the derivatives of the entries, row by row, by the entries
     of all arguments, in order; of a scalar, the gradient as a vector.
 
-    Raises
-    ------
-    DeclarationError
-        If the kernel spans null spaces, whose scale is not differentiable.
+    It raises `DeclarationError` if the kernel spans null spaces, whose scale is not differentiable.
     """
     stages = list[Stage]()
     tangents: list[Tangents] = [{symbol: sympy.Integer(1)} for symbol in kernel.symbols]

@@ -87,21 +87,14 @@ class Argument:
 
 @dataclass(frozen=True)
 class Result:
-    """A result of a kernel.
-
-    Attributes
-    ----------
-    name : str
-        What it is called.
-    derived : Expression
-        What the derivation computes: the truth that the function is held against.
-    form : Expression
-        An equal expression that is to be lowered; it may use the abbreviations of the kernel.
-    """
+    """A result of a kernel."""
 
     name: str
+    """What it is called."""
     derived: Expression
+    """What the derivation computes: the truth that the function is held against."""
     form: Expression
+    """An equal expression that is to be lowered; it may use the abbreviations of the kernel."""
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -239,11 +232,8 @@ def declared_kernel(
     here, once.  By ``properties={S: "symmetric"}`` a letter is symmetric, skew, diagonal, positive definite,
     orthogonal, a rotation, or a unit vector.
 
-    Raises
-    ------
-    DeclarationError
-        If a symbol of the expression is neither an entry of an argument nor an abbreviation, an entry occurs twice,
-        no claim is named, or the example does not give every argument.
+    It raises `DeclarationError` if a symbol of the expression is neither an entry of an argument nor an abbreviation,
+    an entry occurs twice, no claim is named, or the example does not give every argument.
     """
     label = f"kernel {qualified_name}"
     if speaks_of_letters(parts["arguments"].values()) or parts.get("properties"):

@@ -36,10 +36,8 @@ _SIMPLER = {
 def entry_by_entry(parts: Mapping[str, Any], label: str) -> dict[str, Any]:
     """Return the declaration of a kernel without letters.
 
-    Raises
-    ------
-    DeclarationError
-        If a form speaks of a letter that is not an argument, shapes do not fit, or a property is none of entries.
+    It raises `DeclarationError` if a form speaks of a letter that is not an argument, shapes do not fit, or a property
+    is none of entries.
     """
     try:
         letters = _Letters(parts["arguments"], parts.get("properties", {}))

@@ -66,70 +66,48 @@ class Declaring(Protocol):
 
 @dataclass(frozen=True)
 class Kind:
-    r"""A kind of claims.
-
-    Attributes
-    ----------
-    name : str
-        As the ledger has it.
-    declare : callable
-        It declares a claim of the kind in a section, of which it becomes a method.
-    compare : callable
-        It takes a claim, its printed or corrected form in the terms of the derived one, and an engine, and returns a
-        `Proof`.  Every decision in it is made by `prove`.
-    says : str, or callable from Claim to str
-        A sentence: how the printed form is compared with the derived one.
-    transcribe : callable
-        It takes the folder of the quotes, section and number of a claim, what is derived, and what makes expressions,
-        and returns the printed form that the quote has.
-    takes : tuple of str
-        Which fields of a claim it uses, of those that not every kind uses.
-    of_entries : bool
-        Whether letters in its forms are written out, because it is about entries.
-    one_shape : bool
-        Whether both forms have the same shape.
-    require : callable or None
-        It takes a claim, and raises an error if its declaration is not complete.
-    is_notation : bool
-        Whether it introduces notation, so that nothing is derived.
-    is_equality : bool
-        Whether both forms have values at a point, which are equal, perhaps up to scale.
-    is_marked : bool
-        Whether the parts in which a wrong printed form differs from the right one are marked.
-    is_reduced : bool
-        Whether what is derived is shown in lowest terms.  What no verdict needs expanded may be too large for that.
-    printed, derived : str
-        Captions of the two forms.
-    relation, negated : str
-        LaTeX between the two forms, if the claim holds and if it does not.
-    applied : str
-        LaTeX of what is compared with the printed form, from ``%(derived)s`` and ``%(variable)s``.
-    derived_first : bool
-        Whether the derived form stands before the relation.
-    text : callable or None
-        How a form is written for readers, if it is not a formula.
-    """
+    r"""A kind of claims."""
 
     name: str
+    """As the ledger has it."""
     declare: Callable[..., Claim]
-    compare: Callable[[Claim, Any, str], Proof]
+    """It declares a claim of the kind in a section, of which it becomes a method."""
+    compare: Callable[[Claim, Any], Proof]
+    """It takes a claim, its printed or corrected form in the terms of the derived one, and returns a `Proof`.
+    Every decision in it is made by `prove`."""
     says: str | Callable[[Claim], str]
+    """A sentence: how the printed form is compared with the derived one."""
     transcribe: Callable[..., Any] = transcribed
+    """It takes the folder of the quotes, section and number of a claim, what is derived, and what makes expressions,
+    and returns the printed form that the quote has."""
     takes: tuple[Field, ...] = ()
+    """Which fields of a claim it uses, of those that not every kind uses."""
     of_entries: bool = False
+    """Whether letters in its forms are written out, because it is about entries."""
     one_shape: bool = False
+    """Whether both forms have the same shape."""
     require: Callable[[Claim, str], None] | None = None
+    """It takes a claim, and raises an error if its declaration is not complete."""
     is_notation: bool = False
+    """Whether it introduces notation, so that nothing is derived."""
     is_equality: bool = False
+    """Whether both forms have values at a point, which are equal, perhaps up to scale."""
     is_marked: bool = False
+    """Whether the parts in which a wrong printed form differs from the right one are marked."""
     is_reduced: bool = True
+    """Whether what is derived is shown in lowest terms.  What no verdict needs expanded may be too large for that."""
     printed: str = "Printed"
     derived: str = "Derived"
+    """Captions of the two forms."""
     relation: str = "="
     negated: str = r"\neq"
+    """LaTeX between the two forms, if the claim holds and if it does not."""
     applied: str = "%(derived)s"
+    """LaTeX of what is compared with the printed form, from ``%(derived)s`` and ``%(variable)s``."""
     derived_first: bool = False
+    """Whether the derived form stands before the relation."""
     text: Callable[[Any], str] | None = None
+    """How a form is written for readers, if it is not a formula."""
 
     @property
     def when_it_holds(self) -> Verdict:

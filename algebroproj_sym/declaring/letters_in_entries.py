@@ -33,10 +33,7 @@ EXPRESSIONS = Field(lambda value: sympy.Rational(value.numerator, value.denomina
 def in_entries(values: Mapping[str, Any], properties: Mapping[Any, Any], where: str) -> dict[str, Any]:
     """Return forms, or lists of forms, without letters; ``letters``, and what is ``stated`` in them, as text.
 
-    Raises
-    ------
-    DeclarationError
-        If forms do not fit together, or there are no free coordinates for a property.
+    It raises `DeclarationError` if forms do not fit together, or there are no free coordinates for a property.
     """
     reading = Reading()
     try:
@@ -61,10 +58,7 @@ def lettered(values: Iterable[Any]) -> bool:
 def free_coordinates(name: str, text: str) -> Coordinates:
     """Return the coordinates of a letter that is declared as text.
 
-    Raises
-    ------
-    LetterError
-        If not all numbers are coordinates of such a matrix.
+    It raises `LetterError` if not all numbers are coordinates of such a matrix.
     """
     letter = letter_in_text(name, text)
     found = coordinates(letter)

@@ -28,24 +28,16 @@ Kind = Literal["heading", "formula", "figure", "table", "to heading", "to formul
 
 @dataclass(frozen=True)
 class Mark:
-    """A heading, a number of a formula or a caption of a paper, or a reference to one.
-
-    Attributes
-    ----------
-    line : int
-        The line of the paper's file.
-    kind : str
-        What is marked; a reference is "to" it.
-    number : str
-        As printed.
-    words : str
-        The number with the words before it, word for word.
-    """
+    """A heading, a number of a formula or a caption of a paper, or a reference to one."""
 
     line: int
+    """The line of the paper's file."""
     kind: Kind
+    """What is marked; a reference is "to" it."""
     number: str
+    """As printed."""
     words: str
+    """The number with the words before it, word for word."""
 
     @property
     def claim(self) -> str:

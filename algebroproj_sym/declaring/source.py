@@ -22,20 +22,14 @@ class Source:
     """The call that declares a claim.
 
     It stays in the process that has run it: a claim that is sent to another process leaves it behind.
-
-    Attributes
-    ----------
-    code : CodeType
-        What was running.
-    instruction : int
-        The place of the call in it.
-    names : mapping of str to object
-        What names meant there, when the claim was declared.
     """
 
     code: CodeType
+    """What was running."""
     instruction: int
+    """The place of the call in it."""
     names: Mapping[str, Any]
+    """What names meant there, when the claim was declared."""
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(None), ()

@@ -21,24 +21,16 @@ LINEAR = ("solve", "null_vector")
 
 @dataclass(frozen=True)
 class Stage:
-    """Symbols, and the primitive function that defines them.
-
-    Attributes
-    ----------
-    primitive : str
-        ``let``, one of `LINEAR`, or the name of an elementary function.
-    results : tuple of Symbol
-        What it gives.
-    derived : Expression
-        What it takes, as derived: for linear equations a row is coefficients and right side.
-    form : Expression
-        The same, in the form to be lowered.
-    """
+    """Symbols, and the primitive function that defines them."""
 
     primitive: str
+    """``let``, one of `LINEAR`, or the name of an elementary function."""
     results: tuple[sympy.Symbol, ...]
+    """What it gives."""
     derived: Matrix
+    """What it takes, as derived: for linear equations a row is coefficients and right side."""
     form: Matrix
+    """The same, in the form to be lowered."""
 
 
 def let(values: Mapping[sympy.Symbol, Any], *, form: Mapping[sympy.Symbol, Any] | None = None) -> Stage:
@@ -70,10 +62,7 @@ def solution(unknowns: Sequence[sympy.Symbol], matrix: Any, right_side: Any, *, 
 
     `form` is the system with its right side as last column, in the form to be lowered.
 
-    Raises
-    ------
-    DeclarationError
-        If matrix, right side and unknowns do not fit.
+    It raises `DeclarationError` if matrix, right side and unknowns do not fit.
     """
     system: Any = rational(matrix, "matrix")
     values: Any = rational(right_side, "right_side")
@@ -90,10 +79,7 @@ def null_vector(unknowns: Sequence[sympy.Symbol], matrix: Any, *, form: Any = No
 
     The vector is scaled so that its largest component is 1.
 
-    Raises
-    ------
-    DeclarationError
-        If matrix and unknowns do not fit.
+    It raises `DeclarationError` if matrix and unknowns do not fit.
     """
     system: Any = rational(matrix, "matrix")
     size = len(unknowns)

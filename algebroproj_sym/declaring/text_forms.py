@@ -23,26 +23,18 @@ from algebroproj_sym.proving.statements import UnsupportedError, has_functions, 
 
 @dataclass(frozen=True)
 class Given:
-    """What is declared of a statement, as it was given.
-
-    Attributes
-    ----------
-    forms : mapping of str to object
-        The printed, the derived and the corrected form, where there is one.
-    constraints, nonzero, assumptions : sequence
-        The conditions.
-    properties : mapping
-        What letters are.
-    letters : mapping of str to str, or None
-        The vectors and matrices in forms that are text, such as ``{"R": "3x3 rotation"}``.
-    """
+    """What is declared of a statement, as it was given."""
 
     forms: Mapping[str, Any]
+    """The printed, the derived and the corrected form, where there is one."""
     constraints: Sequence[Any]
     nonzero: Sequence[Any]
     assumptions: Sequence[Any]
+    """The conditions."""
     properties: Mapping[Any, Any]
+    """What letters are."""
     letters: Mapping[str, str] | None = None
+    """The vectors and matrices in forms that are text, such as ``{"R": "3x3 rotation"}``."""
 
     @property
     def values(self) -> tuple[Any, ...]:
@@ -63,12 +55,8 @@ class Given:
 def text_fields(given: Given, kind: str, where: str) -> dict[str, Any]:
     """Return the forms, conditions and letters of a claim as text.
 
-    Raises
-    ------
-    UnsupportedError
-        If claims of the kind have rational forms alone.
-    DeclarationError
-        If a form cannot be read, or letters do not fit together.
+    It raises `UnsupportedError` if claims of the kind have rational forms alone.  It raises `DeclarationError` if a
+    form cannot be read, or letters do not fit together.
     """
     field, what = ("letters", "letters") if given.in_letters else ("assumptions", "real functions")
     if field not in KINDS[kind].takes:

@@ -45,6 +45,8 @@ BROKEN_LINE = re.compile(r"\\n(?!eq|u(?![a-z]))")
 def transcribed(folder: Path, section: str, number: str, derived: Any, build: Builder | None = None) -> Any:
     """Return what is printed, as the quote of a claim has it.
 
+    It raises `DeclarationError` if there is no quote, or it cannot be read: with its line, the place and the reason.
+
     Parameters
     ----------
     folder : Path
@@ -57,11 +59,6 @@ def transcribed(folder: Path, section: str, number: str, derived: Any, build: Bu
         the quote is read in letters, several forms side by side.  So is a definition with a matrix of the tables.
     build : callable, optional
         What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
-
-    Raises
-    ------
-    DeclarationError
-        If there is no quote, or it cannot be read: with its line, the place and the reason.
     """
     is_notation, joined = derived is None, bool(_quote_of(folder, number).beside)
     letters = not joined and (_names_matrices(section, number, folder) if is_notation else speaks_of_letters([derived]))
@@ -98,10 +95,7 @@ def transcribed_number(folder: Path, section: str, number: str, derived: Any) ->
     It is the cell of a table, or else the claims that share a quote share its numbers in order: all of them, or those
     with a decimal point, or those that are a side of an equation.
 
-    Raises
-    ------
-    DeclarationError
-        If the quote does not have one number for each of its claims.
+    It raises `DeclarationError` if the quote does not have one number for each of its claims.
     """
     quote = _quote_of(folder, number)
     cell = quotations(folder).cell(number)
@@ -198,10 +192,7 @@ def _quote_of(folder: Path, number: str) -> Quote:
 def readings(quote: Quote, symbols: Symbols, build: Builder | None = None) -> list[Any]:
     """Return the expressions that a quote has for its claims.
 
-    Raises
-    ------
-    UnreadableError
-        If the quote is not a formula, has no such side, or a symbol of it is not known.
+    It raises `UnreadableError` if the quote is not a formula, has no such side, or a symbol of it is not known.
     """
     found = [expression for piece in quote.read for expression in _readings(piece, quote, symbols, build)]
     if quote.beside:

@@ -17,7 +17,6 @@ from algebroproj_sym.exporting.compiling import (
     require_compiler,
 )
 from algebroproj_sym.exporting.files import ASSUMPTIONS, UNEXPORTED, Exported, export, exported, render
-from algebroproj_sym.exporting.refusal import NotExportable
 
 __all__ = [
     "ASSUMPTIONS",
@@ -25,7 +24,6 @@ __all__ = [
     "Compiled",
     "Exported",
     "NoCompilerError",
-    "NotExportable",
     "assumptions",
     "checked",
     "compiled",

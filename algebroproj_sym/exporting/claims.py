@@ -522,19 +522,10 @@ REASONS: Mapping[str, str] = {
 
 
 def theorems(record: Mapping[str, Any], made: Object | None = None) -> Proved:
-    """Return statements and proofs of what a claim shows, by what they show.
+    """Return statements and proofs of what a claim of the ledger shows, by what they show.
 
-    Parameters
-    ----------
-    record : mapping
-        A claim of the ledger.
-    made : Object, optional
-        How its derivation makes the derived form of an identity.
-
-    Raises
-    ------
-    NotExportable
-        If there is no theorem, for a reason.
+    `made` is how its derivation makes the derived form of an identity.  It raises `NotExportable` if there is no
+    theorem, for a reason.
     """
     kind, verdict, certificate = record["kind"], record["verdict"], record["certificate"]
     if kind in REASONS:

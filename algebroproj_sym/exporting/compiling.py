@@ -42,34 +42,20 @@ class NoCompilerError(Exception):
 
 @dataclass(frozen=True)
 class Compiled:
-    """What Coq says of a file.
-
-    Attributes
-    ----------
-    name : str
-        The file, without its suffix.
-    seconds : float
-        How long it took.
-    axioms : tuple of str
-        What it says that is assumed, if it was asked.
-    error : str
-        Why the file is rejected; empty if it is accepted.
-    """
+    """What Coq says of a file."""
 
     name: str
+    """The file, without its suffix."""
     seconds: float
+    """How long it took."""
     axioms: tuple[str, ...] = ()
+    """What it says that is assumed, if it was asked."""
     error: str = ""
+    """Why the file is rejected; empty if it is accepted."""
 
 
 def require_compiler() -> None:
-    """Raise an error unless coqc and coqchk are there.
-
-    Raises
-    ------
-    NoCompilerError
-        If one of them is missing.
-    """
+    """Raise `NoCompilerError` unless coqc and coqchk are there."""
     for program in ("coqc", "coqchk"):
         _path(program)
 
@@ -87,22 +73,7 @@ def compiled_lemmas(folder: Path) -> list[Compiled]:
 
 
 def compiled(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Compiled]:
-    """Compile files of theorems after the lemmas.
-
-    Parameters
-    ----------
-    folder : Path
-        Where they are.
-    names : sequence of str
-        The files of theorems, without suffix.
-    jobs : int
-        How many at a time.
-
-    Yields
-    ------
-    Compiled
-        For each file in order.
-    """
+    """Compile files of theorems, named without suffix, after the lemmas, and yield what became of each."""
     yield from _each(_compiled, folder, names, jobs)
 
 

@@ -17,21 +17,14 @@ from algebroproj_sym.exporting.theorems import CHECKED, Hypotheses, premises, sp
 
 @dataclass(frozen=True)
 class Functions:
-    """Functions of some variables.
-
-    Attributes
-    ----------
-    variables : tuple of str
-        All symbols that occur.
-    definitions : mapping of str to Term
-        Names of formulas.
-    entries : tuple of Term
-        The functions.
-    """
+    """Functions of some variables."""
 
     variables: tuple[str, ...]
+    """All symbols that occur."""
     definitions: Mapping[str, Term]
+    """Names of formulas."""
     entries: tuple[Term, ...]
+    """The functions."""
 
     def chosen(self, rows: Sequence[int]) -> Functions:
         """Return some of the functions, with the definitions that they use."""
@@ -71,14 +64,7 @@ def _formulas(terms: Sequence[Term]) -> str:
 def independent_at(functions: Functions, point: Point, places: Sequence[int]) -> tuple[str, str]:
     """Return statement and proof that the derivatives of functions by some variables are a regular matrix at a point.
 
-    Parameters
-    ----------
-    functions : Functions
-        As many as variables.
-    point : mapping of str to Fraction
-        A value for each of the variables.
-    places : sequence of int
-        The variables by which the derivatives are taken, among all.
+    There are as many functions as variables by which derivatives are taken; these are given by their places among all.
     """
     values = [point[variable] for variable in functions.variables]
     definitions = listed([tree(value, functions.places, {}) for value in functions.definitions.values()])
@@ -103,14 +89,7 @@ def independent_at(functions: Functions, point: Point, places: Sequence[int]) ->
 
 
 def unchanged_along(functions: Functions, directions: Sequence[Sequence[Term]]) -> tuple[str, str]:
-    """Return statement and proof that functions have no derivatives along directions.
-
-    Parameters
-    ----------
-    functions : Functions
-    directions : sequence of sequence of Term
-        For each direction as many components as there are variables.
-    """
+    """Return statement and proof that functions have no derivatives along directions, given by their components."""
     given = Hypotheses(functions.variables, (), Definitions(functions.definitions))
     given = with_divisors(given, [*functions.entries, *(part for direction in directions for part in direction)])
     split = splitting(given)

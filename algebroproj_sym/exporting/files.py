@@ -40,27 +40,7 @@ FUNCTIONS = f"From Coq Require Import Lra.\nFrom {LIBRARY} Require Import Functi
 
 @dataclass(frozen=True)
 class Exported:
-    """The theorems of a claim, or why there are none.
-
-    Attributes
-    ----------
-    paper, number, section, title, kind, verdict : str
-        The claim as the ledger has it.
-    theorems : tuple of Theorem
-        What it shows.
-    reason : str
-        Why there is no theorem; empty if there is one.
-    refused : bool
-        Whether the evidence does not replay, or does not show what the ledger says.
-    definitions : tuple of Definition
-        The objects that the theorems are about.
-    why : str
-        Why there are no such objects, if it is known.
-    line : int
-        The line of the paper that has the claim, 0 if none is quoted.
-    functions : bool
-        Whether the theorems are about real functions.
-    """
+    """The theorems of a claim, or why there are none."""
 
     paper: str
     number: str
@@ -68,13 +48,21 @@ class Exported:
     title: str
     kind: str
     verdict: str
+    """The claim as the ledger has it."""
     theorems: tuple[Theorem, ...] = ()
+    """What it shows."""
     reason: str = ""
+    """Why there is no theorem; empty if there is one."""
     refused: bool = False
+    """Whether the evidence does not replay, or does not show what the ledger says."""
     definitions: tuple[Definition, ...] = ()
+    """The objects that the theorems are about."""
     why: str = ""
+    """Why there are no such objects, if it is known."""
     line: int = 0
+    """The line of the paper that has the claim, 0 if none is quoted."""
     functions: bool = False
+    """Whether the theorems are about real functions."""
 
     @property
     def equations(self) -> int:
@@ -87,15 +75,10 @@ class Exported:
         return sum(theorem.trivial for theorem in self.theorems)
 
 
-def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
-    """Return the theorems of a claim.
+def exported(record: Mapping[str, Any], made: Object | str = "", replayed: Replayed | None = None) -> Exported:
+    """Return the theorems of a claim of the ledger, which is replayed unless that was done.
 
-    Parameters
-    ----------
-    record : mapping
-        A claim of the ledger.
-    made : Object or str
-        How its derivation makes the derived form, or why that is not known.
+    `made` is how its derivation makes the derived form, or why that is not known.
 
     Examples
     --------
@@ -114,7 +97,7 @@ def exported(record: Mapping[str, Any], made: Object | str = "") -> Exported:
     >>> exported({**record, "derived": "x + 2"}).reason
     'the evidence does not replay: the digest differs from that of the declaration'
     """
-    replayed = replay_claim(record)
+    replayed = replayed or replay_claim(record)
     if replayed.status == "replayed":
         return translated(record, made)
     return _exported(record, reason=f"the evidence does not replay: {replayed.reason}", refused=True)
@@ -167,31 +150,18 @@ def export(
     replayed: Sequence[Replayed] | None = None,
     objects: Mapping[tuple[str, str], Object | str] | None = None,
 ) -> Iterator[Exported]:
-    """Yield the theorems of claims, in order.
+    """Yield the theorems of claims of the ledger, in order.
 
-    Parameters
-    ----------
-    records : sequence of mapping
-        Claims of the ledger.
-    jobs : int
-        How many processes.
-    replayed : sequence of Replayed, optional
-        What the replay of a whole ledger says of them; without it each claim is replayed by itself.
-    objects : mapping of (paper, number) to Object or str, optional
-        How the derivations make what they derive, or why that is not known.
+    What the replay of a whole ledger says of them may be given; without it each claim is replayed by itself.  So may,
+    by paper and number, how the derivations make what they derive, or why that is not known.
     """
     said = [None] * len(records) if replayed is None else replayed
     made = [(objects or {}).get((str(r.get("paper")), str(r.get("number"))), "") for r in records]
-    return mapped(_judged, list(zip(records, said, made, strict=True)), jobs)
+    return mapped(_of_claim, list(zip(records, made, said, strict=True)), jobs)
 
 
-def _judged(claim: tuple[Mapping[str, Any], Replayed | None, Object | str]) -> Exported:
-    record, replayed, made = claim
-    if replayed is None:
-        return exported(record, made)
-    if replayed.status == "replayed":
-        return translated(record, made)
-    return _exported(record, reason=f"the evidence does not replay: {replayed.reason}", refused=True)
+def _of_claim(claim: tuple[Mapping[str, Any], Object | str, Replayed | None]) -> Exported:
+    return exported(*claim)
 
 
 def word(text: str) -> str:
@@ -216,15 +186,8 @@ def _spelled(character: str) -> str:
 def render(claims: Iterable[Exported]) -> dict[str, str]:
     """Return the text of every file by its name.
 
-    Parameters
-    ----------
-    claims : iterable of Exported
-
-    Returns
-    -------
-    dict of str to str
-        The lemmas, a file of theorems for each section, `assumptions.v`, `_CoqProject`, `Makefile`, and the lists
-        `not_exported.txt` and `conventions.txt`.
+    There are the lemmas, a file of theorems for each section, `assumptions.v`, `_CoqProject`, `Makefile`, and the lists
+    `not_exported.txt` and `conventions.txt`.
     """
     claims = [*claims]
     sections: dict[str, list[Exported]] = {}
@@ -236,7 +199,7 @@ def render(claims: Iterable[Exported]) -> dict[str, str]:
     return {
         **{f"{name}.v": text for name, text in lemmas().items()},
         **{f"{section}.v": text for section, (text, _) in texts.items()},
-        f"{ASSUMPTIONS}.v": _assumptions({section: called for section, (_, called) in texts.items()}),
+        f"{ASSUMPTIONS}.v": assumptions_of({section: called for section, (_, called) in texts.items()}),
         "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*names, ASSUMPTIONS))]),
         "Makefile": _makefile([*texts]),
         UNEXPORTED: "".join(_reason(claim) for claim in claims if claim.reason),
@@ -280,7 +243,7 @@ def _section(claims: Sequence[Exported]) -> tuple[str, list[str]]:
     return "\n".join(parts), called
 
 
-def _assumptions(theorems: Mapping[str, Sequence[str]]) -> str:
+def assumptions_of(theorems: Mapping[str, Sequence[str]]) -> str:
     """Return a file that requires all others, mentions all theorems, and prints what they assume."""
     required = "".join(f"From {LIBRARY} Require {section}.\n" for section in theorems)
     mentioned = "".join(

@@ -64,13 +64,7 @@ _SUM, _PRODUCT, _SIGN, _POWER, _ATOM = range(5)
 
 
 def formula(term: Term, within: int = _SUM) -> str:
-    """Return a term as a formula over the real numbers.
-
-    Parameters
-    ----------
-    term : Term
-    within : int
-        How tightly what is around it binds.
+    """Return a term as a formula over the real numbers; `within` says how tightly what is around it binds.
 
     Examples
     --------

@@ -54,11 +54,8 @@ class _Text:
 def in_entries(record: Mapping[str, Any]) -> dict[str, Any]:
     """Return the record of an identity in letters as one about entries: rational functions, without constraints.
 
-    Raises
-    ------
-    Silent
-        If the claim is of another kind, a size is a letter, there are functions of angles, a constraint defines
-        nothing, or a point is about a rotation.
+    It raises `Silent` if the claim is of another kind, a size is a letter, there are functions of angles, a constraint
+    defines nothing, or a point is about a rotation.
     """
     kind, verdict, certificate = record["kind"], record["verdict"], record["certificate"]
     proportional = kind == "identity up to scale"

@@ -23,18 +23,9 @@ from algebroproj_sym.exporting.theorems import (
 def limits(
     given: Hypotheses, variable: str, divisors: Sequence[Term], derived: Sequence[Term], printed: Sequence[Term]
 ) -> tuple[str, str]:
-    """Return statement and proof that expressions have limits as a variable goes to zero.
+    """Return statement and proof that expressions over divisors have limits as a variable goes to zero.
 
-    Parameters
-    ----------
-    given : Hypotheses
-        The free variables but the one, and what is assumed of the limits.
-    variable : str
-        What goes to zero.
-    divisors : sequence of Term
-        What the expressions divide by.
-    derived, printed : sequence of Term
-        The expressions, and their limits.
+    The free variables are all but this one; what is given about them is assumed of the limits.
     """
     lines, introduced = premises(given)
     near = Hypotheses((*given.variables, variable), tuple(divisors))

@@ -74,28 +74,18 @@ class Definition:
 
 @dataclass(frozen=True)
 class Piece:
-    """A value: as Coq's text, as formulas, and with the variables that occur in the text.
-
-    Attributes
-    ----------
-    text : str
-        In parentheses, or a single word.
-    rows : tuple of tuple of Term
-        The entries; of a scalar one.
-    variables : frozenset of str
-    scalar : bool
-    made : bool
-        Whether some operation made it, other than writing its entries down.
-    needs : tuple of Term
-        What must not be zero for the lemmas about its parts.
-    """
+    """A value: as Coq's text, as formulas, and with the variables that occur in the text."""
 
     text: str
+    """In parentheses, or a single word."""
     rows: Rows
+    """The entries; of a scalar one."""
     variables: frozenset[str]
     scalar: bool
     made: bool
+    """Whether some operation made it, other than writing its entries down."""
     needs: tuple[Term, ...] = ()
+    """What must not be zero for the lemmas about its parts."""
 
 
 @dataclass(frozen=True)
@@ -108,13 +98,7 @@ class Object:
 
 
 class Workshop:
-    """The objects of a section.
-
-    Parameters
-    ----------
-    called : mapping of Made to str
-        What the derivation calls its objects.
-    """
+    """The objects of a section, which the derivation calls by some names."""
 
     def __init__(self, called: Mapping[Made, str]) -> None:
         self.called = called

@@ -253,10 +253,7 @@ def in_lowest_terms(
 def hypotheses(variables: Sequence[str], listed: Sequence[Term], formulas: Sequence[Term]) -> tuple[Term, ...]:
     """Return irreducible polynomials that are not zero, after comparing those that are listed with the divisors.
 
-    Raises
-    ------
-    NotExportable
-        If what is listed does not exclude exactly where a divisor of the formulas is zero.
+    It raises `NotExportable` if what is listed does not exclude exactly where a divisor of the formulas is zero.
 
     Examples
     --------

@@ -32,10 +32,7 @@ class Form:
 def form(text: Any) -> Form:
     """Read an expression, a matrix or factors.
 
-    Raises
-    ------
-    NotExportable
-        If the text is none.
+    It raises `NotExportable` if the text is none.
 
     Examples
     --------

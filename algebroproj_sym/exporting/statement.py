@@ -16,13 +16,7 @@ Point = dict[str, Fraction]
 
 
 class Statement:
-    """A record of the ledger, read.
-
-    Parameters
-    ----------
-    record : mapping
-        A claim of the ledger.
-    """
+    """A record of the ledger, read."""
 
     def __init__(self, record: Mapping[str, Any]) -> None:
         self.record = record

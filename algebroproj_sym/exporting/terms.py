@@ -17,20 +17,14 @@ class Term:
     """A formula: ``int``, ``name``, ``-`` of one, ``+`` and ``*`` of several, ``/`` and ``^`` of two terms.
 
     Of numbers there are also ``Rabs`` and ``floor`` of one, and ``at_most`` of two, which is 1 or 0.
-
-    Attributes
-    ----------
-    kind : str
-        One of those.
-    parts : tuple of Term
-        What it is made of.
-    value : int or str
-        The natural number, the name, or the natural exponent.
     """
 
     kind: str
+    """One of those."""
     parts: tuple[Term, ...] = ()
+    """What it is made of."""
     value: int | str = 0
+    """The natural number, the name, or the natural exponent."""
 
 
 @lru_cache(maxsize=1 << 18)

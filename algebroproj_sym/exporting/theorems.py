@@ -42,50 +42,33 @@ class Theorem:
 
 @dataclass(frozen=True)
 class Goal:
-    """An equation, and why it holds: its difference is, up to a power and divisors, a combination of the constraints.
-
-    Attributes
-    ----------
-    left, right : Term
-        The sides.
-    power : int
-        To which power the difference is raised.
-    multiplier : tuple of int
-        By which powers of the divisors it is multiplied.
-    cofactors : tuple of Term
-        The factors of the constraints.
-    """
+    """An equation, and why it holds: its difference is, up to a power and divisors, a combination of constraints."""
 
     left: Term
     right: Term
+    """The sides."""
     power: int = 1
+    """To which power the difference is raised."""
     multiplier: tuple[int, ...] = ()
+    """By which powers of the divisors it is multiplied."""
     cofactors: tuple[Term, ...] = ()
+    """The factors of the constraints."""
 
 
 @dataclass(frozen=True)
 class Hypotheses:
-    """What a theorem assumes.
-
-    Attributes
-    ----------
-    variables : tuple of str
-        Free variables.
-    divisors : tuple of Term
-        Polynomials in them that are not zero.
-    definitions : mapping of str to Term
-        Names of formulas.
-    units : tuple of Term
-        Other formulas that are not zero.
-    constraints : tuple of Term
-        Formulas that are zero.
-    """
+    """What a theorem assumes."""
 
     variables: tuple[str, ...]
+    """Free variables."""
     divisors: tuple[Term, ...] = ()
+    """Polynomials in them that are not zero."""
     definitions: Mapping[str, Term] = field(default_factory=dict)
+    """Names of formulas."""
     units: tuple[Term, ...] = ()
+    """Other formulas that are not zero."""
     constraints: tuple[Term, ...] = ()
+    """Formulas that are zero."""
 
 
 @dataclass(frozen=True)
@@ -161,14 +144,8 @@ def universal(
 ) -> tuple[str, str]:
     """Return statement and proof of the theorem that equations follow from hypotheses.
 
-    Parameters
-    ----------
-    given : Hypotheses
-    goals : sequence of Goal
-    conclusion : str
-        What is concluded, if it is not the conjunction of the equations.
-    using : callable
-        What makes a proof of the conclusion of the names of the hypotheses and the proof of the conjunction.
+    If another `conclusion` than the conjunction of the equations is stated, `using` makes its proof of the names of the
+    hypotheses and the proof of the conjunction.
     """
     given = needed(given, goals)
     stated, introduced = premises(given)

@@ -61,19 +61,13 @@ VARIABLE = Size(1, 1, 1)
 
 
 class Extent(NamedTuple):
-    """Bounds on what an expression becomes when it is multiplied out as one fraction.
-
-    Attributes
-    ----------
-    above, below : Size
-        Of numerator and denominator.
-    divided : bool
-        Whether it keeps a division, so that nothing in it is multiplied out by SymPy.
-    """
+    """Bounds on what an expression becomes when it is multiplied out as one fraction."""
 
     above: Size
     below: Size = ONE
+    """Of numerator and denominator."""
     divided: bool = False
+    """Whether it keeps a division, so that nothing in it is multiplied out by SymPy."""
 
     def excess(self, times: int = 1) -> tuple[str, str] | None:
         """Return what was expected, and what came, if this is more than there may be."""
@@ -156,10 +150,7 @@ def require_bounded(value: Any, argument: str, times: int = 1) -> None:
 def most_terms(value: Any) -> int:
     """Return how many terms an expression has at most when it is multiplied out.
 
-    Raises
-    ------
-    TooLargeError
-        If it is larger than a text may be.
+    It raises `TooLargeError` if it is larger than a text may be.
 
     Examples
     --------

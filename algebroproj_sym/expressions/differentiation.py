@@ -15,19 +15,7 @@ from algebroproj_sym.expressions.quotient import over
 
 
 def diff(expression: Any, *variables: sympy.Symbol) -> Any:
-    """Return the derivative of an expression by one variable after the other; of a matrix, entry by entry.
-
-    Parameters
-    ----------
-    expression : sympy.Expr or sympy matrix
-        A rational expression.
-    *variables : sympy.Symbol
-        By what to differentiate.
-
-    Returns
-    -------
-    sympy.Expr or sympy matrix
-        Of the shape of the expression.
+    """Return the derivative of a rational expression by one variable after the other; of a matrix, entry by entry.
 
     Examples
     --------
@@ -55,21 +43,9 @@ def differential(
     tangents: Mapping[sympy.Symbol, Scalar],
     of_quotient: Callable[[Any, Scalar, Scalar], Scalar] = split_quotient,
 ) -> Any:
-    """Return how an expression changes when its symbols change.
+    """Return how a rational expression, or each entry of a matrix, changes when some of its symbols change.
 
-    Parameters
-    ----------
-    expression : sympy.Expr or sympy matrix
-        A rational expression.
-    tangents : mapping of Symbol to Expr
-        How the symbols change; the others are constants.
-    of_quotient : callable
-        How the derivative of a quotient is written: from the quotient and the derivatives of its two parts.
-
-    Returns
-    -------
-    sympy.Expr or sympy matrix
-        Of the shape of the expression.
+    `of_quotient` writes the derivative of a quotient, from the quotient and the derivatives of its two parts.
 
     Examples
     --------
@@ -118,30 +94,11 @@ def derivatives(
     direction: Sequence[Any],
     lift: Callable[[Fraction], Any] = Fraction,
 ) -> tuple[Any, ...]:
-    """Return the derivatives of the entries of an expression at a point, along a direction.
+    """Return the derivatives of the entries of a rational expression at a point, along a direction.
 
-    Parameters
-    ----------
-    expression : sympy.Expr or sympy matrix
-        A rational expression.
-    point : mapping of Symbol to field element
-        A value for every symbol of the expression.
-    variables : sequence of Symbol
-        The symbols to differentiate by.  The others are constants.
-    direction : sequence of field element
-        The component of the direction for each variable.
-    lift : callable
-        The embedding of Q in the field.
-
-    Returns
-    -------
-    tuple
-        The derivatives of the entries of a matrix row by row, or of the one scalar.
-
-    Raises
-    ------
-    ZeroDivisionError
-        If the expression is not defined at the point.
+    The point has a value for every symbol, the direction a component for each of the variables; the other symbols are
+    constants.  `lift` embeds Q in their field.  It raises `ZeroDivisionError` if the expression is not defined at the
+    point.
 
     Examples
     --------
@@ -168,26 +125,9 @@ def _moving(
 def jacobian(
     expression: Expression, point: Mapping[sympy.Symbol, Fraction], variables: Sequence[sympy.Symbol]
 ) -> list[list[Fraction]]:
-    """Differentiate the entries of an expression, at a rational point.
+    """Return the derivatives of a rational expression by some variables at a rational point, a row for each entry.
 
-    Parameters
-    ----------
-    expression : sympy.Expr or sympy matrix
-        A rational expression.
-    point : mapping of Symbol to Fraction
-        A value for every symbol of the expression.
-    variables : sequence of Symbol
-        The symbols to differentiate by.  The others are constants.
-
-    Returns
-    -------
-    list of list of Fraction
-        A row for each entry, with the derivatives in the order of the variables.
-
-    Raises
-    ------
-    ZeroDivisionError
-        If the expression is not defined at the point.
+    It raises `ZeroDivisionError` if the expression is not defined at the point.
 
     Examples
     --------

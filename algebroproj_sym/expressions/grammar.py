@@ -35,6 +35,9 @@ class NotRationalError(TypeError):
 def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression:
     """Return `value` as a SymPy expression or immutable matrix, if it is rational over Q.
 
+    It raises `NotRationalError` if the value contains a float, another kind of number, another function, or a symbol
+    that is not a plain number.
+
     Parameters
     ----------
     value : sympy.Expr, sympy matrix, int or fractions.Fraction
@@ -47,11 +50,6 @@ def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression
     Returns
     -------
     sympy.Expr or sympy.ImmutableDenseMatrix
-
-    Raises
-    ------
-    NotRationalError
-        If the value contains a float, another kind of number, another function, or a symbol that is not a plain number.
 
     Examples
     --------
@@ -128,10 +126,7 @@ def shape(expression: Expression) -> tuple[int, ...]:
 def symbols_of(expressions: Iterable[Expression]) -> tuple[sympy.Symbol, ...]:
     """Return the symbols of some expressions, sorted by name.
 
-    Raises
-    ------
-    ValueError
-        If two different symbols share a name.
+    It raises `ValueError` if two different symbols share a name.
     """
     found = {symbol for expression in expressions for symbol in free_symbols(expression)}
     ordered = sorted(found, key=lambda symbol: symbol.name)
@@ -183,10 +178,7 @@ def text(expression: Expression) -> str:
 
     The terms of a long one keep the order they are stored in: sorting them takes longer than any proof.
 
-    Raises
-    ------
-    TooLargeError
-        If the expression, with every shared part written out, has too many parts.
+    It raises `TooLargeError` if the expression, with every shared part written out, has too many parts.
 
     Examples
     --------

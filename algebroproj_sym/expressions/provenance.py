@@ -18,43 +18,28 @@ import sympy
 
 @dataclass(frozen=True, eq=False)
 class Made:
-    """A value, and how it was made.
-
-    Attributes
-    ----------
-    operation : str
-        What was done; "entries" if a matrix was given entry by entry, "scalar" if an expression was given.
-    operands : tuple
-        Provenances and, for some operations, plain data.
-    value : sympy.Expr or sympy matrix
-        The result.
-    """
+    """A value, and how it was made."""
 
     operation: str
+    """What was done; "entries" if a matrix was given entry by entry, "scalar" if an expression was given."""
     operands: tuple[Any, ...]
+    """Provenances and, for some operations, plain data."""
     value: Any
+    """The result."""
 
 
 @dataclass
 class Record:
-    """What was noted.
-
-    Attributes
-    ----------
-    claims : dict of (paper, number) to Made
-        How the derived forms of claims were made.
-    scalars : dict of Expr to Made
-        How scalars were made, the last time.
-    atoms : list of Made
-        Results since the last claim that are a symbol, which says nothing by its value.
-    names : dict of Made to str
-        What modules call their objects.
-    """
+    """What was noted."""
 
     claims: dict[tuple[str, str], Made] = field(default_factory=dict)
+    """How the derived forms of claims were made."""
     scalars: dict[Any, Made] = field(default_factory=dict)
+    """How scalars were made, the last time."""
     atoms: list[Made] = field(default_factory=list)
+    """Results since the last claim that are a symbol, which says nothing by its value."""
     names: dict[Made, str] = field(default_factory=dict)
+    """What modules call their objects."""
 
 
 Result = TypeVar("Result")

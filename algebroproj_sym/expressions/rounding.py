@@ -12,17 +12,10 @@ ROUNDINGS: tuple[Rounding, ...] = get_args(Rounding)
 
 
 def rounded(exact: Fraction, decimals: int, rounding: Rounding = "nearest") -> Decimal:
-    """Return the one number with so many decimals that is printed for an exact number.
+    """Return a number with so many digits after the decimal point.
 
-    Parameters
-    ----------
-    exact : Fraction
-        The number.
-    decimals : int
-        How many digits there are after the decimal point.
-    rounding : {"nearest", "cut"}
-        The nearest number, of two nearest ones that with the larger absolute value; or all further digits cut off,
-        which goes towards zero.
+    It is the nearest such number, of two nearest ones that with the larger absolute value; or all further digits are
+    cut off, which goes towards zero.
 
     Examples
     --------

@@ -77,10 +77,8 @@ def assumption(symbol: sympy.Symbol) -> str:
 def assumed(symbols: Iterable[sympy.Symbol], argument: str) -> Mapping[sympy.Symbol, sympy.Symbol]:
     """Return the plain symbol for each of some symbols, in the order of their names.
 
-    Raises
-    ------
-    SymbolError
-        If a name cannot be written, two symbols share a name, or no rational number satisfies the assumptions.
+    It raises `SymbolError` if a name cannot be written, two symbols share a name, or no rational number satisfies the
+    assumptions.
 
     Examples
     --------

@@ -14,14 +14,6 @@ _PART = re.compile(r"\w+")
 class TextForm:
     """A side or a condition of a statement with real functions, or in letters.
 
-    Attributes
-    ----------
-    text : str
-        As the prover and the replay read it.
-    letters : tuple of (str, str), or None
-        The vectors and matrices of the statement and what they are, such as ``("R", "3x3 rotation")``; None for a
-        statement with real functions.
-
     Examples
     --------
     >>> form = TextForm("R.T*R", (("R", "3x3 rotation"),))
@@ -30,7 +22,10 @@ class TextForm:
     """
 
     text: str
+    """As the prover and the replay read it."""
     letters: tuple[tuple[str, str], ...] | None = None
+    """The vectors and matrices of the statement and what they are, such as ``("R", "3x3 rotation")``; None for a
+    statement with real functions."""
 
     def __str__(self) -> str:
         return self.text

@@ -63,11 +63,8 @@ def lower(kernel: Kernel) -> Lowered:
     least is taken.  Programs with primitive functions, which are not exact on fractions, cannot be compared: there the
     first form is taken.
 
-    Raises
-    ------
-    LoweringError
-        If a program, run on rational functions, does not give the derived expression, or an entry is a constant
-        fraction, which integers cannot give.
+    It raises `LoweringError` if a program, run on rational functions, does not give the derived expression, or an entry
+    is a constant fraction, which integers cannot give.
     """
     if not kernel.is_rational:
         return lowered_form(mirrored(kernel)[0])

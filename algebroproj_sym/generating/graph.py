@@ -19,21 +19,14 @@ Signed: TypeAlias = tuple[int, int]
 
 @dataclass(frozen=True)
 class Node:
-    """A node of the graph.
-
-    Attributes
-    ----------
-    kind : str
-        An input, a non-negative integer, a sum, a product (a power is a repeated factor) or a quotient.
-    operands : tuple of (sign, place)
-        The operands, those of a sum in the order of their places; only they have signs, the first a positive one.
-    value : str or int
-        The name of an input, or an integer.
-    """
+    """A node of the graph."""
 
     kind: Kind
+    """An input, a non-negative integer, a sum, a product (a power is a repeated factor) or a quotient."""
     operands: tuple[Signed, ...] = ()
+    """The operands, those of a sum in the order of their places; only they have signs, the first a positive one."""
     value: str | int = 0
+    """The name of an input, or an integer."""
 
 
 @dataclass

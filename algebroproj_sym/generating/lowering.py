@@ -40,30 +40,20 @@ class LoweringError(ValueError):
 
 @dataclass(frozen=True)
 class Lowered:
-    """A kernel and its program.
-
-    Attributes
-    ----------
-    kernel : Kernel
-        What was lowered.
-    program : Program
-        The program that is shipped, with twice the digits where they are needed.
-    plain : Program
-        The same without changes of digits, proved equal to ``kernel.derived``.
-    hypotheses : tuple of sympy.Expr
-        The irreducible factors that must not vanish.
-    guarded : tuple of sympy.Expr
-        Those of them that only guards divide by.
-    forms : int
-        Among how many forms, all proved equal, this one was chosen.
-    """
+    """A kernel and its program."""
 
     kernel: Kernel
+    """What was lowered."""
     program: Program
+    """The program that is shipped, with twice the digits where they are needed."""
     plain: Program
+    """The same without changes of digits, proved equal to ``kernel.derived``."""
     hypotheses: tuple[Scalar, ...]
+    """The irreducible factors that must not vanish."""
     guarded: tuple[Scalar, ...]
+    """Those of them that only guards divide by."""
     forms: int = 1
+    """Among how many forms, all proved equal, this one was chosen."""
 
     @property
     def input_hypotheses(self) -> tuple[Scalar, ...]:
@@ -98,13 +88,10 @@ def lowered_form(kernel: Kernel, reciprocals: bool = False) -> Lowered:
 
     Quotients with one divisor can be products with its reciprocal.
 
-    Raises
-    ------
-    LoweringError
-        If the program, run on rational functions, does not give the derived expression, or an entry is a constant
-        fraction, which integers cannot give.
+    It raises `LoweringError` if the program, run on rational functions, does not give the derived expression, or an
+    entry is a constant fraction, which integers cannot give.
     """
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate))
     wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)
     derived = [value for expression in wanted for value in evaluate(expression, field.variables, field.lift)]
     hypotheses = field.divisors()
@@ -142,7 +129,7 @@ def computed_values(program: Program, field: RationalFunctionField) -> tuple[Any
 
 def divisors_of(kernel: Kernel, program: Program) -> tuple[Scalar, ...]:
     """Return the irreducible factors by which a program divides."""
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate))
     computed_values(program, field)
     return field.divisors()
 

@@ -192,15 +192,7 @@ def recorded(inputs: Sequence[str], body: Callable[..., Iterable[Any]]) -> Progr
 
 
 class Recorder:
-    """Writes down each operation once.
-
-    Parameters
-    ----------
-    inputs : sequence of str
-        The names of the inputs.
-    taken : collection of str
-        Names that steps do not get.
-    """
+    """Writes down each operation on some inputs once; steps do not get the names that are taken."""
 
     def __init__(self, inputs: Sequence[str], taken: Iterable[str] = ()) -> None:
         self.names = tuple(inputs)

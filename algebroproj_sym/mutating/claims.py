@@ -22,25 +22,17 @@ SHORT = 200
 
 @dataclass(frozen=True)
 class MutantFate:
-    """What became of a changed form.
-
-    Attributes
-    ----------
-    change : str
-        What was changed.
-    form : str
-        The changed form; empty for one that is refuted or undefined of a long printed form.
-    fate : {"refuted", "undefined", "equivalent", "explained", "survived"}
-        Whether it is refuted by an exact counterexample, undefined because a denominator is zero, or proved equivalent
-        to the unchanged form; if not, whether it is known why.
-    reason : str
-        Why it survives, or is undefined.
-    """
+    """What became of a changed form."""
 
     change: str
+    """What was changed."""
     form: str
+    """The changed form; empty for one that is refuted or undefined of a long printed form."""
     fate: Fate
+    """Whether it is refuted by an exact counterexample, undefined because a denominator is zero, or proved
+    equivalent to the unchanged form; if not, whether it is known why."""
     reason: str = ""
+    """Why it survives, or is undefined."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +79,7 @@ def _fate(claim: Claim, form: Any) -> tuple[Fate, str]:
     """Return what becomes of a changed form, and why it survives or is undefined."""
     try:
         asked, changed = _where_changed(claim, form)
-        proof = KINDS[claim.kind].compare(asked, in_derived_terms(changed, claim.where), "flint")
+        proof = KINDS[claim.kind].compare(asked, in_derived_terms(changed, claim.where))
     except (UndefinedError, DeclarationError, ZeroDivisionError) as error:
         return "undefined", str(error).partition("\n")[0][:200]
     if proof.verdict == "refuted":

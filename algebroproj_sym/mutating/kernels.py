@@ -28,26 +28,18 @@ numbers, or returns a number of twice the digits."""
 
 @dataclass(frozen=True)
 class SourceFate:
-    """What became of a changed source.
-
-    Attributes
-    ----------
-    change, line : str
-        What was changed, and the changed line.
-    by_proof : bool
-        Whether the symbolic execution of the source noticed; if not, the source is proved to compute the same real
-        numbers.
-    by_numbers : bool
-        Whether the comparison with 50 digits on samples noticed.
-    same_bits : bool
-        Whether the results at all samples are those of the unchanged source, bit by bit.
-    """
+    """What became of a changed source."""
 
     change: str
     line: str
+    """What was changed, and the changed line."""
     by_proof: bool
+    """Whether the symbolic execution of the source noticed; if not, the source is proved to compute the same real
+    numbers."""
     by_numbers: bool
+    """Whether the comparison with 50 digits on samples noticed."""
     same_bits: bool = False
+    """Whether the results at all samples are those of the unchanged source, bit by bit."""
 
     @property
     def equivalent(self) -> bool:
@@ -70,10 +62,7 @@ def mutate_kernel(lowered: Lowered, package: ModuleType, limit: int = 0, size: i
     At most `limit` changes are tried, chosen by the name of the function; all if it is 0. There are `size` samples in
     each stratum.
 
-    Raises
-    ------
-    ValueError
-        If the unchanged source does not pass.
+    It raises `ValueError` if the unchanged source does not pass.
     """
     kernel = lowered.kernel
     function = function_of(kernel, package)

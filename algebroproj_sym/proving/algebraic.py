@@ -53,19 +53,9 @@ def has_real_root(polynomial: Any) -> bool:
 
 
 def roots_in_field(coefficients: Sequence[Any], minimal: Any) -> list[Any]:
-    """Return the roots of a polynomial over Q(r) that lie in Q(r).
+    """Return the roots of a polynomial in the field of r, as polynomials in r.
 
-    Parameters
-    ----------
-    coefficients : sequence of flint.fmpq_poly
-        The coefficients, polynomials in r, that of the lowest power first.
-    minimal : flint.fmpq_poly
-        The irreducible polynomial of r.
-
-    Returns
-    -------
-    list of flint.fmpq_poly
-        The roots, as polynomials in r.
+    So are its coefficients, that of the lowest power first; `minimal` is the irreducible polynomial of r.
 
     Examples
     --------

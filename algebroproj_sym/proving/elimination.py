@@ -57,31 +57,6 @@ class Pair:
 class Elimination:
     """What is zero and what is not, with as many variables taken out as can be without dividing by what may vanish.
 
-    Attributes
-    ----------
-    context : flint.fmpq_mpoly_ctx
-        Degree reverse lexicographic; its last variable occurs in no polynomial.
-    zeros : list of flint.fmpq_mpoly
-        What is zero, and what was found to be zero.
-    live : list of int
-        The places of the zeros that are left.
-    units : list of flint.fmpq_mpoly
-        Irreducible polynomials that are not zero, as far as they are written in the variables that are left.
-    real : bool
-        Whether zeros may be taken apart that are sums of squares.
-    goal : flint.fmpq_mpoly or None
-        What is claimed to vanish.
-    steps : list
-        The steps that were made.
-    solved : list of Solved
-        The variables taken out, in order.
-    is_empty : End or None
-        What shows that no point is left, if that was found.
-    refused : set of str
-        What was not taken.
-    work : Work
-        What the bases of all cases may cost together.
-
     Examples
     --------
     >>> import flint
@@ -93,16 +68,27 @@ class Elimination:
     """
 
     context: Any
+    """Degree reverse lexicographic; its last variable occurs in no polynomial."""
     zeros: list[Any]
+    """What is zero, and what was found to be zero."""
     live: list[int]
+    """The places of the zeros that are left."""
     units: list[Any]
+    """Irreducible polynomials that are not zero, as far as they are written in the variables that are left."""
     real: bool = False
+    """Whether zeros may be taken apart that are sums of squares."""
     goal: Any = None
+    """What is claimed to vanish."""
     steps: list[Step | Zeros | Positive] = field(default_factory=list)
+    """The steps that were made."""
     solved: list[Solved] = field(default_factory=list)
+    """The variables taken out, in order."""
     is_empty: End | None = None
+    """What shows that no point is left, if that was found."""
     refused: set[str] = field(default_factory=set)
+    """What was not taken."""
     work: Work = field(default_factory=Work)
+    """What the bases of all cases may cost together."""
 
     @property
     def one(self) -> Any:

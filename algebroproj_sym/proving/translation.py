@@ -22,18 +22,12 @@ MOST_TERMS = 20_000
 
 @dataclass(frozen=True)
 class Frame:
-    """Directions along which no polynomial changes, each with a variable of its own in which it is one.
-
-    Attributes
-    ----------
-    context : flint.fmpq_mpoly_ctx
-        Of the polynomials.
-    directions : mapping of int to sequence of flint.fmpq
-        The components, by the place of the variable that is put to zero.
-    """
+    """Directions along which no polynomial changes, each with a variable of its own in which it is one."""
 
     context: Any
+    """Of the polynomials."""
     directions: Mapping[int, Sequence[Any]]
+    """The components, by the place of the variable that is put to zero."""
 
     def restricted(self, polynomial: Any) -> Any:
         """Return a polynomial with zero for the variables of the directions."""

@@ -4,12 +4,11 @@ This package shares no code with the rest, and needs Python's standard library a
 ledger's expressions, its own polynomials and rational functions, and its own checks for each kind of claim.
 """
 
-from algebroproj_sym.replaying.entry import DECLARED, declaration_digest
+from algebroproj_sym.replaying.entry import declaration_digest
 from algebroproj_sym.replaying.ledger import Replayed, Status, replay, replay_claim, replay_identity
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected
 
 __all__ = [
-    "DECLARED",
     "NotReplayable",
     "Rejected",
     "Replayed",

@@ -29,25 +29,17 @@ OPTIONAL = frozenset({"steps", "translations", "extension"})
 
 @dataclass(frozen=True)
 class Question:
-    """Whether two sides are equal.
-
-    Attributes
-    ----------
-    sides : callable
-        Gives the entries of both sides in an algebra.
-    constraints, nonzero : list of Form
-        What is zero, and what is not.
-    symbols : set of str
-        All symbols.
-    hypotheses : list of str
-        What does not vanish either, as the record has it.
-    """
+    """Whether two sides are equal."""
 
     sides: Sides
+    """Gives the entries of both sides in an algebra."""
     constraints: list[Form]
     nonzero: list[Form]
+    """What is zero, and what is not."""
     symbols: set[str]
+    """All symbols."""
     hypotheses: Any
+    """What does not vanish either, as the record has it."""
 
     def difference(self, field: Field) -> list[Element]:
         """Return the difference of the sides, entry by entry."""

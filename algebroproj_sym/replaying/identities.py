@@ -31,19 +31,9 @@ _OF_SOME = {"letters", *_OF_REALS}
 
 
 def require_identity(record: Mapping[str, Any]) -> None:
-    """Check whether the verdict on an identity follows from its evidence.
+    """Require that the verdict on an identity of a file follows from its evidence.
 
-    Parameters
-    ----------
-    record : mapping
-        An identity as ``algebroproj check FILE.json --format json`` writes it.
-
-    Raises
-    ------
-    Rejected
-        If it does not.
-    NotReplayable
-        If there is no evidence.
+    It raises `Rejected` if it does not, and `NotReplayable` if there is no evidence.
     """
     require(
         record.keys() - {"seconds", *_OF_SOME} == KEYS,

@@ -30,24 +30,17 @@ Status = Literal["replayed", "rejected", "not replayable"]
 
 @dataclass(frozen=True)
 class Replayed:
-    """What became of the certificate of a claim.
-
-    Attributes
-    ----------
-    paper, number, kind, verdict : str
-        The claim as the ledger has it.
-    status : {"replayed", "rejected", "not replayable"}
-        Whether the verdict follows from the evidence.
-    reason : str
-        Why it does not.
-    """
+    """What became of the certificate of a claim."""
 
     paper: str
     number: str
     kind: str
     verdict: str
+    """The claim as the ledger has it."""
     status: Status
+    """Whether the verdict follows from the evidence."""
     reason: str = ""
+    """Why it does not."""
 
 
 def replay_claim(record: Mapping[str, Any]) -> Replayed:

@@ -85,10 +85,7 @@ ROOT = "r"
 def extension(given: Any) -> Algebra:
     """Return the algebra of an extension, in which the root is called r, after looking for it.
 
-    Raises
-    ------
-    Rejected
-        If the polynomial does not change its sign between the bounds.
+    It raises `Rejected` if the polynomial does not change its sign between the bounds.
     """
     require(
         given.keys() == {"coefficients", "root between"},

@@ -22,10 +22,7 @@ Dependences: TypeAlias = Mapping[Key, tuple[Key, ...]]
 def noted(selectors: Sequence[str]) -> Dependences:
     """Return what claims rest on, found in a process of its own: see `dependences`.
 
-    Raises
-    ------
-    RuntimeError
-        If the process did not come to an end.
+    It raises `RuntimeError` if the process did not come to an end.
     """
     command = [sys.executable, "-m", __name__, *selectors]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -33,10 +33,7 @@ class Notebook:
 def run_notebook(derivation: Derivation) -> Notebook:
     """Run a derivation as Jupyter does, and keep what its cells show.
 
-    Raises
-    ------
-    NotebookError
-        If a cell fails, or a claim is not shown.
+    It raises `NotebookError` if a cell fails, or a claim is not shown.
     """
     import jupytext
     from jupyter_client.kernelspec import KernelSpecManager

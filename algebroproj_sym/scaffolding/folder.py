@@ -30,26 +30,10 @@ class OccupiedError(FileExistsError):
 
 
 def create(name: str, out: Path) -> tuple[Path, ...]:
-    """Write the derivation folder ``out/name``.
+    """Write the derivation folder of a new paper in a folder, and return its files.
 
-    Parameters
-    ----------
-    name : str
-        The paper key, which is also the name of the package.
-    out : Path
-        Where to write the folder.
-
-    Returns
-    -------
-    tuple of Path
-        The files.
-
-    Raises
-    ------
-    InvalidNameError
-        If the name is not one of lower-case letters, digits and underscores, or means another package.
-    OccupiedError
-        If the folder exists; nothing is written.
+    It raises `InvalidNameError` if the name is not one of lower-case letters, digits and underscores, or means another
+    package, and `OccupiedError` if the folder exists; nothing is written.
     """
     _require_well_formed(name)
     folder = out / name

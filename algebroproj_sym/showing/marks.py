@@ -10,21 +10,14 @@ MARK = "differs"
 
 @dataclass(frozen=True)
 class Marks:
-    """Marked parts of an expression.
-
-    Attributes
-    ----------
-    whole : bool
-        Whether all of it is marked.
-    sign : bool
-        Whether the sign before it is marked.
-    inside : mapping of int to Marks
-        The marks of the arguments of an expression, or of the entries of a matrix, by their places.
-    """
+    """Marked parts of an expression."""
 
     whole: bool = False
+    """Whether all of it is marked."""
     sign: bool = False
+    """Whether the sign before it is marked."""
     inside: Mapping[int, Marks] = field(default_factory=dict)
+    """The marks of the arguments of an expression, or of the entries of a matrix, by their places."""
 
     def of(self, place: int) -> Marks:
         """Return the marks of the argument, or of the entry, at a place."""

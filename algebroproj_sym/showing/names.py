@@ -10,38 +10,12 @@ import re
 from dataclasses import dataclass
 from functools import cache
 
-GREEK = {
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "delta": "δ",
-    "eps": "ε",
-    "epsilon": "ε",
-    "zeta": "ζ",
-    "eta": "η",
-    "theta": "θ",
-    "kappa": "κ",
-    "lam": "λ",
-    "lambda": "λ",
-    "mu": "μ",
-    "nu": "ν",
-    "xi": "ξ",
-    "rho": "ρ",
-    "sigma": "σ",
-    "tau": "τ",
-    "phi": "φ",
-    "chi": "χ",
-    "psi": "ψ",
-    "omega": "ω",
-    "Gamma": "Γ",
-    "Delta": "Δ",
-    "Theta": "Θ",
-    "Lambda": "Λ",
-    "Sigma": "Σ",
-    "Phi": "Φ",
-    "Psi": "Ψ",
-    "Omega": "Ω",
-}
+_WORDS = (
+    "alpha beta gamma delta eps epsilon zeta eta theta kappa lam lambda mu nu xi rho sigma tau phi chi psi omega "
+    "Gamma Delta Theta Lambda Sigma Phi Psi Omega"
+)
+GREEK = dict(zip(_WORDS.split(), "αβγδεεζηθκλλμνξρστφχψωΓΔΘΛΣΦΨΩ", strict=True))
+"""Greek letters by their English names, some of which are short."""
 _LATEX = {"eps": "varepsilon", "epsilon": "varepsilon", "lam": "lambda", "phi": "varphi"}
 _GREEK = "|".join(sorted(GREEK, key=len, reverse=True))
 _NAME = re.compile(rf"({_GREEK}|[A-Za-z])(s(?=p{{0,2}}\d))?(p{{1,2}}(?=[\dN_]|$))?_?(.*?)((?<=\d)p{{1,2}})?")

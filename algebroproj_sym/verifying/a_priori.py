@@ -62,43 +62,28 @@ class FactorFact(Fact):
 
 @dataclass(frozen=True)
 class Bound:
-    """An a-priori bound of the relative error of a result.
-
-    Attributes
-    ----------
-    result : int
-        The number of the result.
-    roundings : int
-        How many units roundoff.
-    terms : tuple of (int, int)
-        Coefficients, in units of 2^-20, of u^2 times the kappa of the sum of a number.
-    """
+    """An a-priori bound of the relative error of a result."""
 
     result: int
+    """The number of the result."""
     roundings: int
+    """How many units roundoff."""
     terms: Terms
+    """Coefficients, in units of 2^-20, of u^2 times the kappa of the sum of a number."""
 
 
 @dataclass(frozen=True)
 class Analysis:
-    """The bounds of a function, and why they hold.
-
-    Attributes
-    ----------
-    line : StraightLine
-        What the function computes; sums are called ``join`` where the second number was rounded off the first.
-    bounds : tuple of Bound or None
-        For each result; None where no rule leads to one.
-    divisors : tuple of Bound or None
-        The same for what is divided by, 2^10 times as large where a pair is divided by a pair.
-    certificate : tuple of Fact
-        The facts in order.
-    """
+    """The bounds of a function, and why they hold."""
 
     line: StraightLine
+    """What the function computes; sums are called ``join`` where the second number was rounded off the first."""
     bounds: tuple[Bound | None, ...]
+    """For each result; None where no rule leads to one."""
     divisors: tuple[Bound | None, ...]
+    """The same for what is divided by, 2^10 times as large where a pair is divided by a pair."""
     certificate: tuple[Fact, ...]
+    """The facts in order."""
 
     @property
     def is_complete(self) -> bool:

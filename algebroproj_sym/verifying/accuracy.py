@@ -42,36 +42,25 @@ LEAST_SAMPLES = 100
 
 @dataclass(frozen=True)
 class Stratum:
-    """The errors over the samples of one stratum.
-
-    Attributes
-    ----------
-    name : str
-        Which inputs.
-    samples : int
-        How many.
-    median_ulp, thousandth_ulp, max_ulp : float
-        Errors of the entries that depend on the input, in units in the last place of the exact result: the median,
-        what one in a thousand exceeds, and the largest.
-    undetermined : int
-        Entries that are not finite, and of which rounding the input alone could change every digit.
-    max_ratio : float
-        The largest error over u times the larger of ``|f|`` and ``sum |x_i df/dx_i|``.
-    within_ulps : bool
-        Whether no error is larger than `MAX_ULP`, or than is granted near a singularity.
-    near : tuple of (float, float)
-        For each sample near a zero of a factor: what the factor is there, without sign, and the largest error in ULP.
-    """
+    """The errors over the samples of one stratum."""
 
     name: str
+    """Which inputs."""
     samples: int
+    """How many."""
     median_ulp: float
     thousandth_ulp: float
     max_ulp: float
+    """Errors of the entries that depend on the input, in units in the last place of the exact result: the median,
+    what one in a thousand exceeds, and the largest."""
     max_ratio: float
+    """The largest error over u times the larger of ``|f|`` and ``sum |x_i df/dx_i|``."""
     undetermined: int
+    """Entries that are not finite, and of which rounding the input alone could change every digit."""
     within_ulps: bool = True
+    """Whether no error is larger than `MAX_ULP`, or than is granted near a singularity."""
     near: tuple[tuple[float, float], ...] = ()
+    """For each sample near a zero of a factor: what the factor is there, without sign, and the largest error in ULP."""
 
 
 @dataclass(frozen=True)

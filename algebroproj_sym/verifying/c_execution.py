@@ -52,32 +52,22 @@ class Magnitude:
 
 @dataclass(frozen=True)
 class Meaning:
-    """What the source does not say itself.
-
-    Attributes
-    ----------
-    constants : mapping of str to number
-        The values of names that are not variables.
-    is_larger : callable, optional
-        Whether one absolute value is larger than another; for numbers without an order, a choice.  Without it, the
-        conditional operator is refused.  Of magnitudes the first one is taken for larger: a matrix has full rank.
-    equal : callable
-        Whether two numbers are equal.
-    call : callable, optional
-        What a function that solves a linear system gives: from its name and the rows of the system.
-    is_zero : callable
-        Whether a number is zero.
-    product_error : callable, optional
-        The error of a product, from its factors and the product, where it matters how often is rounded.  Without it, it
-        must be that of the product itself, which is zero.
-    """
+    """What the source does not say itself."""
 
     constants: Mapping[str, Any] = field(default_factory=dict)
+    """The values of names that are not variables."""
     is_larger: Callable[[Any, Any], bool] | None = None
+    """Whether one absolute value is larger than another; for numbers without an order, a choice.  Without it, the
+    conditional operator is refused.  Of magnitudes the first one is taken for larger: a matrix has full rank."""
     equal: Callable[[Any, Any], bool] = operator.eq
+    """Whether two numbers are equal."""
     call: Callable[[str, list[list[Any]]], Sequence[Any]] | None = None
+    """What a function that solves a linear system gives: from its name and the rows of the system."""
     is_zero: Callable[[Any], bool] = operator.not_
+    """Whether a number is zero."""
     product_error: Callable[[Any, Any, Any], Any] | None = None
+    """The error of a product, from its factors and the product, where it matters how often is rounded.  Without it,
+    it must be that of the product itself, which is zero."""
 
 
 @dataclass(frozen=True)
@@ -130,10 +120,8 @@ def source_of(text: str) -> Source:
 def kernel_outputs(source: Source, name: str, inputs: Sequence[Any], meaning: Meaning) -> list[Any]:
     """Execute a kernel for one point; return its outputs.
 
-    Raises
-    ------
-    NotUnderstoodError
-        If there is no such kernel, it is more than loops over points, or an output is not set.
+    It raises `NotUnderstoodError` if there is no such kernel, it is more than loops over points, or an output is not
+    set.
     """
     if name not in source.kernels:
         raise NotUnderstoodError(f"C source: expected a kernel {name}, there is none")
@@ -147,11 +135,8 @@ def plain_outputs(
 ) -> list[Any]:
     """Execute a function without compensation for one point; return the entries of its results.
 
-    Raises
-    ------
-    NotUnderstoodError
-        If there is no such function, it takes or is given other arrays, it is more than loops over points, or an entry
-        is not set.
+    It raises `NotUnderstoodError` if there is no such function, it takes or is given other arrays, it is more than
+    loops over points, or an entry is not set.
     """
     if name not in source.plains or name not in source.calls:
         raise NotUnderstoodError(f"C source: expected a function {name} and its call, there is none")

@@ -33,20 +33,14 @@ class NoAgreementError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Truth:
-    """The exact result at an input, entry by entry.
-
-    Attributes
-    ----------
-    values : tuple of mpf
-        The entries, to 50 digits.
-    sensitivities : tuple of mpf
-        For each entry f the sum of ``|s_i df/dx_i|``: its absolute condition number for relative errors of the input.
-        The scale s_i is x_i.  For a kernel that is measured normwise it is the largest entry of its argument, and the
-        largest sum stands for every entry.
-    """
+    """The exact result at an input, entry by entry."""
 
     values: tuple[Any, ...]
+    """The entries, to 50 digits."""
     sensitivities: tuple[Any, ...]
+    """For each entry f the sum of ``|s_i df/dx_i|``: its absolute condition number for relative errors of the input.
+    The scale s_i is x_i.  For a kernel that is measured normwise it is the largest entry of its argument, and the
+    largest sum stands for every entry."""
 
 
 def oracle(kernel: Kernel) -> Callable[[Mapping[str, float]], Truth]:
@@ -141,7 +135,7 @@ _LINEAR: Mapping[str, Callable[[Sequence[Any], int], Sequence[Any]]] = {
 
 def _without_hidden_zeros(kernel: Kernel) -> list[Scalar]:
     """Return the derived entries; one that is identically zero has no digits that could agree, and is written as 0."""
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate))
     values = evaluate(kernel.derived, field.variables, field.lift)
     derived = entries(divided(kernel.derived))
     return [sympy.Integer(0) if value.is_zero else entry for entry, value in zip(derived, values, strict=True)]

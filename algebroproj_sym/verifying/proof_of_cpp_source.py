@@ -45,10 +45,7 @@ class Header:
 def header_of(text: str) -> Header:
     """Take a header apart into its functions.
 
-    Raises
-    ------
-    NotUnderstoodError
-        If there is anything else in it, or a function twice.
+    It raises `NotUnderstoodError` if there is anything else in it, or a function twice.
     """
     bare = _COMMENT.sub("", text)
     found = _FUNCTION.findall(bare)

@@ -50,10 +50,7 @@ class Expectation:
     def is_met_by(self, function: Function) -> bool:
         """Whether a generated function, executed in the field, computes what is expected.
 
-        Raises
-        ------
-        ZeroDivisionError
-            If the source divides by the zero of the field.
+        It raises `ZeroDivisionError` if the source divides by the zero of the field.
         """
         inputs = {symbol.name: np.array(self.values[symbol], dtype=object) for symbol in self.kernel.symbols}
         calls = Calls(self)
@@ -81,9 +78,9 @@ class Expectation:
         return self.lift(Fraction(value)) if isinstance(value, int | Fraction) else value
 
 
-def in_general(kernel: Kernel, engine: str = "flint") -> Expectation:
+def in_general(kernel: Kernel) -> Expectation:
     """Return what the source of a kernel must compute of rational functions."""
-    field = RationalFunctionField(_symbols(kernel), engine)
+    field = RationalFunctionField(_symbols(kernel))
     return Expectation(kernel, field.variables, field.lift, tuple(expected_values(kernel, field.variables, field.lift)))
 
 

@@ -31,10 +31,7 @@ def load_package(folder: Path | None = None, package_name: str = PACKAGE) -> Mod
 
     Without a folder that contains it, the installed one is imported.
 
-    Raises
-    ------
-    NotShippedError
-        If there is no such package.
+    It raises `NotShippedError` if there is no such package.
     """
     if folder is None:
         try:
@@ -69,10 +66,7 @@ def _no_bytecode() -> Iterator[None]:
 def function_of(kernel: Kernel, package: ModuleType) -> Function:
     """Return the generated function of a kernel.
 
-    Raises
-    ------
-    NotShippedError
-        If the package lacks it.
+    It raises `NotShippedError` if the package lacks it.
     """
     module = getattr(package, kernel.module, None)
     function = getattr(module, kernel.name, None)

@@ -22,15 +22,6 @@ Operation: TypeAlias = "tuple[str, tuple[int, ...]]"
 class StraightLine:
     """Numbered operations; each number is greater than those of its operands.
 
-    Attributes
-    ----------
-    inputs : tuple of str
-        The names of the inputs.
-    operations : mapping of int to Operation
-        Constants, inputs, then what is computed: ``+ - * / neg``, and ``product_error``, a*b - p for a product p.
-    outputs : tuple of int
-        The numbers of the results.
-
     Examples
     --------
     >>> numbered(Program(("x",), (Step("t0", "-", (1, "x")),), ("t0",))).operations
@@ -38,8 +29,11 @@ class StraightLine:
     """
 
     inputs: tuple[str, ...]
+    """The names of the inputs."""
     operations: Mapping[int, Operation]
+    """Constants, inputs, then what is computed: ``+ - * / neg``, and ``product_error``, a*b - p for a product p."""
     outputs: tuple[int, ...]
+    """The numbers of the results."""
 
 
 def numbered(program: Program) -> StraightLine:
@@ -70,10 +64,7 @@ def straight_line(lowered: Lowered) -> StraightLine:
 def straight_line_of_c(lowered: Lowered, package: ModuleType) -> StraightLine:
     """Return what the C source of a rational kernel computes, read from the file of a package.
 
-    Raises
-    ------
-    NotUnderstoodError
-        If the source is not what the generator writes.
+    It raises `NotUnderstoodError` if the source is not what the generator writes.
     """
     path = Path(str(package.__file__)).parent / "_c" / "kernels.h"
     return executed(lowered, source_of(path.read_text(encoding="utf-8")))

@@ -22,37 +22,25 @@ from algebroproj_sym.verifying.singular_input import silent_factors
 
 @dataclass(frozen=True)
 class Verification:
-    """What is asked of a generated function.
-
-    Attributes
-    ----------
-    accuracy : Accuracy
-        Its errors on stratified samples.
-    plain : Accuracy or None
-        Those without compensation, of which nothing is asked; None for a function that calls elementary functions of
-        NumPy, since these round as the processor has it.
-    source_proved : bool
-        Whether its source, run on rational functions, gives the derivation, with compensation and without.
-    c_source_proved : bool
-        Whether the source of its compiled version, if there is one, does so.
-    identical : bool
-        Whether the compiled version, where it was built, gives the same bits.
-    silent : tuple of sympy.Expr
-        Factors on whose zeros it stays finite.
-    attack : Attack, optional
-        The largest errors that an adversary found, if it was asked to look for some; nothing is asked of them yet.
-    a_priori : mapping, optional
-        What is known of its error for every input, if it is a rational function.
-    """
+    """What is asked of a generated function."""
 
     accuracy: Accuracy
+    """Its errors on stratified samples."""
     plain: Accuracy | None
+    """Those without compensation, of which nothing is asked; None for a function that calls elementary functions of
+    NumPy, since these round as the processor has it."""
     source_proved: bool
+    """Whether its source, run on rational functions, gives the derivation, with compensation and without."""
     c_source_proved: bool
+    """Whether the source of its compiled version, if there is one, does so."""
     identical: bool
+    """Whether the compiled version, where it was built, gives the same bits."""
     silent: tuple[Scalar, ...]
+    """Factors on whose zeros it stays finite."""
     attack: Attack | None = None
+    """The largest errors that an adversary found, if it was asked to look for some; nothing is asked of them yet."""
     a_priori: Mapping[str, Any] | None = None
+    """What is known of its error for every input, if it is a rational function."""
 
     @property
     def proved(self) -> bool:

@@ -19,13 +19,13 @@ _ROUNDED = {
 }
 
 
-def compare(claim: Claim, printed: Any, engine: str) -> Proof:
+def compare(claim: Claim, printed: Any) -> Proof:
     """Decide whether the exact number, rounded as declared, is the printed one; the sign of a zero says nothing."""
     assert claim.derived is not None
     found = rounded(evaluate(claim.derived, {})[0], decimals(printed), claim.rounding)
     holds = found == printed
     certificate = {"method": "exact rounding", "rounded": f"{found:f}"}
-    return Proof("proved" if holds else "refuted", (), certificate, None if holds else {}, engine)
+    return Proof("proved" if holds else "refuted", (), certificate, None if holds else {})
 
 
 def numeric(
@@ -42,10 +42,8 @@ def numeric(
 def decimal(value: Any, where: str) -> Decimal:
     """Return a printed number with all its digits.
 
-    Raises
-    ------
-    DeclarationError
-        If the value is not the text of digits with a decimal point (a float has lost the printed digits).
+    It raises `DeclarationError` if the value is not the text of digits with a decimal point (a float has lost the
+    printed digits).
 
     Examples
     --------

@@ -24,6 +24,7 @@ from algebroproj_sym.proving import (
     Proof,
     RationalFunctionField,
     numerators_over_one,
+    point_record,
     prove,
     rational_points,
     seed_of,
@@ -40,15 +41,15 @@ class Bound(NamedTuple):
     independent: Minor | None
 
 
-def compare(claim: Claim, printed: Any, engine: str) -> Proof:
+def compare(claim: Claim, printed: Any) -> Proof:
     """Decide ``printed == rank of derived``."""
     matrix: Any = claim.derived
     if not isinstance(matrix, sympy.MatrixBase):
         raise DeclarationError(f"{claim.number}: expected a matrix whose rank is claimed, got {matrix}")
     smaller = min(matrix.shape)
-    vectors = polynomial_vectors(claim, engine)
+    vectors = polynomial_vectors(claim)
     kernel: Any = columns(*vectors) if vectors else None
-    annihilated = kernel is not None and _is_annihilated(matrix, kernel, engine)
+    annihilated = kernel is not None and _is_annihilated(matrix, kernel)
 
     def bound_at(point: Point) -> Bound:
         if not annihilated:
@@ -62,22 +63,21 @@ def compare(claim: Claim, printed: Any, engine: str) -> Proof:
         vectors,
         lambda point: largest_minor(values_at(matrix, point)),
         bound_at,
-        engine,
     )
 
 
-def _is_annihilated(matrix: Any, kernel: Any, engine: str) -> bool:
+def _is_annihilated(matrix: Any, kernel: Any) -> bool:
     zero = sympy.ImmutableDenseMatrix.zeros(matrix.rows, kernel.cols)
-    return prove(matrix * kernel, zero, engine=engine).verdict == "proved"
+    return prove(matrix * kernel, zero).verdict == "proved"
 
 
-def polynomial_vectors(claim: Claim, engine: str) -> list[Expression]:
+def polynomial_vectors(claim: Claim) -> list[Expression]:
     """Return the vectors of a claim, each times what makes its components polynomials with integer coefficients."""
-    return [_polynomial(given, engine) for given in claim.kernel]
+    return [_polynomial(given) for given in claim.kernel]
 
 
-def _polynomial(given: Expression, engine: str) -> Expression:
-    field = RationalFunctionField(symbols_of((given,)), engine)
+def _polynomial(given: Expression) -> Expression:
+    field = RationalFunctionField(symbols_of((given,)))
     numerators = numerators_over_one(evaluate(given, field.variables, field.lift))
     number = lcm(*(value.denominator for part in numerators for value in field.ring.terms(part).values()))
     scale = field.ring.constant(Fraction(number))
@@ -103,25 +103,11 @@ def generic_rank(
     vectors: Sequence[Expression],
     minor_at: Callable[[Point], Minor],
     bound_at: Callable[[Point], Bound],
-    engine: str,
 ) -> Proof:
-    """Decide a rank from below by points and from above by a bound.
+    """Decide a rank from below by points and from above by a bound, which rests on vectors.
 
-    Parameters
-    ----------
-    claim : Claim
-        What is decided.
-    printed : int
-        The rank that is claimed.
-    symbols : sequence of Symbol
-        The coordinates of points.
-    vectors : sequence of matrix
-        What the bound rests on.
-    minor_at, bound_at : callable
-        A largest minor at a point that is not zero, and an upper bound of all ranks that a point gives; they raise
-        ZeroDivisionError where something is not defined.
-    engine : {"flint", "sympy"}
-        For the record.
+    `minor_at` returns a largest minor that is not zero at a point, and `bound_at` an upper bound of all ranks that the
+    point gives.  They raise `ZeroDivisionError` where something is not defined.
     """
     if not isinstance(printed, int | sympy.Integer):
         raise DeclarationError(f"{claim.number}: expected a number as printed form, got {printed}")
@@ -134,22 +120,22 @@ def generic_rank(
         if len(ranked[-1][0].rows) == ranked[-1][1].rank:
             break
     if not ranked:
-        return undecided("no point was found", engine)
+        return undecided("no point was found")
     minor, _, point = max(ranked, key=lambda entry: len(entry[0].rows))
     _, bound, bound_point = min(ranked, key=lambda entry: entry[1].rank)
     largest = len(minor.rows)
     below = {"rows": minor.rows, "columns": minor.columns, "minor": str(minor.value)}
     if largest > printed:
-        return Proof("refuted", (), {"method": "counterexample", "rank": largest, **below}, point, engine)
+        return Proof("refuted", (), {"method": "counterexample", "rank": largest, **below}, point)
     above = _above(vectors, bound, bound_point)
     if bound.rank < printed:
         certificate = {"method": "kernel vectors", "rank at most": bound.rank, **above}
-        return Proof("refuted", (), certificate, {}, engine)
+        return Proof("refuted", (), certificate, {})
     if largest < printed or bound.rank > printed:
         reason = f"the rank lies between {largest} and {bound.rank}"
-        return undecided(reason, engine)
-    certificate = {"method": "rank at a point and kernel vectors", "point": _as_text(point), **below, **above}
-    return Proof("proved", (), certificate, None, engine)
+        return undecided(reason)
+    certificate = {"method": "rank at a point and kernel vectors", "point": point_record(point), **below, **above}
+    return Proof("proved", (), certificate, None)
 
 
 def _above(vectors: Sequence[Expression], bound: Bound, point: Point) -> dict[str, Any]:
@@ -159,14 +145,10 @@ def _above(vectors: Sequence[Expression], bound: Bound, point: Point) -> dict[st
     rows, chosen, value = bound.independent
     return {
         "kernel": [text(vectors[place]) for place in chosen],
-        "kernel at": _as_text(point),
+        "kernel at": point_record(point),
         "kernel rows": rows,
         "kernel minor": str(value),
     }
-
-
-def _as_text(point: Point) -> dict[str, str]:
-    return {symbol.name: str(value) for symbol, value in point.items()}
 
 
 def values_at(matrix: Any, point: Point) -> list[list[Fraction]]:

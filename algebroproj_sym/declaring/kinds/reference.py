@@ -14,12 +14,12 @@ from algebroproj_sym.declaring.transcription import transcribed_reference
 from algebroproj_sym.proving import Proof
 
 
-def compare(claim: Claim, printed: Any, engine: str) -> Proof:
+def compare(claim: Claim, printed: Any) -> Proof:
     """Decide ``printed == derived``, number by number."""
     certificate = {"method": "comparison of references"}
     if printed == claim.derived:
-        return Proof("proved", (), certificate, None, engine)
-    return Proof("refuted", (), certificate, {}, engine)
+        return Proof("proved", (), certificate, None)
+    return Proof("refuted", (), certificate, {})
 
 
 def reference(
@@ -41,10 +41,7 @@ def reference(
 def numbers(value: Any, where: str) -> sympy.ImmutableDenseMatrix:
     """Return a reference such as "1.3.8" as its numbers in a row.
 
-    Raises
-    ------
-    DeclarationError
-        If the value is not the text of numbers separated by points or strokes.
+    It raises `DeclarationError` if the value is not the text of numbers separated by points or strokes.
 
     Examples
     --------

@@ -32,10 +32,7 @@ _Apart: TypeAlias = "Callable[[Fraction, Enclosed], tuple[Fraction, Fraction]]"
 def positive(theory: Written, element: Element) -> str:
     """Return a proof that a number is positive.
 
-    Raises
-    ------
-    Silent
-        If there are no bounds of it, or these do not tell.
+    It raises `Silent` if there are no bounds of it, or these do not tell.
     """
     low, _, text, proof = _element(theory, element)
     if low <= 0:

@@ -6,6 +6,6 @@ values with formulas, and `Instances.v` finds that hypotheses can hold.  `theore
 whose proof is a computation of these.
 """
 
-from algebroproj_sym.exporting.rounding.theorems import CHECKER, Accuracy, accuracy_of, render
+from algebroproj_sym.exporting.rounding.theorems import CHECKER, accuracy_of, render
 
-__all__ = ["CHECKER", "Accuracy", "accuracy_of", "render"]
+__all__ = ["CHECKER", "accuracy_of", "render"]

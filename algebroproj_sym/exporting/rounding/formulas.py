@@ -16,27 +16,18 @@ from algebroproj_sym.verifying.straight_line import Operation
 
 @dataclass(frozen=True)
 class Derived:
-    """What the derivation says of the results that have a bound.
-
-    Attributes
-    ----------
-    formulas : tuple of Term
-        In the arguments.
-    factors : tuple of Term
-        Polynomials by which the formulas or the lines divide.
-    field : Field
-        How divisors split into these.
-    places : dict of str to int
-        The arguments in order.
-    quotients : dict of int to Term
-        The lines that divide.
-    """
+    """What the derivation says of the results that have a bound."""
 
     formulas: tuple[Term, ...]
+    """In the arguments."""
     factors: tuple[Term, ...]
+    """Polynomials by which the formulas or the lines divide."""
     field: Field
+    """How divisors split into these."""
     places: dict[str, int]
+    """The arguments in order."""
     quotients: dict[int, Term]
+    """The lines that divide."""
 
     @property
     def splits(self) -> str:

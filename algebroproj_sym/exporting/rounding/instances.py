@@ -26,21 +26,10 @@ _MEANING: Mapping[str, Callable[..., Any]] = {
 
 
 def instance(found: Analysis, most: int, is_regular: Callable[[tuple[int, ...]], bool]) -> tuple[int, ...]:
-    """Return integers for which no divisor is zero, and no sum whose condition number a bound mentions.
+    """Return integers of bounded size for which no divisor is zero, and no sum whose condition number a bound mentions.
 
-    Parameters
-    ----------
-    found : Analysis
-        A function and its bounds.
-    most : int
-        How large the integers may be.
-    is_regular : callable
-        What else must hold of them.
-
-    Raises
-    ------
-    ValueError
-        If none is found: then the hypotheses may contradict each other.
+    They are regular in the sense of the caller.  It raises `ValueError` if none is found: then the hypotheses may
+    contradict each other.
 
     Examples
     --------

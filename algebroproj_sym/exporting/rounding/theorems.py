@@ -10,7 +10,7 @@ from itertools import count
 from types import ModuleType
 from typing import Any
 
-from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, comment
+from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, assumptions_of, comment
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed
 from algebroproj_sym.exporting.rounding.formulas import Derived, derived
 from algebroproj_sym.exporting.rounding.instances import instance
@@ -52,18 +52,12 @@ _BY_NUMBER = ("LowOfSum", "Separated", "NegativeOf", "RoundedPair", "RoundedSum"
 
 @dataclass(frozen=True)
 class Accuracy:
-    """The bounds of a function.
-
-    Attributes
-    ----------
-    lowered : Lowered
-        The kernel and its program.
-    analysis : Analysis
-        What was found of its C source.
-    """
+    """The bounds of a function."""
 
     lowered: Lowered
+    """The kernel and its program."""
     analysis: Analysis
+    """What was found of its C source."""
 
     @property
     def reach(self) -> int | None:
@@ -93,7 +87,7 @@ def render(accuracies: Iterable[Accuracy]) -> dict[str, str]:
     return {
         **checker,
         **{f"{name}.v": text for name, text in texts.items()},
-        f"{ASSUMPTIONS}.v": _assumptions(texts),
+        f"{ASSUMPTIONS}.v": assumptions_of({name: _THEOREM.findall(text) for name, text in texts.items()}),
         "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*CHECKER, *texts, ASSUMPTIONS))]),
     }
 
@@ -306,11 +300,3 @@ def _argument(rule: str, place: int, argument: Any, numbers: Mapping[Fact, int])
     if rule == "Mean" and place == 1:
         return f"{argument}%N"
     return _terms(argument) if isinstance(argument, tuple) else str(argument)
-
-
-def _assumptions(texts: Mapping[str, str]) -> str:
-    """Return a file that requires all others, mentions all theorems, and prints what they assume."""
-    required = "".join(f"From {LIBRARY} Require {name}.\n" for name in texts)
-    stated = [(name, theorem) for name, text in texts.items() for theorem in _THEOREM.findall(text)]
-    mentioned = "".join(f"  let _ := @{LIBRARY}.{name}.{theorem} in\n" for name, theorem in stated)
-    return f"{required}\nDefinition all_theorems : True :=\n{mentioned}  I.\n\nPrint Assumptions all_theorems.\n"

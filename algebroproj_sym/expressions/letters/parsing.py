@@ -38,10 +38,7 @@ _TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]+)?)|([^\W\d]\w*'*)|(\*\*|\.T\b|[-+
 def parse_letters(text: str, letters: Mapping[str, Shape], argument: str = "text") -> Term:
     """Read a term from text.
 
-    Raises
-    ------
-    LetterError
-        If the text is not of the grammar, or parts do not fit.
+    It raises `LetterError` if the text is not of the grammar, or parts do not fit.
 
     Examples
     --------

@@ -44,10 +44,7 @@ class Reading:
     def term(self, value: Any, argument: str) -> Term:
         """Return an expression as a term.
 
-        Raises
-        ------
-        LetterError
-            If it has another function or number, an unfit shape, or two symbols of one name.
+        It raises `LetterError` if it has another function or number, an unfit shape, or two symbols of one name.
         """
         try:
             return self._read(value)

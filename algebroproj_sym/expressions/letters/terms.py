@@ -24,25 +24,17 @@ class LetterError(ValueError):
 
 @dataclass(frozen=True)
 class Term:
-    """A part of a statement.
-
-    Attributes
-    ----------
-    kind : str
-        ``number``, ``symbol``, ``letter``, ``sum``, ``product``, ``power``, or one of `FUNCTIONS`.
-    shape : tuple of int or str
-        Rows and columns.
-    parts : tuple of Term
-        What it is made of.
-    value : object
-        The number, the name, the exponent, the sizes of ``eye`` and ``zeros``, the places of an ``entry``, or the
-        lengths of the rows of a ``block``.
-    """
+    """A part of a statement."""
 
     kind: str
+    """``number``, ``symbol``, ``letter``, ``sum``, ``product``, ``power``, or one of `FUNCTIONS`."""
     shape: Shape
+    """Rows and columns."""
     parts: tuple[Term, ...] = ()
+    """What it is made of."""
     value: Any = None
+    """The number, the name, the exponent, the sizes of ``eye`` and ``zeros``, the places of an ``entry``, or the
+    lengths of the rows of a ``block``."""
 
     @cached_property
     def _hash(self) -> int:
@@ -78,10 +70,7 @@ def factors_of(term: Term) -> set[Term]:
 def made(kind: str, *parts: Term, value: Any = None) -> Term:
     """Return a term of some parts.
 
-    Raises
-    ------
-    LetterError
-        If the parts do not fit together.
+    It raises `LetterError` if the parts do not fit together.
 
     Examples
     --------

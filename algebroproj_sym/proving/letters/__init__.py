@@ -22,7 +22,6 @@ from algebroproj_sym.expressions.letters import (
     number,
     parse_letters,
 )
-from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.letters.deciding import Found, Point, decide
 from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.properties import PROPERTIES, Letter, declared_letters
@@ -51,9 +50,11 @@ def prove_letters(
     constraints: Sequence[Any] = (),
     nonzero: Sequence[Any] = (),
     properties: Mapping[Any, Any] | None = None,
-    engine: str = "flint",
 ) -> Proof:
     """Decide whether two sides are equal wherever both are defined and all letters have their properties.
+
+    It raises `LetterError` if shapes do not fit, a property is unknown, or a name is not declared.  It raises
+    `UndefinedError` if what is inverted has no inverse anywhere.
 
     Parameters
     ----------
@@ -65,17 +66,6 @@ def prove_letters(
         Numbers that are not zero.
     properties : mapping of MatrixSymbol, or name, to str or tuple of str
         What letters are, see `PROPERTIES`.
-    engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
-
-    Raises
-    ------
-    LetterError
-        If shapes do not fit, a property is unknown, or a name is not declared.
-    UndefinedError
-        If what is inverted has no inverse anywhere.
-    ValueError
-        If the engine is unknown.
 
     Examples
     --------
@@ -84,15 +74,13 @@ def prove_letters(
     >>> proof.verdict, proof.scope
     ('proved', 'for every size')
     """
-    if engine not in ENGINES:
-        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
     reading = Reading()
     sides = [reading.term(side, name) for side, name in ((lhs, "lhs"), (rhs, "rhs"))]
     zeros = [reading.term(term, f"constraints[{place}]") for place, term in enumerate(constraints)]
     units = [reading.term(term, f"nonzero[{place}]") for place, term in enumerate(nonzero)]
     shapes = _shapes(reading)
     statement = _statement(sides, zeros, units, shapes, _named(properties or {}, reading), reading.scalars)
-    found = decide(statement, engine)
+    found = decide(statement)
     try:
         stated = assumed(reading.scalars.values(), "symbols")
     except SymbolError as error:
@@ -102,7 +90,6 @@ def prove_letters(
         tuple(map(reading.expression, found.hypotheses)),
         found.certificate,
         None if found.point is None else _by_symbol(found.point, reading.letters, reading.scalars),
-        engine,
         tuple(symbol for symbol in stated if not is_plain(symbol)),
         found.scope,
     )
@@ -115,26 +102,20 @@ def prove_texts(
     *,
     constraints: Sequence[str] = (),
     nonzero: Sequence[str] = (),
-    engine: str = "flint",
 ) -> Proof:
     """Decide a statement that is given as text, with letters such as ``{"R": "3x3 rotation", "v": "nx1"}``.
 
-    Raises
-    ------
-    LetterError
-        If a text is not of the grammar, or a letter is not declared well.
+    It raises `LetterError` if a text is not of the grammar, or a letter is not declared well.
 
     Examples
     --------
     >>> prove_texts("dot(R*a, R*b)", "dot(a, b)", {"R": "3x3 rotation", "a": "3x1", "b": "3x1"}).verdict
     'proved'
     """
-    if engine not in ENGINES:
-        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
     statement = _read(lhs, rhs, letters, constraints, nonzero)
-    found = decide(statement, engine)
+    found = decide(statement)
     point = None if found.point is None else _by_symbol(found.point, {}, {})
-    return Proof(found.verdict, found.conditions, found.certificate, point, engine, (), found.scope)
+    return Proof(found.verdict, found.conditions, found.certificate, point, (), found.scope)
 
 
 def worked_out(lhs: str, rhs: str, letters: Mapping[str, str]) -> str:

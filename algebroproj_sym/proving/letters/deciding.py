@@ -67,32 +67,20 @@ _EXPRESSIONS = Field(lambda value: sympy.Rational(value.numerator, value.denomin
 
 @dataclass(frozen=True)
 class Point:
-    """Exact values of letters and numbers, at sizes that have names.
-
-    Attributes
-    ----------
-    letters : mapping of str to rows
-        The matrices.
-    scalars : mapping of str to Fraction
-        The numbers.
-    sizes : mapping of str to int
-        The sizes.
-    turn : Turn, optional
-        The angle of which others are multiples; values have a number in its place.
-    """
+    """Exact values of letters and numbers, at sizes that have names."""
 
     letters: Mapping[str, Rows]
+    """The matrices."""
     scalars: Mapping[str, Fraction]
+    """The numbers."""
     sizes: Mapping[str, int]
     turn: Turn | None = None
+    """The angle of which others are multiples; values have a number in its place."""
 
     def value(self, term: Term) -> Rows:
         """Return the rows of a term.
 
-        Raises
-        ------
-        ZeroDivisionError
-            If it is not defined, or not known exactly.
+        It raises `ZeroDivisionError` if it is not defined, or not known exactly.
         """
         return entries_of(term, self.letters, self.scalars, _NUMBERS, self.sizes, self.turn)
 
@@ -111,27 +99,18 @@ class Point:
 
 @dataclass(frozen=True)
 class Found:
-    """What became of a statement.
-
-    Attributes
-    ----------
-    verdict : {"proved", "refuted", "open"}
-        The decision.
-    certificate : mapping
-        The evidence, or why there is none.
-    scope : str
-        What it holds for: ``for every size``, or some sizes.
-    point : Point or None
-        A counterexample.
-    hypotheses : tuple of Term
-        What is not zero wherever the statement is made: determinants of what is inverted, and divisors.
-    """
+    """What became of a statement."""
 
     verdict: Decision
+    """The decision."""
     certificate: Mapping[str, Any]
+    """The evidence, or why there is none."""
     scope: str = ""
+    """What it holds for: ``for every size``, or some sizes."""
     point: Point | None = None
+    """A counterexample."""
     hypotheses: tuple[Term, ...] = ()
+    """What is not zero wherever the statement is made: determinants of what is inverted, and divisors."""
 
     @property
     def conditions(self) -> tuple[str, ...]:
@@ -139,15 +118,11 @@ class Found:
         return tuple(map(letters_text, self.hypotheses))
 
 
-def decide(statement: Statement, engine: str = "flint") -> Found:
+def decide(statement: Statement) -> Found:
     """Decide a statement.
 
-    Raises
-    ------
-    LetterError
-        If a norm is not squared, or entries are needed and a letter is too large for them.
-    UndefinedError
-        If what is inverted has no inverse anywhere.
+    It raises `LetterError` if a norm is not squared, or entries are needed and a letter is too large for them.  It
+    raises `UndefinedError` if what is inverted has no inverse anywhere.
 
     Examples
     --------
@@ -164,11 +139,11 @@ def decide(statement: Statement, engine: str = "flint") -> Found:
     >>> found.verdict, len(found.point.letters["R"])
     ('refuted', 3)
     """
-    return _Question(statement, engine).found()
+    return _Question(statement).found()
 
 
 class _Question:
-    def __init__(self, statement: Statement, engine: str) -> None:
+    def __init__(self, statement: Statement) -> None:
         self.letters = statement.letters
         self.size_names = statement.size_names
         statement = without_lengths(statement)
@@ -179,7 +154,6 @@ class _Question:
             statement, letters={name: statement.letters[name] for name in statement.letters if name in parts}
         )
         self.statement = statement
-        self.engine = engine
         self.witness: Point | None = None
         self.search = Work(MOST_OF_SEARCH)
         self.angles, self.plain = without_series(statement) if speaks_of_angles(statement) else ([], statement)
@@ -498,7 +472,7 @@ class _Question:
 
     def _by_entries(self) -> Found | None:
         expansion = _Expansion(self.plain)
-        field = RationalFunctionField(expansion.symbols, self.engine, Work(MOST_PRODUCTS).spend)
+        field = RationalFunctionField(expansion.symbols, Work(MOST_PRODUCTS).spend)
         if expansion.equations:
             with suppress(ZeroDivisionError):
                 Work(MOST_TERMS).spend(sum(len(entry.numerator) for entry in self._difference(expansion, field, {})))
@@ -535,9 +509,7 @@ class _Question:
         given = [
             symbol for symbol in self.statement.scalars.values() if symbol.name in {s.name for s in expansion.symbols}
         ]
-        proof = decided(
-            left, right, constraints=expansion.equations, nonzero=nonzero, engine=self.engine, assumptions=given
-        )
+        proof = decided(left, right, constraints=expansion.equations, nonzero=nonzero, assumptions=given)
         if proof.verdict == "refuted" and proof.counterexample is not None and not self.angles:
             values = {symbol.name: value for symbol, value in proof.counterexample.items()}
             if all(isinstance(value, Fraction) for value in values.values()):

@@ -19,10 +19,7 @@ _BILINEAR = ("product", "dot", "outer", "cross", "qmul", "kron")
 def without_derivatives(statement: Statement) -> Statement:
     """Return a statement in which derivatives are worked out; what a constraint defines changes with its letters.
 
-    Raises
-    ------
-    LetterError
-        If something is not differentiated by a free letter, or a function has no rule.
+    It raises `LetterError` if something is not differentiated by a free letter, or a function has no rule.
 
     Examples
     --------

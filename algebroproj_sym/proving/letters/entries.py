@@ -19,18 +19,12 @@ Rows: TypeAlias = list[list[Any]]
 
 @dataclass(frozen=True)
 class Field:
-    """Where a term is evaluated.
-
-    Attributes
-    ----------
-    lift : callable
-        The embedding of the rational numbers.
-    divide : callable
-        The division; it raises `ZeroDivisionError` where the divisor is zero.
-    """
+    """Where a term is evaluated."""
 
     lift: Callable[[Fraction], Any]
+    """The embedding of the rational numbers."""
     divide: Callable[[Any, Any], Any] = truediv
+    """The division; it raises `ZeroDivisionError` where the divisor is zero."""
 
 
 def entries_of(
@@ -41,27 +35,10 @@ def entries_of(
     sizes: Mapping[str, int] | None = None,
     turn: Turn | None = None,
 ) -> Rows:
-    """Return the rows of a term.
+    """Return the rows of a term, where letters are matrices and symbols numbers of a field.
 
-    Parameters
-    ----------
-    term : Term
-        What is evaluated.
-    letters : mapping of str to rows
-        The matrices.
-    scalars : mapping of str to number
-        The numbers.
-    field : Field
-        What they are numbers of.
-    sizes : mapping of str to int, optional
-        The sizes that have names.
-    turn : Turn, optional
-        The angle of which others are multiples, where there are functions of angles.
-
-    Raises
-    ------
-    ZeroDivisionError
-        If a divisor, or the determinant of what is inverted, is zero.
+    Sizes that have names need values, and functions of angles the angle of which others are multiples.  It raises
+    `ZeroDivisionError` if a divisor, or the determinant of what is inverted, is zero.
 
     Examples
     --------

@@ -37,21 +37,14 @@ _IMPLIED = {"positive definite": "symmetric", "diagonal": "symmetric", "rotation
 
 @dataclass(frozen=True)
 class Letter:
-    """A vector or matrix that is named.
-
-    Attributes
-    ----------
-    name : str
-        Its name.
-    shape : tuple of int or str
-        Rows and columns.
-    properties : frozenset of str
-        What it is declared to be, see `PROPERTIES`, and what follows from that.
-    """
+    """A vector or matrix that is named."""
 
     name: str
+    """Its name."""
     shape: Shape
+    """Rows and columns."""
     properties: frozenset[str]
+    """What it is declared to be, see `PROPERTIES`, and what follows from that."""
 
     @property
     def term(self) -> Term:
@@ -73,10 +66,8 @@ class Letter:
 def declared_letters(shapes: Mapping[str, Shape], properties: Mapping[str, Any]) -> dict[str, Letter]:
     """Return the letters of a statement with their properties.
 
-    Raises
-    ------
-    LetterError
-        If a name does not occur, a property is unknown or of another shape, or two properties are not decided together.
+    It raises `LetterError` if a name does not occur, a property is unknown or of another shape, or two properties are
+    not decided together.
 
     Examples
     --------
@@ -130,24 +121,16 @@ def _listed(sets: Iterable[set[str]]) -> str:
 
 @dataclass(frozen=True)
 class Coordinates:
-    """The entries of a letter, as functions of numbers.
-
-    Attributes
-    ----------
-    entries : Term
-        The matrix.
-    names : tuple of str
-        The numbers.
-    signs : tuple of str
-        Those of them that are 1 or -1.
-    equations : tuple of Term
-        What is zero besides, in the letter.
-    """
+    """The entries of a letter, as functions of numbers."""
 
     entries: Term
+    """The matrix."""
     names: tuple[str, ...]
+    """The numbers."""
     signs: tuple[str, ...] = ()
+    """Those of them that are 1 or -1."""
     equations: tuple[Term, ...] = ()
+    """What is zero besides, in the letter."""
 
 
 def coordinates(letter: Letter) -> Coordinates:

@@ -38,28 +38,19 @@ MOST_MULTIPLICATIONS = 4
 
 @dataclass(frozen=True)
 class Part:
-    """A multiple of something that is zero: ``factor * left * zero * right``, or a number made of that.
-
-    Attributes
-    ----------
-    place : int
-        The place of what is zero: of a rule, or of an earlier sum.
-    factor : Poly
-        A number.
-    left, right : Poly
-        What it is multiplied by.
-    inside : {"", "trace"}
-        Whether its trace is taken.
-    outer : Poly or None
-        What a number that is made of it is multiplied by.
-    """
+    """A multiple of something that is zero: ``factor * left * zero * right``, or a number made of that."""
 
     place: int
+    """The place of what is zero: of a rule, or of an earlier sum."""
     factor: Poly
+    """A number."""
     left: Poly
     right: Poly
+    """What it is multiplied by."""
     inside: str = ""
+    """Whether its trace is taken."""
     outer: Poly | None = None
+    """What a number that is made of it is multiplied by."""
 
     def value(self, algebra: Algebra, zero: Poly) -> Poly:
         """Return the multiple."""
@@ -86,19 +77,13 @@ class Part:
 
 @dataclass(frozen=True)
 class Proof:
-    """Why a polynomial is zero.
-
-    Attributes
-    ----------
-    rules : list of Rule
-        What is zero, and used.
-    sums : list of list of Part
-        Sums of multiples of rules, which have places from 0 on, and of earlier sums, which follow.  The last one is
-        the polynomial.
-    """
+    """Why a polynomial is zero."""
 
     rules: list[Rule]
+    """What is zero, and used."""
     sums: list[list[Part]]
+    """Sums of multiples of rules, which have places from 0 on, and of earlier sums, which follow.  The last one is
+    the polynomial."""
 
     def record(self, algebra: Algebra) -> dict[str, Any]:
         """Return the proof as text."""

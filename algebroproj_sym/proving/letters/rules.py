@@ -53,24 +53,16 @@ ROUNDS = 3
 
 @dataclass(frozen=True)
 class Rule:
-    """Something that is zero.
-
-    Attributes
-    ----------
-    name : str
-        Which rule gives it: one of `RULES`, or a constraint.
-    of : tuple of Poly or int
-        For what; the place of a constraint.
-    poly : Poly
-        What is zero.
-    transposed : bool
-        Whether it is the transpose of what the rule gives.
-    """
+    """Something that is zero."""
 
     name: str
+    """Which rule gives it: one of `RULES`, or a constraint."""
     of: tuple[Poly | int, ...]
+    """For what; the place of a constraint."""
     poly: Poly
+    """What is zero."""
     transposed: bool = False
+    """Whether it is the transpose of what the rule gives."""
 
 
 def rules_for(algebra: Algebra, polys: Sequence[Poly], constraints: Sequence[Poly]) -> list[Rule]:

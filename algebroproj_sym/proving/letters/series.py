@@ -59,10 +59,7 @@ def speaks_of_angles(statement: Statement) -> bool:
 def without_series(statement: Statement) -> tuple[list[Term], Statement]:
     """Return the angles of a statement, as vectors or numbers, and the statement in numbers that stand for series.
 
-    Raises
-    ------
-    LetterError
-        If there is an exponential of another matrix, or a name is taken.
+    It raises `LetterError` if there is an exponential of another matrix, or a name is taken.
 
     Examples
     --------

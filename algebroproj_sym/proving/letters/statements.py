@@ -15,26 +15,18 @@ from algebroproj_sym.proving.points import seed_of
 
 @dataclass(frozen=True)
 class Statement:
-    """An equality in letters.
-
-    Attributes
-    ----------
-    left, right : Term
-        The two sides, of one shape.
-    letters : mapping of str to Letter
-        The vectors and matrices.
-    constraints, nonzero : tuple of Term
-        What is zero, and which numbers are not.
-    scalars : mapping of str to Symbol
-        The numbers.
-    """
+    """An equality in letters."""
 
     left: Term
     right: Term
+    """The two sides, of one shape."""
     letters: Mapping[str, Letter]
+    """The vectors and matrices."""
     constraints: tuple[Term, ...] = ()
     nonzero: tuple[Term, ...] = ()
+    """What is zero, and which numbers are not."""
     scalars: Mapping[str, sympy.Symbol] = field(default_factory=dict)
+    """The numbers."""
 
     @cached_property
     def terms(self) -> tuple[Term, ...]:

@@ -24,22 +24,15 @@ MOST_TURNS = 20
 
 @dataclass(frozen=True)
 class Turn:
-    """An angle with a rational cosine and sine, and which names are multiples of it.
-
-    Attributes
-    ----------
-    cosine, sine : Fraction
-        Those of the angle; the sine is positive.
-    value : Fraction
-        What is put for the angle itself, positive.
-    names : frozenset of str
-        The letters and numbers that are multiples of it.
-    """
+    """An angle with a rational cosine and sine, and which names are multiples of it."""
 
     cosine: Fraction
     sine: Fraction
+    """Those of the angle; the sine is positive."""
     value: Fraction
+    """What is put for the angle itself, positive."""
     names: frozenset[str]
+    """The letters and numbers that are multiples of it."""
 
     def shown(self, value: Fraction) -> Any:
         """Return what a value stands for."""

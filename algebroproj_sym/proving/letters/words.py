@@ -163,10 +163,7 @@ class Algebra:
     def poly(self, term: Term) -> Poly:
         """Return a term as a polynomial.
 
-        Raises
-        ------
-        NotWordsError
-            If a function of it is one of entries.
+        It raises `NotWordsError` if a function of it is one of entries.
 
         Examples
         --------

@@ -41,10 +41,7 @@ def real_text(value: Any, argument: str) -> str:
 def proof_of_matrix(lhs: Any, rhs: Any, prove: Callable[[str, str], Proof]) -> Proof:
     """Decide whether two matrices are equal, by what decides two scalars that are text.
 
-    Raises
-    ------
-    NotRationalError
-        If only one side is a matrix, or the shapes differ.
+    It raises `NotRationalError` if only one side is a matrix, or the shapes differ.
     """
     sides = {"lhs": real_text(lhs, "lhs"), "rhs": real_text(rhs, "rhs")}
     if not all(map(is_matrix, sides.values())):

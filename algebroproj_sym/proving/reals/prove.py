@@ -90,10 +90,7 @@ def proof_of_complex(
 ) -> Proof:
     """Decide a statement about complex numbers, as statements about their parts.
 
-    Raises
-    ------
-    NotRationalError
-        If a function of complex numbers is not known here.
+    It raises `NotRationalError` if a function of complex numbers is not known here.
     """
 
     def text(value: Any, argument: str) -> str:
@@ -148,7 +145,6 @@ def _proof(record: Mapping[str, Any], witness: Mapping[Any, Any] | None) -> Proo
         counterexample=None
         if point is None
         else {sympy.Symbol(name): number_of(read(text)) for name, text in point.items()},
-        engine="flint",
         assumptions=tuple(record["assumptions"]),
     )
 

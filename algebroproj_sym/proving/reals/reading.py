@@ -71,12 +71,8 @@ _OF_EVERY_SIGN = [Fraction(p, 2) for p in (-2, -1, 0, 1, 2)]
 def term_of(value: Any, argument: str, *, is_complex: bool = False) -> Term:
     """Return text, a number or a SymPy expression as a term, as it stands.
 
-    Raises
-    ------
-    ParseError
-        If a text is not in the grammar.
-    NotRationalError
-        If an expression has a part that is not a real function known here.
+    It raises `ParseError` if a text is not in the grammar.  It raises `NotRationalError` if an expression has a part
+    that is not a real function known here.
 
     Examples
     --------
@@ -269,10 +265,7 @@ def symbols_in(values: Iterable[Any]) -> list[sympy.Symbol]:
 def assumed_of(symbols: Iterable[sympy.Symbol]) -> Iterator[str]:
     """Yield what SymPy assumes of symbols, as text.
 
-    Raises
-    ------
-    SymbolError
-        If something is assumed that is not a sign.
+    It raises `SymbolError` if something is assumed that is not a sign.
 
     Examples
     --------
@@ -301,12 +294,8 @@ def _has_signs(value: Fraction, signs: Iterable[str]) -> bool:
 def witness_of(given: Any, names: Collection[str]) -> dict[str, Fraction]:
     """Return a point by name, with rational numbers as values.
 
-    Raises
-    ------
-    TypeError
-        If it is not a mapping.
-    ValueError
-        If a name does not occur, or a value is not a rational number.
+    It raises `TypeError` if it is not a mapping.  It raises `ValueError` if a name does not occur, or a value is not a
+    rational number.
 
     Examples
     --------
@@ -374,10 +363,7 @@ def number_of(term: Term) -> Any:
 def settled(term: Term) -> Term:
     """Return a number in the form in which SymPy writes it.
 
-    Raises
-    ------
-    NotRationalError
-        If that form is not read as the same number.
+    It raises `NotRationalError` if that form is not read as the same number.
 
     Examples
     --------

@@ -82,40 +82,27 @@ _FOLLOWING = re.compile(r"\s*[.,;]?\s*\(([0-9][0-9.]*[a-z]?)\)")
 
 @dataclass(frozen=True)
 class Display:
-    """A formula of a document.
-
-    Attributes
-    ----------
-    where : Line
-        The line on which it begins.
-    environment : str
-        ``equation``, ``align`` and so on; ``display`` for one in brackets or dollars; ``inline``.
-    latex : str
-        As it stands in the file.
-    pieces : tuple of Piece
-        With macros expanded; empty if they cannot be.
-    reason : str
-        Why the pieces are missing.
-    before, after : str
-        The words before it, since the last display, and behind it, up to the next formula.
-    part : int
-        How many headings come before it.
-    numbered : bool
-        Whether its rows have automatic numbers.
-    within : int
-        The place of its group of numbers (1a), (1b) among such groups; 0 for none.
-    """
+    """A formula of a document."""
 
     where: Line
+    """The line on which it begins."""
     environment: str
+    """``equation``, ``align`` and so on; ``display`` for one in brackets or dollars; ``inline``."""
     latex: str
+    """As it stands in the file."""
     pieces: tuple[Piece, ...]
+    """With macros expanded; empty if they cannot be."""
     reason: str
+    """Why the pieces are missing."""
     before: str
     after: str
+    """The words before it, since the last display, and behind it, up to the next formula."""
     part: int
+    """How many headings come before it."""
     numbered: bool
+    """Whether its rows have automatic numbers."""
     within: int
+    """The place of its group of numbers (1a), (1b) among such groups; 0 for none."""
 
     @property
     def line(self) -> int:
@@ -130,27 +117,18 @@ class Display:
 
 @dataclass(frozen=True)
 class Document:
-    """A document.
-
-    Attributes
-    ----------
-    formulas : tuple of Display
-        Its formulas in order.
-    starts : tuple of int
-        Where its lines begin, counted in characters.
-    lines : tuple of Line
-        Where they stand in files.
-    missing : tuple of str
-        The files that it includes and that are not in its folder, or cannot be read.
-    whole : str
-        The document of which it is a chapter, as a path from its folder; empty for none.
-    """
+    """A document."""
 
     formulas: tuple[Display, ...]
+    """Its formulas in order."""
     starts: tuple[int, ...]
+    """Where its lines begin, counted in characters."""
     lines: tuple[Line, ...]
+    """Where they stand in files."""
     missing: tuple[str, ...] = ()
+    """The files that it includes and that are not in its folder, or cannot be read."""
     whole: str = ""
+    """The document of which it is a chapter, as a path from its folder; empty for none."""
 
     def line_of(self, place: int) -> Line:
         """Return the line on which a character stands."""

@@ -46,33 +46,22 @@ class Line(NamedTuple):
 
 @dataclass(frozen=True)
 class Source:
-    """The lines of a document with those of its files.
-
-    Attributes
-    ----------
-    text : str
-        All lines.
-    lines : tuple of Line
-        Where they stand.
-    missing : tuple of str
-        The files that it includes and that are not in its folder, or cannot be read.
-    whole : str
-        The document of which it is a chapter, as a path from its folder; empty for none.
-    """
+    """The lines of a document with those of its files."""
 
     text: str
+    """All lines."""
     lines: tuple[Line, ...]
+    """Where they stand."""
     missing: tuple[str, ...]
+    """The files that it includes and that are not in its folder, or cannot be read."""
     whole: str
+    """The document of which it is a chapter, as a path from its folder; empty for none."""
 
 
 def source_at(path: Path, text: str) -> Source:
     """Return a LaTeX document with the files that it includes, behind the preamble of the whole of which it is a part.
 
-    Raises
-    ------
-    UnreadableDocumentError
-        If there are too many files, or too many characters.
+    It raises `UnreadableDocumentError` if there are too many files, or too many characters.
     """
     path = path.resolve()
     whole = _whole_of(path, text)

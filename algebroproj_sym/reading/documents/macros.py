@@ -208,10 +208,8 @@ def _end_of_group(text: str, start: int) -> int | None:
 def expanded(pieces: Sequence[Piece], macros: Mapping[str, Macro]) -> list[Piece]:
     """Return the pieces with every macro expanded; what a macro stands for has the place where it is used.
 
-    Raises
-    ------
-    UnreadableError
-        If there are more expansions, or pieces, than there may be: a macro that expands itself has no end.
+    It raises `UnreadableError` if there are more expansions, or pieces, than there may be: a macro that expands itself
+    has no end.
     """
     out: list[Piece] = []
     waiting = [*_with_matrices(pieces)][::-1]

@@ -51,36 +51,24 @@ _IDLE = (r"\nonumber", r"\notag", r"\pause", r"\,", r"\;", r"\:", r"\!", "~", "\
 
 @dataclass(frozen=True)
 class Statement:
-    """One equation, or chain of equations, of a display.
-
-    Attributes
-    ----------
-    display : Display
-        Where it stands.
-    number : str
-        Its number, or its label; empty for none.
-    label : str
-        Its label.
-    pieces : tuple of Piece
-        Its LaTeX; empty if it cannot be read.
-    latex : str
-        As it stands in the file, or as macros leave it.
-    condition : str
-        The words that stand beside it, such as "for x > 0".
-    reason : str
-        Why it cannot be read.
-    implied : bool
-        Whether an arrow leads to it from the statement before it.
-    """
+    """One equation, or chain of equations, of a display."""
 
     display: Display
+    """Where it stands."""
     number: str
+    """Its number, or its label; empty for none."""
     label: str
+    """Its label."""
     pieces: tuple[Piece, ...]
+    """Its LaTeX; empty if it cannot be read."""
     latex: str
+    """As it stands in the file, or as macros leave it."""
     condition: str = ""
+    """The words that stand beside it, such as "for x > 0"."""
     reason: str = ""
+    """Why it cannot be read."""
     implied: bool = False
+    """Whether an arrow leads to it from the statement before it."""
 
 
 def statements(document: Document) -> list[Statement]:

@@ -130,10 +130,7 @@ class _Page:
 def tidied(pieces: Sequence[Piece]) -> list[Piece]:
     r"""Return the pieces of a formula in fewer notations, each where it stood.
 
-    Raises
-    ------
-    UnreadableError
-        If a brace is not closed, or there are more pieces than there may be.
+    It raises `UnreadableError` if a brace is not closed, or there are more pieces than there may be.
 
     Examples
     --------

@@ -13,53 +13,35 @@ from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError
 
 @dataclass
 class Cursor:
-    """Where reading stands.
-
-    Attributes
-    ----------
-    pieces : list of Piece
-        What is read.
-    known : callable
-        Whether a symbol with a superscript is a name of its own.
-    functions : collection of str or None
-        The letters that are functions; None where letters before brackets are factors.
-    wide : bool
-        Whether the argument of a function goes on over letters that follow one another.
-    depth : int
-        How deep the pieces are nested.
-    step : callable
-        What reads the next piece.
-    index : int
-        The place in the pieces.
-    chose : str
-        What the reader had to choose.
-    out : list of Token
-        What was read.
-    opened : list of str
-        The brackets that are open.
-    raised : list of Piece
-        The superscript that was read last.
-    """
+    """Where reading stands."""
 
     pieces: list[Piece]
+    """What is read."""
     known: Callable[[str], bool] = lambda name: False
+    """Whether a symbol with a superscript is a name of its own."""
     functions: Collection[str] | None = None
+    """The letters that are functions; None where letters before brackets are factors."""
     wide: bool = True
+    """Whether the argument of a function goes on over letters that follow one another."""
     depth: int = 0
+    """How deep the pieces are nested."""
     step: Callable[[Cursor], None] = lambda cursor: None
+    """What reads the next piece."""
     index: int = 0
+    """The place in the pieces."""
     chose: str = ""
+    """What the reader had to choose."""
     out: list[Token] = field(default_factory=list)
+    """What was read."""
     opened: list[str] = field(default_factory=list)
+    """The brackets that are open."""
     raised: list[Piece] = field(default_factory=list)
+    """The superscript that was read last."""
 
     def within(self, pieces: Sequence[Piece]) -> Cursor:
         """Return where reading of an argument begins.
 
-        Raises
-        ------
-        UnreadableError
-            If it is nested too deep.
+        It raises `UnreadableError` if it is nested too deep.
         """
         if self.depth >= MAX_NESTING:
             raise self.fail(f"expected at most {MAX_NESTING} levels of nesting, got more")

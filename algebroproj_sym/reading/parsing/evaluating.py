@@ -94,10 +94,7 @@ class Values(Protocol):
 def evaluated(tree: Formula, names: Names, values: Values | None = None) -> Expression:
     """Return the expression that a tree stands for; values that are not computed are refused, or taken from `values`.
 
-    Raises
-    ------
-    UnreadableError
-        If a symbol is not known, shapes do not fit, or what it stands for is no expression.
+    It raises `UnreadableError` if a symbol is not known, shapes do not fit, or what it stands for is no expression.
     """
     expression: Expression = transformed(_Expressions(names, values), tree)
     return expression

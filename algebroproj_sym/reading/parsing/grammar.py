@@ -28,21 +28,14 @@ _SEEN = re.compile(
 
 @dataclass(frozen=True)
 class Parsed:
-    """A formula.
-
-    Attributes
-    ----------
-    sides : tuple of Tree
-        What the relations join.
-    relations : tuple of str
-        One less than the sides.
-    chose : str
-        What LaTeX leaves open, and the reader chose; empty for nothing.
-    """
+    """A formula."""
 
     sides: tuple[Formula, ...]
+    """What the relations join."""
     relations: tuple[str, ...]
+    """One less than the sides."""
     chose: str = ""
+    """What LaTeX leaves open, and the reader chose; empty for nothing."""
 
 
 def parsed(
@@ -53,17 +46,14 @@ def parsed(
 ) -> Parsed:
     """Parse a formula.
 
+    It raises `UnreadableError` if the text is no formula of the grammar; it says where reading stopped.
+
     Parameters
     ----------
     latex : str or sequence of Piece
         One expression, or several joined by relations.
     known, functions, wide_arguments
         As for `tokens_of`.
-
-    Raises
-    ------
-    UnreadableError
-        If the text is no formula of the grammar; it says where reading stopped.
     """
     pieces = _without_end(pieces_of(latex) if isinstance(latex, str) else list(latex))
     if functions is not None and (sides := split_pieces(pieces, MAPS))[1:] and _is_map(sides[0]):

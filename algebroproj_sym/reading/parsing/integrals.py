@@ -26,19 +26,8 @@ _REFUSED = "an integral in it is read, but not computed"
 def integral_of(value: Any, variable: Any, step: Any, low: Any, high: Any) -> tuple[Any, tuple[str, ...]]:
     """Return the integral of what stands beside a differential, and what is taken to hold for it.
 
-    Parameters
-    ----------
-    value : expression
-        What stands behind the sign of the integral, with the differential as a letter.
-    variable, step : symbol
-        The letter over which it runs, and its differential.
-    low, high : expression
-        Its bounds; plus or minus infinity as well.
-
-    Raises
-    ------
-    UnreadableError
-        If one of its terms has no rule here.
+    `step` is the letter of the differential, by which `value` has it; bounds may be infinite.  It raises
+    `UnreadableError` if one of its terms has no rule here.
 
     Examples
     --------

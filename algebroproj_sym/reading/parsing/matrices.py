@@ -21,10 +21,7 @@ _OF_MATRICES = {"det": sympy.Determinant, "adj": Adjugate, "tr": sympy.Trace, "T
 def in_letters(tree: Formula, names: Names) -> Any:
     r"""Return the matrix expression, or the number, that a tree stands for.
 
-    Raises
-    ------
-    UnreadableError
-        If a symbol is not known, or shapes do not fit.
+    It raises `UnreadableError` if a symbol is not known, or shapes do not fit.
 
     Examples
     --------

@@ -15,19 +15,10 @@ from algebroproj_sym.reading.parsing.grammar import Formula
 
 
 def in_order(tree: Formula, names: Names) -> Any:
-    r"""Return the expression that a tree stands for, as it is printed; `arranged` says what that means.
+    r"""Return the expression that a side of a formula stands for, as it is printed; `arranged` says what that means.
 
-    Parameters
-    ----------
-    tree : Tree
-        A side of a formula.
-    names : callable
-        What a symbol stands for.
-
-    Raises
-    ------
-    UnreadableError
-        If the tree has more than sums, products, quotients and powers of numbers, and matrices of these.
+    It raises `UnreadableError` if the tree has more than sums, products, quotients and powers of numbers, and matrices
+    of these.
 
     Examples
     --------

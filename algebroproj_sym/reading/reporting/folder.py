@@ -30,28 +30,9 @@ section = Section("{paper}", "{number}", {title})
 
 
 def write_folder(document: Path, readings: Sequence[Reading], given: SymbolsFile | None, out: Path) -> Path:
-    """Write a derivation folder, which `algebroproj check` judges.
+    """Write a derivation folder for a document, which `algebroproj check` judges, and return its path.
 
-    Parameters
-    ----------
-    document : Path
-        The file that was read; the folder has its name.
-    readings : sequence of Reading
-        Its equations.
-    given : SymbolsFile, optional
-        What the user said of its letters.
-    out : Path
-        Where to write the folder.
-
-    Returns
-    -------
-    Path
-        The folder.
-
-    Raises
-    ------
-    UnreadableDocumentError
-        If there is something already.
+    It has the name of the document.  It raises `UnreadableDocumentError` if there is something already.
     """
     name = re.sub(r"\W+", "_", document.stem.lower(), flags=re.ASCII).strip("_")
     name = name if name[:1].isalpha() and not iskeyword(name) else f"paper_{name}"

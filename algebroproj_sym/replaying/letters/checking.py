@@ -59,18 +59,7 @@ _SQUARE = {"determinant of a product": "AB", "determinant of a rank-one update":
 
 
 def require_in_letters(record: Mapping[str, Any]) -> None:
-    """Check whether the verdict on a statement in letters follows from its evidence.
-
-    Parameters
-    ----------
-    record : mapping
-        An identity as ``algebroproj check FILE.json --format json`` writes it, with its letters.
-
-    Raises
-    ------
-    Rejected
-        If it does not.
-    """
+    """Require that the verdict on a statement in letters follows from its evidence."""
     given, certificate = stated(record), record["certificate"]
     statement = without_definitions(without_derivatives(without_lengths(given)))
     if record["verdict"] == "refuted":

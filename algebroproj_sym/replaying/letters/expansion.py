@@ -18,18 +18,9 @@ _FORMS = ("printed", "derived", "corrected")
 
 
 def require_expansion(record: Mapping[str, Any]) -> None:
-    """Check the forms and conditions that a claim states in letters.
+    """Require that the forms and conditions that a claim states in letters are, written out, what the claim is about.
 
-    Parameters
-    ----------
-    record : mapping
-        A claim of the ledger whose setting has an entry ``stated``.
-
-    Raises
-    ------
-    Rejected
-        If what is stated in letters, written out, is not what the claim is about; or if a letter cannot be written out
-        so that its coordinates reach all matrices of its kind, and no others.
+    Each letter must be written out so that its coordinates reach all matrices of its kind, and no others.
     """
     stated = record["setting"]["stated"]
     require_keys(stated, {"letters"}, {*_FORMS, "nonzero"})

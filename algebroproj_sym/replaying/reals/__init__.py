@@ -4,9 +4,9 @@ The prover of such statements works on the same facts and laws: it calls proved 
 """
 
 from algebroproj_sym.replaying.reals.matrices import require_real_form
-from algebroproj_sym.replaying.reals.statement import KEYS, Statement, require_real
+from algebroproj_sym.replaying.reals.statement import Statement, require_real
 
 METHODS = ("real laws", "enclosures", "exact point")
 """What certificates of such statements are called."""
 
-__all__ = ["KEYS", "METHODS", "Statement", "require_real", "require_real_form"]
+__all__ = ["METHODS", "Statement", "require_real", "require_real_form"]

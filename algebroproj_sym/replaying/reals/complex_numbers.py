@@ -45,10 +45,7 @@ def real_statements(record: Mapping[str, Any]) -> list[dict[str, Any]]:
 
     Each has the domain of all parts of both sides.
 
-    Raises
-    ------
-    Rejected
-        If a function of a complex number is not known here, or what is compared is not real.
+    It raises `Rejected` if a function of a complex number is not known here, or what is compared is not real.
 
     Examples
     --------

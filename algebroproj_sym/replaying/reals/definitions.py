@@ -278,10 +278,7 @@ def expansion(term: Term) -> Term:
 
     It differs from f by what is of order n + 1, where f is analytic at zero.
 
-    Raises
-    ------
-    Rejected
-        If it has too many parts.
+    It raises `Rejected` if it has too many parts.
 
     Examples
     --------

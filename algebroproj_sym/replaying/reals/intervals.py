@@ -100,9 +100,6 @@ class Intervals(Numbers):
     def _finer(self, value: Interval, extra: int) -> tuple[Intervals, Interval]:
         return _intervals(self.bits + extra), (value[0] << extra, value[1] << extra)
 
-    def _coarser(self, value: Interval, extra: int) -> Interval:
-        return value[0] >> extra, -(-value[1] >> extra)
-
     def _monotonic(self, name: str, value: Interval) -> Interval:
         """Return an increasing function of an interval, from its values at the ends."""
         low = getattr(self, name)((value[0], value[0]))
@@ -126,7 +123,7 @@ class Intervals(Numbers):
         total = total[0] - rest, total[1] + rest
         for _ in range(halvings):
             total = fine.times(total, total)
-        return self._coarser(total, extra)
+        return self._narrowed(total, extra)
 
     def _sin(self, value: Interval) -> Interval:
         return self._turned(value)[0]
@@ -164,7 +161,7 @@ class Intervals(Numbers):
             square = fine.times(cos, cos)
             product = fine.times(sin, cos)
             sin, cos = (2 * product[0], 2 * product[1]), (2 * square[0] - fine.unit, 2 * square[1] - fine.unit)
-        return self._coarser(sin, extra), self._coarser(cos, extra)
+        return self._narrowed(sin, extra), self._narrowed(cos, extra)
 
     def _within_one(self, value: Interval) -> Interval:
         return max(value[0], -self.unit), min(value[1], self.unit)
@@ -184,7 +181,7 @@ class Intervals(Numbers):
         found = fine._series(ratio, alternating=False)
         two = fine._series(fine.enclosed(Fraction(1, 3)), alternating=False)
         ends = [2 * (end + shift * other) for end, other in zip(found, two if shift >= 0 else two[::-1], strict=True)]
-        return self._coarser((ends[0], ends[1]), 16)
+        return self._narrowed((ends[0], ends[1]), 16)
 
     def _series(self, value: Interval, alternating: bool) -> Interval:
         """Return the sum of ``+-value**n/n`` over odd n: the inverse tangent, or its hyperbolic twin, of up to 1/2."""
@@ -208,7 +205,7 @@ class Intervals(Numbers):
             root = fine._root((square[0] + fine.unit, square[1] + fine.unit), 2)
             x = fine.over(x, (root[0] + fine.unit, root[1] + fine.unit))
         found = fine._series(x, alternating=True)
-        return self._coarser((8 * found[0], 8 * found[1]), 16)
+        return self._narrowed((8 * found[0], 8 * found[1]), 16)
 
     def _asin(self, value: Interval) -> Interval:
         """Return asin x = 2 atan(x/(1 + sqrt(1 - x**2)))."""

@@ -67,12 +67,7 @@ def require_real_form(record: Mapping[str, Any]) -> None:
 
     The statement is about real numbers, about matrices, or, with the key ``complex``, about complex numbers.
 
-    Raises
-    ------
-    Rejected
-        If it does not.
-    NotReplayable
-        If there is no evidence.
+    It raises `Rejected` if it does not, and `NotReplayable` if there is no evidence.
     """
     if "complex" not in record and not is_matrix(record["lhs"]):
         require_real(record)

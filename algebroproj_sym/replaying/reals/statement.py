@@ -39,25 +39,17 @@ class TiedError(Rejected):
 
 @dataclass(frozen=True)
 class Statement:
-    """A relation of two sides, wherever both are defined and the conditions hold.
-
-    Attributes
-    ----------
-    left, right : Term
-        The sides.
-    given : tuple of (relation, Term)
-        What is assumed: relations to zero.
-    relation : {"=", "!=", "<", "<=", ">", ">="}
-        Between the sides.
-    domain : tuple of (relation, Term)
-        What else must hold for the sides to have a meaning; each is a hypothesis.
-    """
+    """A relation of two sides, wherever both are defined and the conditions hold."""
 
     left: Term
     right: Term
+    """The sides."""
     given: tuple[Condition, ...] = ()
+    """What is assumed: relations to zero."""
     relation: str = "="
+    """Between the sides."""
     domain: tuple[Condition, ...] = ()
+    """What else must hold for the sides to have a meaning; each is a hypothesis."""
 
     @property
     def sides(self) -> tuple[Term, Term]:
@@ -220,20 +212,9 @@ def _given(record: Mapping[str, Any]) -> Iterator[Condition]:
 
 
 def require_real(record: Mapping[str, Any]) -> None:
-    """Check whether the verdict on a statement with real functions follows from its evidence.
+    """Require that the verdict on a statement with real functions follows from its evidence.
 
-    Parameters
-    ----------
-    record : mapping
-        ``lhs``, ``rhs``, ``relation``, ``assumptions``, ``constraints``, ``nonzero``, ``verdict``, ``hypotheses``,
-        ``counterexample`` and ``certificate``.
-
-    Raises
-    ------
-    Rejected
-        If it does not.
-    NotReplayable
-        If there is no evidence.
+    It raises `Rejected` if it does not, and `NotReplayable` if there is no evidence.
 
     Examples
     --------

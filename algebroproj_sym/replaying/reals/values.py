@@ -155,12 +155,8 @@ def floor_root(value: int, degree: int) -> int:
 def value_of(term: Term, point: Mapping[str, Any], numbers: Numbers) -> Any:
     """Return the value of a term at a point.
 
-    Raises
-    ------
-    UndefinedError
-        If the term is not defined, or not real.
-    UndecidedError
-        If the numbers cannot tell.
+    It raises `UndefinedError` if the term is not defined, or not real.  It raises `UndecidedError` if the numbers
+    cannot tell.
     """
     kind, value = term.kind, term.value
     if kind == "number":

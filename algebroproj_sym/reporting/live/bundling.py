@@ -29,10 +29,7 @@ _UNIX = 3
 def live_files() -> dict[str, bytes]:
     """Fetch what the prover needs, and return all files of its folder by their addresses.
 
-    Raises
-    ------
-    FetchError
-        If a package cannot be fetched, or is not the one that is expected.
+    It raises `FetchError` if a package cannot be fetched, or is not the one that is expected.
     """
     with TemporaryDirectory() as name:
         folder = Path(name)

@@ -48,10 +48,7 @@ def pinned() -> tuple[Package, ...]:
 def fetched(package: Package, folder: Path) -> bytes:
     """Fetch a package into a folder, and return its content.
 
-    Raises
-    ------
-    FetchError
-        If npm is missing, the package cannot be fetched, or it has another digest.
+    It raises `FetchError` if npm is missing, the package cannot be fetched, or it has another digest.
     """
     if package.registry == "npm" and which("npm") is None:
         raise FetchError(f"npm is not installed; it fetches {package.name}")
@@ -68,13 +65,7 @@ def fetched(package: Package, folder: Path) -> bytes:
 
 
 def genuine(package: Package, content: bytes) -> bytes:
-    """Return the content of a package if it has the digest that is expected.
-
-    Raises
-    ------
-    FetchError
-        If it has another one.
-    """
+    """Return the content of a package; it raises `FetchError` if that has another digest than is expected."""
     found = sha256(content).hexdigest()
     if found != package.sha256:
         raise FetchError(f"{package.file}: expected the SHA-256 digest {package.sha256}, got {found}")

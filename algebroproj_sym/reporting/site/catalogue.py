@@ -22,21 +22,14 @@ GRAVITY: tuple[Verdict, ...] = ("definition", "proved", "illegible", "misprint",
 
 @dataclass(frozen=True)
 class Function:
-    """A generated function.
-
-    Attributes
-    ----------
-    lowered : Lowered
-        Its kernel and program.
-    verification : Verification
-        Its figures.
-    source : str
-        Its source text.
-    """
+    """A generated function."""
 
     lowered: Lowered
+    """Its kernel and program."""
     verification: Verification
+    """Its figures."""
     source: str
+    """Its source text."""
 
     @property
     def name(self) -> str:
@@ -148,27 +141,18 @@ class Paper:
 
 @dataclass(frozen=True)
 class Catalogue:
-    """All that the site shows.
-
-    Attributes
-    ----------
-    papers : tuple of Paper
-        With at least one claim each.
-    functions : tuple of Function
-        In the order of the kernels.
-    notebooks : tuple of Notebook
-        The derivations, run; none unless they are wanted.
-    live : bool
-        Whether the pages carry the prover.
-    rests : mapping of (str, str) to tuple of (str, str)
-        What claims rest on, by paper and number.
-    """
+    """All that the site shows."""
 
     papers: tuple[Paper, ...]
+    """With at least one claim each."""
     functions: tuple[Function, ...]
+    """In the order of the kernels."""
     notebooks: tuple[Notebook, ...] = ()
+    """The derivations, run; none unless they are wanted."""
     live: bool = False
+    """Whether the pages carry the prover."""
     rests: Dependences = field(default_factory=dict)
+    """What claims rest on, by paper and number."""
 
     @property
     def entries(self) -> tuple[Entry, ...]:
@@ -216,22 +200,9 @@ def catalogue(
     live: bool = False,
     rests: Dependences | None = None,
 ) -> Catalogue:
-    """Return what the site is about.
+    """Return what the site is about: judgements in any order, each with the derivation that declares its claim.
 
-    Parameters
-    ----------
-    judgements : sequence of Judgement
-        In any order.
-    derivations : sequence of Derivation
-        Where each of their claims is declared.
-    functions : sequence of Function
-        The generated functions.
-    notebooks : sequence of Notebook
-        The derivations, run.
-    live : bool
-        Whether the pages carry the prover.
-    rests : mapping of (str, str) to tuple of (str, str), optional
-        What claims rest on, by paper and number.
+    What claims rest on is given by paper and number.
     """
     entries = [Entry(judgement, source) for judgement, source in zip(judgements, derivations, strict=True)]
     groups = _grouped(sorted(entries, key=_place), lambda entry: entry.claim.paper)

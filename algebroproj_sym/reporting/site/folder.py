@@ -18,25 +18,14 @@ class OccupiedError(ValueError):
 def require_free(folder: Path) -> None:
     """Make sure that a folder may be replaced.
 
-    Raises
-    ------
-    OccupiedError
-        If it exists, is not empty and is not an earlier site.
+    It raises `OccupiedError` if it exists, is not empty and is not an earlier site.
     """
     if folder.is_dir() and any(folder.iterdir()) and not (folder / MARKER).is_file():
         raise OccupiedError(f"{folder}: expected a new or empty folder, or an earlier site, got one with other files")
 
 
 def replace(files: Mapping[str, str | bytes], folder: Path) -> None:
-    """Write files to a new folder beside the wanted one, and put it in its place.
-
-    Parameters
-    ----------
-    files : mapping of str to str or bytes
-        The content of each file by its path in the folder.
-    folder : Path
-        What is written, or replaced as a whole.
-    """
+    """Write files to a new folder beside the wanted one, and put it in its place as a whole."""
     require_free(folder)
     target = folder.resolve()
     target.parent.mkdir(parents=True, exist_ok=True)

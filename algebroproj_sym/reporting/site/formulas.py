@@ -34,18 +34,10 @@ LONGEST_FRACTION = 40
 def block(
     statement: Statement | None, marks: Marks = NOTHING, label: str = "formula", *, ordered: bool = True
 ) -> Markup:
-    """Return a form as a block of its own.
+    """Return a form as a block of its own, with marks in it.
 
-    Parameters
-    ----------
-    statement : Statement or None
-        A printed, derived or corrected form.
-    marks : Marks
-        What to mark in it.
-    label : str
-        What a screen reader calls a formula that has to be scrolled.
-    ordered : bool
-        Whether to put terms and factors in order, or to leave them as they are.
+    Terms and factors are put in order, or left as they are.  A screen reader calls a formula that has to be scrolled by
+    the label.
     """
     if statement is None:
         return Markup("<p>The scan does not preserve it.</p>")
@@ -96,15 +88,7 @@ def _meaning(meaning: Meaning, name: str, names: Mapping[str, Any]) -> Markup:
 
 
 def equation(left: str, expression: Any) -> Markup:
-    """Return ``left = expression`` as a block; text where it is too long.
-
-    Parameters
-    ----------
-    left : str
-        The left side, as LaTeX.
-    expression : Expression
-        The right side.
-    """
+    """Return ``left = expression`` as a block, of LaTeX and an expression; text where it is too long."""
     if is_formula(expression):
         return scrolling(math(f"{left} = {latex(expression)}", "block"))
     return Markup("<p>{} =</p>{}").format(math(left), _as_text(expression, "formula"))
@@ -194,12 +178,7 @@ def is_wide(content: Markup) -> bool:
 def scrolling(content: Markup, label: str = "formula") -> Markup:
     """Return a block that scrolls sideways; by keyboard if it is wide enough to need it.
 
-    Parameters
-    ----------
-    content : Markup
-        What is shown.
-    label : str
-        What a screen reader calls a block that takes the focus.
+    Then it takes the focus, and a screen reader calls it by the label.
     """
     if not is_wide(content):
         return Markup('<div class="formula">{}</div>').format(content)

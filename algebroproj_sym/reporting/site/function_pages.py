@@ -35,15 +35,7 @@ _MEANINGS = {
 def functions_of(
     lowered: Sequence[Lowered], verified: Sequence[Verification], package: Mapping[str, str]
 ) -> tuple[Function, ...]:
-    """Return the functions with their figures and their source.
-
-    Parameters
-    ----------
-    lowered, verified : sequence
-        The kernels and their figures.
-    package : mapping of str to str
-        The text of each file of the generated package.
-    """
+    """Return the functions with their figures, and their source in the files of the generated package."""
     return tuple(
         Function(low, figures, _source(package[f"{low.kernel.module}.py"], low.kernel.name))
         for low, figures in zip(lowered, verified, strict=True)

@@ -13,21 +13,14 @@ from algebroproj_sym.reporting.site.templating import page
 
 @dataclass(frozen=True)
 class Graph:
-    """What rests on what in a section.
-
-    Attributes
-    ----------
-    chapter : Chapter
-        The section.
-    vertices : tuple of Vertex
-        Its equations and the functions that rest on them, and equations of other sections that they rest on.
-    bases : mapping of str to sequence of str
-        What each of them rests on, by name.
-    """
+    """What rests on what in a section."""
 
     chapter: Chapter
+    """The section."""
     vertices: tuple[Vertex, ...]
+    """Its equations and the functions that rest on them, and equations of other sections that they rest on."""
     bases: Mapping[str, Sequence[str]]
+    """What each of them rests on, by name."""
 
     @property
     def address(self) -> str:

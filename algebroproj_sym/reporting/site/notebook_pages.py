@@ -22,18 +22,12 @@ _FOLDED = Markup("<details><summary>What this section imports</summary>{}</detai
 
 @dataclass(frozen=True)
 class Output:
-    """What a cell shows.
-
-    Attributes
-    ----------
-    html : Markup
-        As HTML.
-    claim : str or None
-        The number of the claim, if it is one.
-    """
+    """What a cell shows."""
 
     html: Markup
+    """As HTML."""
     claim: str | None
+    """The number of the claim, if it is one."""
 
 
 @dataclass(frozen=True)

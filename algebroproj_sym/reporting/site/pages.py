@@ -19,13 +19,7 @@ from algebroproj_sym.reporting.site.templating import licence, page, static, sty
 
 
 def render_site(catalogue: Catalogue) -> dict[str, str]:
-    """Return the text of each file of the site by its address.
-
-    Parameters
-    ----------
-    catalogue : Catalogue
-        What the site is about.
-    """
+    """Return the text of each file of the site by its address."""
     quotes = quotes_of(entry.derivation for entry in catalogue.entries)
     record = ledger([entry.judgement for entry in catalogue.entries], quotes, timed=False)
     claims = {(claim["paper"], claim["number"]): claim for claim in record["claims"]}

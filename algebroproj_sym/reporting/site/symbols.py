@@ -32,27 +32,18 @@ _FIRST_SIDE = re.compile(r"[\s{&]*(.*?)[\s&]*=")
 
 @dataclass
 class Symbol:
-    """What is known of a symbol.
-
-    Attributes
-    ----------
-    name : str
-        As it is spelled in the derivations.
-    printed : dict of str to Entry
-        How the paper writes it, with the first claim whose quote does so.
-    given : list of Entry
-        Claims whose quote begins with it and an equals sign.
-    first : Entry or None
-        The first claim with it.
-    functions : dict of str to (Function, str)
-        Functions that take it, by what they say of it.
-    """
+    """What is known of a symbol."""
 
     name: str
+    """As it is spelled in the derivations."""
     printed: dict[str, Entry] = field(default_factory=dict)
+    """How the paper writes it, with the first claim whose quote does so."""
     given: list[Entry] = field(default_factory=list)
+    """Claims whose quote begins with it and an equals sign."""
     first: Entry | None = None
+    """The first claim with it."""
     functions: dict[str, Function] = field(default_factory=dict)
+    """Functions that take it, by what they say of it."""
 
     @property
     def spoken(self) -> str:

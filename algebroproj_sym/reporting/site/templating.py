@@ -83,17 +83,7 @@ _TEMPLATES.filters.update(breakable=breakable, with_code=with_code)
 
 
 def page(template: str, address: str, **content: Any) -> str:
-    """Return a page.
-
-    Parameters
-    ----------
-    template : str
-        The name of a template.
-    address : str
-        Where the page will be, which its links depend on.
-    **content
-        What the template asks for.
-    """
+    """Return a page, made of a template and what that asks for; its links depend on where it will be."""
 
     def link(target: str) -> str:
         return addresses.relative(target, address)

@@ -208,14 +208,8 @@ def statements(
 ) -> list[str]:
     r"""Return the statements of a program for point ``i``.
 
-    Parameters
-    ----------
-    program : Program
-        What is to be computed.
-    inputs, outputs : sequence of str, optional
-        Where the inputs are read and the outputs are written; by default in rows of ``in`` and of ``out``.
-    solved : callable, optional
-        The statements that solve a linear system: from a call, its place among the calls and the C names.
+    Inputs are read from rows of ``in``, and outputs written to rows of ``out``, unless other places are given.  So may
+    be what makes the statements that solve a linear system: of a call, its place among the calls and the C names.
 
     Examples
     --------
@@ -241,16 +235,7 @@ def computations(
 ) -> tuple[list[str], list[str]]:
     """Return the statements that compute the outputs of a program, and what these are then called.
 
-    Parameters
-    ----------
-    program : Program
-        What is to be computed.
-    read : sequence of str
-        Where the inputs are; one may be called so already.
-    solved : callable
-        The statements that solve a linear system, as above.
-    taken : collection of str
-        Names that have another meaning.
+    They read the inputs from places that may be called so already, and take no names that have another meaning.
     """
     names = _c_names(program, taken)
     used = program.needed()
@@ -321,22 +306,10 @@ REFINED = "range = NAME({call})({arrays}, range);"
 def solving(
     call: Call, place: int, names: Mapping[Operand, str], pattern: str, *, refined: bool = True, initial: str = ""
 ) -> list[str]:
-    """Return the statements that solve a linear system.
+    """Return the statements that solve the linear system of a call, which has a place among those of a function.
 
-    Parameters
-    ----------
-    call : Call
-        Of a primitive function that solves.
-    place : int
-        Of the system among those of a function.
-    names : mapping
-        The C names of operands.
-    pattern : str
-        Of the statement that calls the function.
-    refined : bool
-        Whether rows go on with what rounding took from their entries; what is not given is zero.
-    initial : str
-        The value that a solution has before.
+    The statement that calls the function is made of `pattern`.  With `refined`, rows go on with what rounding took from
+    their entries; what is not given is zero.  A solution has an `initial` value before.
     """
     columns = (len(call.rows) + 1) * (2 if refined else 1)
     solved = pattern.format(call=f"{call.primitive}_{len(call.rows)}", arrays=f"system{place}, solution{place}")

@@ -74,7 +74,7 @@ class Indices:
         sums = {each for each in map(index_of, re.findall(r"\\sum_\{[^{}]*\}", self.text)) if each}
         sums |= {*re.findall(r"\\sum_([a-z])(?![a-zA-Z])", self.text)}
         ranges = {match[1] for match in _COUNTED.finditer(self.text)}
-        found = shifted | sums | ranges | {*self._exchanged}
+        found = shifted | sums | ranges | {*self._exchanged} | {*self._turned}
         return frozenset(found - {*_SOME.findall(self.text)}) & _LETTERS
 
     @property
@@ -88,6 +88,15 @@ class Indices:
         for one, other in permutations(heads, 2):
             if len(heads[one] & heads[other]) > 1 and {one, other} & self.symbols <= self.apart:
                 yield one
+
+    @property
+    def _turned(self) -> Iterator[str]:
+        """Yield the letters from i to n of which two stand below a letter in both orders, as in ``d_{ij} = -d_{ji}``."""
+        below = {(letter, script) for letter, _, script, _ in map(split_symbol, filter(_is_plain, self.symbols))}
+        for letter, script in below:
+            one, other = script if len(script) == 2 else ("", "")
+            if one < other and {one, other} <= {*"ijklmn"} and (letter, other + one) in below:
+                yield from script
 
     @cached_property
     def least(self) -> Mapping[str, int]:

@@ -45,7 +45,51 @@ def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
         if not is_lone or lone_letter(side) not in frames:
             elsewhere |= {*_not_raised(side, frames)}
     alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
-    return iterates_in(equations).union(alone, _frames_with_numbers(equations), _at_the_start(equations, alone))
+    others = (_frames_with_numbers(equations), _at_the_start(equations, alone), _raised_in_brackets(equations))
+    return iterates_in(equations).union(alone, *others)
+
+
+def _raised_in_brackets(equations: Sequence[Sides]) -> set[str]:
+    r"""Return the letters with what stands above a letter that is raised to a power in brackets, as j in ``(s_i^j)^2``.
+
+    Two letters or more have it, and it stands nowhere else but in scripts and below sums.
+    """
+    powers = [power.children for side in _every(equations) for power in side.find_data("power")]
+    above = [(str(base.children[0]), _text_of(exponent)) for base, exponent in powers if _is_letter(base)]
+    inside = [_alone(base) for base, _ in powers if isinstance(base, Tree) and base.data == "bracket"]
+    raised = {
+        _text_of(each.children[1]) for each in inside if each.data == "power" and _is_letter(_alone(each.children[0]))
+    }
+    labels = {each for each in raised if each == "0" or re.fullmatch("[a-z]", each)}
+    labels -= {symbol for side in _every(equations) for symbol in _not_above(side)}
+    labels -= {letter for _, exponent in above if len(exponent) > 1 for letter in exponent}
+    several = {each for each in labels if len({base for base, exponent in above if exponent == each}) > 1}
+    return {_with_above(base, exponent) for base, exponent in above if exponent in several}
+
+
+def _is_letter(tree: Any) -> bool:
+    return isinstance(tree, Tree) and tree.data == "symbol" and tree != E
+
+
+def _alone(tree: Any) -> Any:
+    """Return a formula without brackets around it."""
+    while isinstance(tree, Tree) and tree.data in ("group", "items", "bracket") and len(tree.children) == 1:
+        (tree,) = tree.children
+    return tree
+
+
+def _text_of(tree: Any) -> str:
+    return "".join(map(str, tree.scan_values(lambda _: True))) if isinstance(tree, Tree) else str(tree)
+
+
+def _not_above(tree: Formula) -> Iterator[str]:
+    """Yield the symbols of a formula that are no whole exponent."""
+    if tree.data == "symbol":
+        yield str(tree.children[0])
+    kept = tree.children[:1] if tree.data == "power" and _is_letter(_alone(tree.children[1])) else tree.children
+    for child in kept:
+        if isinstance(child, Tree):
+            yield from _not_above(child)
 
 
 def _at_the_start(equations: Sequence[Sides], labelled: Collection[str]) -> set[str]:
@@ -55,8 +99,7 @@ def _at_the_start(equations: Sequence[Sides], labelled: Collection[str]) -> set[
         for power in side.find_data("power"):
             base, exponent = power.children
             if isinstance(base, Tree) and base.data == "symbol" and isinstance(exponent, Tree):
-                number = "".join(map(str, exponent.scan_values(lambda _: True)))
-                above.setdefault(str(base.children[0]), set()).add(number)
+                above.setdefault(str(base.children[0]), set()).add(_text_of(exponent))
     return {
         _with_above(symbol, "0")
         for symbol, others in above.items()
@@ -75,7 +118,7 @@ def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
         for power in side.find_data("power")
         if isinstance(base := power.children[0], Tree)
         and base.data == "symbol"
-        and (number := "".join(map(str, power.children[1].scan_values(lambda _: True)))).isdigit()  # type: ignore[union-attr]
+        and (number := _text_of(power.children[1])).isdigit()
     ]
     framed = {split_symbol(symbol)[0] for symbol, number in raised if number in ("0", "1")}
     small = {pair for pair in raised if _VECTOR.match(pair[0]) and split_symbol(pair[0])[0] in framed}

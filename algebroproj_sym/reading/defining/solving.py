@@ -29,7 +29,9 @@ class _Linear:
 
 
 def solution_of(left: Formula, right: Formula, letter: str, *, is_number: bool = False) -> Formula | None:
-    r"""Return what an equation says of a letter; None if it is not linear in it, with all factors on one side.
+    r"""Return what an equation says of a letter; None if it is not linear in it.
+
+    All factors stand on one side of it, or it stands in one term: ``A X B = C`` gives ``A^{-1} C B^{-1}``.
 
     A number has no side: ``a^T (b - c a) = 0`` gives c.
 
@@ -58,6 +60,9 @@ def solution_of(left: Formula, right: Formula, letter: str, *, is_number: bool =
             return _times(_inverse([(minus, _product(before)) for minus, before, _ in terms]), value)
         if all(not before for _, before, _ in terms):
             return _times(value, _inverse([(minus, _product(behind)) for minus, _, behind in terms]))
+        if len(terms) == 1:
+            ((minus, before, behind),) = terms
+            return _times(_inverse([(minus, _product(before))]), value, _inverse([(False, _product(behind))]))
     except _OtherwiseError:
         return None
     return None

@@ -91,6 +91,8 @@ class Uncomputed:
         """Return the value of a function that is known, and not computed, or of a wave that is taken apart."""
         if name in ("sin", "cos") and self.takes(name) and not any(map(shape, arguments)):
             (angle,) = arguments
+            if angle.is_number and (value := getattr(sympy, name)(angle)).is_rational:
+                return value
             if angle.could_extract_minus_sign():
                 return self.known(name, [-angle]) * (1 if name == "cos" else -1)
             self._angles.add(angle)

@@ -154,6 +154,7 @@ class _Pass:
     def _inline(self, statement: Statement, formula: Parsed) -> None:
         if self.survey.meanings.reason(statement, formula):
             return
+        formula = formula.without_set()
         before, sentence = statement.display.before, last_sentence(statement.display.before)
         self.memory.leave(statement.display)
         number = not any(map(symbols_in, formula.sides[1:]))

@@ -336,8 +336,7 @@ class Memory:
         if self.context.is_case:
             words = f"{self.beside.before} {self.beside.sentence} {self.context.words}"
             self.cases.setdefault(statement.display.place, words_of(words))
-        if len(formula.relations) > 1 and formula.relations[-1] == "∈":
-            formula = replace(formula, sides=formula.sides[:-1], relations=formula.relations[:-1])
+        formula = formula.without_set()
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
         if self.beside.exchanged or not any(self.vocabulary.letters_of(each) for each in formula.sides):
@@ -399,7 +398,12 @@ class Memory:
         """Return the equations between sides of a statement: of those next to each other, and of the first and last."""
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
-        display, special, words = statement.display, bool(self.beside.case()), self.beside.words
+        known = self.vocabulary.definitions.values()
+        new = [
+            each.symbol for each in known if each.symbols and self.asserted.get(each.symbol, each.place) >= each.place
+        ]
+        special = bool(self.beside.case([each for each in new if self.vocabulary.definitions[each].explicit]))
+        display, words = statement.display, self.beside.words
         given = where_of(statement), display.part, display.place, names, special, words
         chained = len(formula.sides) > 2
         held = self.context, self.ranges

@@ -22,6 +22,7 @@ from algebroproj_sym.reading.defining.indices import excludes
 from algebroproj_sym.reading.defining.instances import powers_of
 from algebroproj_sym.reading.defining.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
 from algebroproj_sym.reading.defining.premises import (
+    MOST_NEAR,
     MOST_PREMISES,
     MOST_TOGETHER,
     Premise,
@@ -257,8 +258,10 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     own = _supposed(standing, left, right)
     if alone:
         yield Way(left, right, standing.vocabulary, under=(*alone, *own))
-    for each in asserted:
-        if (each,) != alone and _has_components(each, speaks[each] & letters):
+    last = [each for each in near[:MOST_NEAR] if each.gives is None and speaks[each] <= letters]
+    several = [each for each in asserted if _has_components(each, speaks[each] & letters)]
+    for each in dict.fromkeys((*last, *several)):
+        if (each,) != alone:
             yield Way(left, right, standing.vocabulary, under=(each, *own))
     tied = set(letters)
     together: list[Premise] = []
@@ -272,6 +275,20 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
         return
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=(*together, *own))
+    yield from _with_given_letters(standing, left, right, [each for each in asserted if each.gives is None])
+
+
+def _with_given_letters(standing: Standing, left: Formula, right: Formula, others: Sequence[Premise]) -> Iterator[Way]:
+    """Yield a relation under an equation in which letters stand for what equations beside it say of them."""
+    lone = {symbol for symbol in (defined_by(left)[0], defined_by(right)[0]) if symbol}
+    above = applicable(standing.premises, standing.part, standing.cited)
+    given = [each.gives for each in above if each.gives is not None and each.gives.symbol not in lone]
+    told = extended(standing.vocabulary, given)
+    letters = told.letters_of(left) | told.letters_of(right)
+    tied = [each for each in others if (told.letters_of(each.left) | told.letters_of(each.right)) & letters]
+    changed = [each for each in tied if not each.symbols.isdisjoint(letter.symbol for letter in given)]
+    for under in dict.fromkeys(((changed[0],), (*tied,))) if changed else ():
+        yield Way(left, right, told, A_VALUE, under=under)
 
 
 def _has_components(premise: Premise, letters: Collection[str]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -36,6 +36,11 @@ class Parsed:
     """One less than the sides."""
     chose: str = ""
     """What LaTeX leaves open, and the reader chose; empty for nothing."""
+
+    def without_set(self) -> Parsed:
+        r"""Return the formula without the set to which its sides belong, as in ``q = a/b \in [0, 1]``."""
+        is_member = len(self.relations) > 1 and self.relations[-1] == "∈"
+        return replace(self, sides=self.sides[:-1], relations=self.relations[:-1]) if is_member else self
 
 
 def parsed(

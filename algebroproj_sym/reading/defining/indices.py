@@ -91,7 +91,7 @@ class Indices:
 
     @property
     def _turned(self) -> Iterator[str]:
-        """Yield the letters from i to n of which two stand below a letter in both orders, as in ``d_{ij} = -d_{ji}``."""
+        """Yield the letters from i to n of which two stand below a letter in both orders: ``d_{ij} = -d_{ji}``."""
         below = {(letter, script) for letter, _, script, _ in map(split_symbol, filter(_is_plain, self.symbols))}
         for letter, script in below:
             one, other = script if len(script) == 2 else ("", "")

@@ -122,8 +122,10 @@ class Vocabulary:
         euler: bool = False,
         complexes: frozenset[str] = frozenset(),
         imaginary: str = "",
+        reals: frozenset[str] = frozenset(),
     ) -> None:
         self.given = given
+        self.reals = reals
         self.complexes = complexes
         self.imaginary = imaginary
         self.numbers: Numbers = "real"
@@ -150,6 +152,7 @@ class Vocabulary:
             euler=self.euler,
             complexes=self.complexes,
             imaginary=self.imaginary,
+            reals=self.reals,
         )
         copied.numbers = self.numbers
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)

@@ -45,7 +45,7 @@ from algebroproj_sym.reading.judging.indexed import instance_of, instances, sour
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in, with_divided_angles
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
@@ -154,8 +154,9 @@ def along_directions_in(way: Way) -> Iterator[Way]:
 def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
     """Yield a relation as LaTeX may mean it as well: the slash, and how far the argument of a function goes."""
     sides = formula.sides[index], formula.sides[index + 1]
-    if (others := (regrouped(sides[0]), regrouped(sides[1]))) != sides:
-        yield others
+    for otherwise in (regrouped, with_divided_angles):
+        if (others := (otherwise(sides[0]), otherwise(sides[1]))) != sides:
+            yield others
     if formula.chose:
         with suppress(UnreadableError):
             narrow = standing.survey.parsed(statement, wide=False)

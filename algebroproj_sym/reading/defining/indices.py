@@ -95,8 +95,7 @@ class Indices:
         names = map(split_symbol, filter(_is_plain, self.symbols))
         below = {(letter, script) for letter, _, script, _ in names}
         for letter, script in below:
-            one, other = script if len(script) == 2 else ("", "")
-            if one < other and {one, other} <= {*"ijklmn"} and (letter, other + one) in below:
+            if re.fullmatch("[i-n]{2}", script) and script[0] != script[1] and (letter, script[::-1]) in below:
                 yield from script
 
     @cached_property

@@ -159,13 +159,14 @@ def regrouped(tree: Formula) -> Formula:
 
 def with_divided_angles(tree: Formula) -> Formula:
     r"""Return a tree in which an angle is divided, and not its sine: ``\sin x/2`` as that of the half."""
-    children = [with_divided_angles(child) if isinstance(child, Tree) else child for child in tree.children]
+    children: list[Any] = [with_divided_angles(child) if isinstance(child, Tree) else child for child in tree.children]
     if tree.data == "quotient" and len(children) == 2 and isinstance(above := children[0], Tree):
         *factors, wave = above.children if above.data == "run" else [above]
         if isinstance(wave, Tree) and wave.data in ("function", "raised_function") and wave.children[0] in _WAVES:
             *head, angle = wave.children
-            divided = Tree("quotient", [without_brackets(angle), children[1]])  # type: ignore[arg-type]
-            return Tree("run", [*factors, Tree(wave.data, [*head, Tree("items", [divided])])])
+            if isinstance(angle, Tree) and (letter := without_brackets(angle)).data == "symbol":
+                divided = Tree("items", [Tree("quotient", [letter, children[1]])])
+                return Tree("run", [*factors, Tree(wave.data, [*head, divided])])
     return Tree(tree.data, children)
 
 

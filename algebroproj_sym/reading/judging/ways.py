@@ -259,7 +259,11 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     own = _supposed(standing, left, right)
     if alone:
         yield Way(left, right, standing.vocabulary, under=(*alone, *own))
-    last = [each for each in near[:MOST_NEAR] if each.gives is None and speaks[each] <= letters]
+    last = [
+        each
+        for each in near[:MOST_NEAR]
+        if each.gives is None and speaks[each] <= letters and _is_still_so(standing, each)
+    ]
     several = [each for each in asserted if _has_components(each, speaks[each] & letters)]
     for each in dict.fromkeys((*last, *several)):
         if (each,) != alone:
@@ -277,6 +281,15 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=(*together, *own))
     yield from _with_given_letters(standing, left, right, [each for each in asserted if each.gives is None])
+
+
+def _is_still_so(standing: Standing, premise: Premise) -> bool:
+    """Whether no letter of an equation was given since, but by a display that defines it; of a chain, if it is zero."""
+    known = standing.vocabulary.definitions
+    given = [each for each in premise.symbols if each not in known or known[each].explicit]
+    is_zero = any(side.data == "number" and side.children[0] == "0" for side in (premise.left, premise.right))
+    since = any(standing.given_at.get(symbol, -1) > premise.place for symbol in given)
+    return (is_zero or not premise.chained) and not since
 
 
 def _with_given_letters(standing: Standing, left: Formula, right: Formula, others: Sequence[Premise]) -> Iterator[Way]:

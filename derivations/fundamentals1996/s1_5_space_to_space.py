@@ -234,12 +234,9 @@ section.vanishing(
 
 
 # %%
-row_times_y = sympy.symbols("my:4")
 section.identity(
     "1.5.5#rows",
     "image coordinates as quotients of rows",
-    printed=vector(*(row_times_y[i] / row_times_y[0] for i in (1, 2, 3))),
-    where={row_times_y[i]: dot(M_general.row(i), y) for i in range(4)},
     derived=inhomogeneous(M_general * y),
 )
 image = inhomogeneous(M_star * y)

@@ -671,7 +671,6 @@ intersection = [
 section.identity(
     "2.4/2.3.4",
     "the four equations of a model point",
-    printed=vector(*(dot(form, y) for form in intersection)),
     where=HOMOLOGOUS,
     derived=Matrix.zeros(4, 1),
 )

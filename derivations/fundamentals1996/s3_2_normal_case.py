@@ -72,11 +72,9 @@ u_right = vector(*sympy.symbols("uppN1 uppN2"))
 h_left = Z * homogeneous(u_right)
 h_right = Z.T * homogeneous(u_left)
 
-b_normal = vector(*sympy.symbols("bN0:3"))
 section.definition(
     "3.2/line",
     "equation of an epipolar line",
-    printed=dot(b_normal, homogeneous(u_left)),
 )
 
 # %% [markdown]

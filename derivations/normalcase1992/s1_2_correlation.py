@@ -99,11 +99,9 @@ section.count(
 
 # %%
 C = correlation(R_left, R_right, b)
-axes_left, axes_right = ([matrix.col(k) for k in range(3)] for matrix in (R_left, R_right))
 section.identity(
     "1.2.4",
     "matrix of correlation by triple products",
-    printed=Matrix(3, 3, lambda row, column: dot(cross(axes_right[column], axes_left[row]), b)),
     derived=C,
 )
 

@@ -435,7 +435,6 @@ section.vanishing(
 section.vanishing(
     "1.3/b#plane",
     "the center lies in the plane of G1, G2, G3 where y00 = 0",
-    printed=(y00,),
     where=BARYCENTRIC,
     derived=determinant(columns(*map(homogeneous, (center, e1, e2, e3)))),
 )

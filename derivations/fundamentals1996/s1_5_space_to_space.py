@@ -261,7 +261,6 @@ n = sympy.Symbol("n")
 section.identity(
     "1.5/control-points",
     "number of control points in a space of n dimensions",
-    printed=n + 2,
     derived=over((n + 1) ** 2 - 1, n),
 )
 

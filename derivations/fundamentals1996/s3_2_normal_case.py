@@ -616,7 +616,6 @@ section.count(
 section.reference(
     "3.2/ref-2.3",
     "subsection with the procedure of relative orientation",
-    printed="2.3",
     meant="2.4",
     note="See 2.4/ref-2.3; subsection 2.3 is on critical situations.",
     same_as="2.4/ref-2.3",

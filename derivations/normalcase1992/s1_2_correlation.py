@@ -287,7 +287,6 @@ def design_of_points(model_points: list[Matrix]) -> Matrix:
 section.rank(
     "1.2/eight",
     "eight points determine the matrix of correlation but for a factor",
-    printed=8,
     derived=design_of_points(points),
     kernel=[correlation_of_projectors],
 )

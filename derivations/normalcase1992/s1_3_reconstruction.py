@@ -13,7 +13,7 @@ from algebroproj_derivations.inserting import given
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_sym import Section
 from algebroproj_sym.expressions import columns, cross, dot, linear_system, over, solve, vector
-from algebroproj_sym.expressions.letters import Cross
+from algebroproj_sym.expressions.letters import Cross, Dot
 
 section = Section("normalcase1992", "1.3", "Reconstruction of the model")
 

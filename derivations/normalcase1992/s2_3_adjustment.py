@@ -293,7 +293,6 @@ section.identity(
 section.identity(
     "2.3/det",
     "determinant of a matrix of correlation",
-    printed=0,
     derived=determinant(C),
 )
 

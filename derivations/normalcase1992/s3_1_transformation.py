@@ -54,7 +54,6 @@ points = [sympy.symbols(f"xp_{n} xpp_{n} y_{n}") for n in range(1, 9)]
 section.rank(
     "3.1/must-be",
     "eight transformed points allow no other result",
-    printed=8,
     derived=Matrix(
         [
             [p * q for p in image_vector(abscissa_left, ordinate) for q in image_vector(abscissa_right, ordinate)]

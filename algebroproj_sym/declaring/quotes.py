@@ -48,7 +48,7 @@ Unparsed = Literal["prose", "illegible", "unread"]
 Beside = Literal["rows", "columns"]
 Unquoted = Literal["beyond", "implied", "figure", "lost"]
 UNPARSED: dict[Unparsed, str] = {
-    "prose": "the paper says it in a sentence, without a formula or a number to read",
+    "prose": "the paper says it in words: no formula and no number of the sentence states the claim",
     "illegible": "the scan does not preserve the formula",
     "unread": "the formula is legible, and not read; the quote says why",
 }

@@ -283,7 +283,7 @@ class Memory:
             return
         if not is_named(left) and (is_one_value(parameters, value) or agree(samples_of(told), (left, value))):
             return
-        if self.vocabulary.is_matrix(symbol) and are_one_matrix(told, (left, value)):
+        if known and self.vocabulary.is_matrix(symbol) and are_one_matrix(self.vocabulary, (left, value)):
             return
         self.premises = older + [
             each

@@ -15,8 +15,10 @@ from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
+from click.testing import CliRunner
 
 from algebroproj_sym import prove
+from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import KINDS as CLAIM_KINDS
 from algebroproj_sym.declaring import judge, select
 from algebroproj_sym.reporting.ledger import ledger
@@ -219,8 +221,9 @@ class Quiet(SimpleHTTPRequestHandler):
 def folder(tmp_path_factory):
     """A site with the prover."""
     folder = tmp_path_factory.mktemp("live") / "site"
-    command = [sys.executable, "-m", "algebroproj_sym", "report", "fundamentals1996:3.3", "bridges:5", "--samples", "2"]
-    subprocess.run([*command, "--live", "--out", str(folder)], check=True, capture_output=True)
+    selectors = ("fundamentals1996:3.3", "bridges:5")
+    result = CliRunner().invoke(main, ["report", *selectors, "--samples", "2", "--live", "--out", str(folder)])
+    assert result.exit_code == 0, result.output
     return folder
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from math import comb
 from typing import Any, NamedTuple
 
@@ -144,7 +144,7 @@ def require_bounded(value: Any, argument: str, times: int = 1) -> None:
         value = sympy.Rational(value.numerator, value.denominator)
     roots = list(value.flat()) if isinstance(value, sympy.MatrixBase) else [value]
     if all(isinstance(root, sympy.Basic) for root in roots):
-        _Walk(argument, times).enter(roots)
+        _measured(roots, argument, times)
 
 
 def most_terms(value: Any) -> int:
@@ -158,21 +158,33 @@ def most_terms(value: Any) -> int:
     >>> most_terms((x + y) ** 9 * (x + 1))
     20
     """
-    walk = _Walk("the expression", 1)
-    walk.enter([value])
-    return walk.found[value][0].above.terms
+    (extent,) = _measured([value], "the expression", 1)
+    return extent.above.terms
+
+
+def _measured(roots: Sequence[Any], argument: str, times: int) -> tuple[Extent, ...]:
+    """Return the extents of expressions."""
+    try:
+        return _extents(tuple(roots), times)
+    except TooLargeError as error:
+        raise TooLargeError(f"{argument}: {error}") from None
+
+
+@lru_cache(maxsize=4096)
+def _extents(roots: tuple[Any, ...], times: int) -> tuple[Extent, ...]:
+    """Return the extents of expressions.  A reader asks for those of the same equation many times."""
+    return _Walk(times).entered(roots)
 
 
 class _Walk:
     """Looks at each part of an expression after its own parts, without recursion."""
 
-    def __init__(self, argument: str, times: int) -> None:
-        self._argument = argument
+    def __init__(self, times: int) -> None:
         self._times = times
         self.found: dict[Any, tuple[Extent, int, int]] = {}
         self._names = 0
 
-    def enter(self, roots: Sequence[Any]) -> None:
+    def entered(self, roots: Sequence[Any]) -> tuple[Extent, ...]:
         symbols = _symbols(roots)
         self._names = len(symbols)
         if self._names > MAX_NAMES:
@@ -190,6 +202,7 @@ class _Walk:
         most = self._times * MAX_TOKENS
         if leaves > most:
             raise self._refused(f"at most {most} symbols and numbers", str(leaves))
+        return tuple(self.found[root][0] for root in roots)
 
     def _measured(self, node: Any) -> tuple[Extent, int, int]:
         """Return the extent of a node whose parts are known, its levels, and its leaves."""
@@ -225,7 +238,7 @@ class _Walk:
         return Extent(VARIABLE)
 
     def _refused(self, expected: str, got: str) -> TooLargeError:
-        return TooLargeError(f"{self._argument}: expected {expected}, got {got}")
+        return TooLargeError(f"expected {expected}, got {got}")
 
 
 def _symbols(roots: Sequence[Any]) -> set[Any]:

@@ -1,13 +1,52 @@
-"""Writing files: all of them whole, or none of them at all."""
+"""Files: all of them are written whole, or none of them at all, and JSON is read that says each thing once."""
 
 from __future__ import annotations
 
+import json
 import signal
 import threading
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
+from typing import Any
+
+
+class AmbiguousError(ValueError):
+    """JSON text says a thing twice, or has what is no number of JSON."""
+
+
+def strict_json(text: str) -> Any:
+    """Return what JSON text stands for.
+
+    Raises
+    ------
+    AmbiguousError
+        If an object has a key twice, or a number is none of JSON, such as NaN.
+    ValueError
+        If it is no JSON.
+
+    Examples
+    --------
+    >>> strict_json('{"a": 1, "a": 2}')
+    Traceback (most recent call last):
+    ...
+    algebroproj_sym.files.AmbiguousError: expected each key of an object once, got 'a' twice
+    """
+    return json.loads(text, object_pairs_hook=_object, parse_constant=_no_number)
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    keys = Counter(key for key, _ in pairs)
+    twice = [key for key, count in keys.items() if count > 1]
+    if twice:
+        raise AmbiguousError(f"expected each key of an object once, got {twice[0]!r:.80} twice")
+    return dict(pairs)
+
+
+def _no_number(text: str) -> Any:
+    raise AmbiguousError(f"expected JSON, got {text}")
 
 
 def write_texts(files: Mapping[str, str], folder: Path) -> None:

@@ -598,6 +598,20 @@ def test_what_is_no_ledger_is_wrong_usage(content, tmp_path):
     assert run(tmp_path / "missing.json").exit_code == 2
 
 
+@pytest.mark.parametrize(
+    ("key", "other"), [("derived", '"x"'), ("verdict", '"proved"'), ("note", "NaN"), ("note", "-Infinity")]
+)
+def test_a_ledger_that_says_a_thing_twice_is_wrong_usage(small, tmp_path, key, other):
+    """A person reads the first of two entries, a program the last one."""
+    path = tmp_path / "ledger.json"
+    text = json.dumps(small)
+    assert f'"{key}": ' in text
+    path.write_text(text.replace(f'"{key}": ', f'"{key}": {other}, "{key}": ', 1), encoding="utf-8")
+    found = run(path)
+    assert found.exit_code == 2
+    assert "expected" in found.output
+
+
 def circles():
     """Claims under constraints that only the thorough search decides."""
     section = Section("demo", "2", "Squares")

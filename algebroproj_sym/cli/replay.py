@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace
@@ -15,6 +14,7 @@ from rich.table import Table
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show, visible
 from algebroproj_sym.declaring import located, quotes_of
+from algebroproj_sym.files import strict_json
 from algebroproj_sym.replaying import Rejected, Replayed, Status, replay
 from algebroproj_sym.reporting.ledger import declaration
 from algebroproj_sym.reporting.tables import SCREEN, table_of
@@ -85,8 +85,8 @@ def replay_command(path: Path, comparing: bool, sources: tuple[str, ...], jobs: 
 def ledger_at(path: Path) -> dict[str, Any]:
     """Read a ledger; another kind of file is wrong usage."""
     try:
-        ledger = json.loads(path.read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
+        ledger = strict_json(path.read_text(encoding="utf-8"))
+    except (ValueError, RecursionError) as error:
         raise click.UsageError(f"{path}: expected a ledger in JSON ({error})") from error
     if not isinstance(ledger, dict) or not isinstance(_listed(ledger), list):
         raise click.UsageError(f"{path}: expected a ledger, an object with a list of claims")

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import difflib
-import json
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from algebroproj_sym.files import AmbiguousError, strict_json
 from algebroproj_sym.proving.statements import RELATIONS
 from algebroproj_sym.proving.worker import Outcome, Question
 from algebroproj_sym.replaying.reals.terms import has_parts
@@ -74,8 +73,8 @@ def identities(path: Path) -> tuple[Identity, ...]:
     try:
         if path.stat().st_size > MAX_BYTES:
             raise MalformedFileError(f"expected at most {MAX_BYTES} bytes, got {path.stat().st_size}")
-        items = json.loads(path.read_text(encoding="utf-8"), object_pairs_hook=_object, parse_constant=_no_number)
-    except MalformedFileError as error:
+        items = strict_json(path.read_text(encoding="utf-8"))
+    except (AmbiguousError, MalformedFileError) as error:
         raise MalformedFileError(f"{path}: {error}") from error
     except OSError as error:
         raise MalformedFileError(f"{path}: expected a readable file, got {error.strerror}") from error
@@ -138,18 +137,6 @@ def _relation(where: str, value: Any) -> str:
     if value not in RELATIONS:
         raise MalformedFileError(f"{where}, key 'relation': expected one of {', '.join(RELATIONS)}, got {value!r:.80}")
     return str(value)
-
-
-def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    keys = Counter(key for key, _ in pairs)
-    twice = [key for key, count in keys.items() if count > 1]
-    if twice:
-        raise MalformedFileError(f"expected each key of an object once, got {twice[0]!r:.80} twice")
-    return dict(pairs)
-
-
-def _no_number(text: str) -> Any:
-    raise MalformedFileError(f"expected JSON, got {text}")
 
 
 def _text(where: str, key: str, value: Any) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .cos_sin import cos_sin_of_pair
-from .error_bounds import SLACK, Bounded, bounded, high, least, of_library, separated, tail, unit_of
+from .error_bounds import SLACK, Bounded, bounded, high, least, of_library, separated, tail, tiny, unit_of
 from .namespace import namespace
 from .pairs import DoubleDouble, Pair, double_double
 
@@ -32,16 +32,19 @@ def _with_bound(y: Any, x: Any) -> Bounded:
     """Return the angle of a direction.
 
     A point that moves by a part of its distance from the origin turns by less than pi/2 times that part.
-    Where the point may lie on the cut of the angle, or be the origin, nothing is said.
+    Where the point may lie on the cut of the angle, or be the origin, nothing is said.  A zero with a minus is taken
+    for one below the cut, which no number is.
     """
     y, x = (number if isinstance(number, Bounded) else Bounded(number, 0.0) for number in (y, x))
     angle = arctan2(y.value, x.value)
     moved = y.error + x.error
     distance = np.maximum(least(y.value), least(x.value)) * (1 - SLACK * unit_of(angle))
     right = separated(x.value)
-    on_cut = (least(y.value) <= y.error) & (high(right) - tail(right) - x.error <= 0) & (moved > 0)
-    turned = np.where((moved < distance) & ~on_cut, 1.5708 * moved / distance, np.inf)
-    return bounded(angle, turned + 4 * of_library(angle))
+    below = (high(y.value) == 0) & np.signbit(high(y.value))
+    on_cut = (least(y.value) <= y.error) & (high(right) - tail(right) - x.error <= 0) & ((moved > 0) | below)
+    lost = tiny(angle) / distance if hasattr(angle, "hi") else 0
+    turned = np.where((moved < distance) & ~on_cut, 1.5708 * (moved / distance), np.inf)
+    return bounded(angle, turned + 4 * of_library(angle) + lost)
 
 
 def arctan2_of_pair(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble:

@@ -117,8 +117,8 @@ def _quotient(a: Number, b: Number) -> Bounded:
     quotient = _value(a) / _value(b)
     unit = unit_of(quotient)
     left = least(_value(b)) * (1 - SLACK * unit) - _error(b)
-    left = np.where(left > 0, left, 0)
-    inherited = (_error(a) + magnitude(quotient) * (1 + SLACK * unit) * _error(b)) / left
+    moved = _error(a) / left + magnitude(quotient) * (1 + SLACK * unit) * (_error(b) / left)
+    inherited = np.where(left > 0, moved, np.inf)
     rounding = _rounding_of_quotient(_value(a), _value(b), quotient)
     return bounded(quotient, inherited + rounding + tiny(quotient))
 

@@ -10,6 +10,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .error_bounds import Bounded, guaranteed, high
 from .evaluation import Body, Signature, evaluate, parts_of, placed, reals, without_range
@@ -55,7 +56,8 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
         given = placed(signature, arguments, named)
         pairs = [number if isinstance(number, DoubleDouble) else DoubleDouble(number) for number in given]
         heads = reals(signature, [pair.hi for pair in pairs])
-        tails = [0 * head if pair.lo is None else pair.lo for head, pair in zip(heads, pairs, strict=True)]
+        taken = [_taken(pair.hi, head) for head, pair in zip(heads, pairs, strict=True)]
+        tails = [rest if pair.lo is None else pair.lo for rest, pair in zip(taken, pairs, strict=True)]
         parts = evaluate(both, _on_pairs(body), [*heads, *tails])
         count = len(signature.results)
         results = tuple(map(DoubleDouble, parts[:count], parts[count:]))
@@ -76,8 +78,8 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
     -------
     callable
         It takes the arguments of the function and returns a pair (value, bound) for each result.  The value is what
-        the function returns.  The bound assumes that the arguments are exact.  It is infinite where no bound is
-        known.
+        the function returns.  The bound assumes that the arguments are exact, also those that the dtype of the
+        results does not hold.  It is infinite where no bound is known.
 
     Raises
     ------
@@ -92,12 +94,15 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
     (0.3333333333333333, True)
     """
     signature, body = parts_of(function, "bounds")
-    both = Signature(signature.name, signature.arguments, signature.results * 2)
+    rests = tuple((f"{name} (what is rounded)", core) for name, core in signature.arguments)
+    both = Signature(signature.name, (*signature.arguments, *rests), signature.results * 2)
 
     def with_bounds(*arguments: Any, **named: Any) -> Any:
-        given = reals(signature, placed(signature, arguments, named))
+        numbers = placed(signature, arguments, named)
+        given = reals(signature, numbers)
         with np.errstate(all="ignore"):
-            parts = evaluate(both, on_bounded(body), given)
+            lost = [_enlarged(_taken(number, head)) for number, head in zip(numbers, given, strict=True)]
+            parts = evaluate(both, _on_uncertain(body), [*given, *lost])
             count = len(signature.results)
             values = function(*given)
             several = (values,) if count == 1 else values
@@ -105,6 +110,26 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
         return results[0] if count == 1 else results
 
     return Wrapped(bounds, function, "Pairs of each result and a bound of its absolute error.", with_bounds)
+
+
+def _taken(number: Any, head: NDArray[Any]) -> NDArray[Any]:
+    """Return what the dtype of the results does not hold of an argument: digits of a long integer, or of a float.
+
+    >>> _taken([2**53 + 1, 3], np.array([2.0**53, 3.0])).tolist()
+    [1.0, 0.0]
+    """
+    whole = np.asarray(number)
+    if whole.dtype == head.dtype:
+        return 0 * head
+    if whole.dtype.kind == "f":
+        return np.asarray(whole - head, head.dtype)
+    exact = np.frompyfunc(lambda entry, near: int(entry) - int(near) if np.isfinite(near) else np.inf, 2, 1)
+    return np.asarray(exact(whole, head), head.dtype)
+
+
+def _enlarged(rest: NDArray[Any]) -> NDArray[Any]:
+    """Return an upper bound of what rounds to a number."""
+    return np.where(rest == 0, abs(rest), np.nextafter(abs(rest), np.asarray(np.inf, rest.dtype)))
 
 
 def _about(value: Any, other: Any, error: Any) -> tuple[Any, Any]:
@@ -132,7 +157,17 @@ def on_bounded(body: Body) -> Body:
     """Return a body that gives all values, and then all bounds of their errors."""
 
     def with_errors(*entries: Any) -> tuple[Any, ...]:
-        results = body(*(Bounded(entry, 0 * high(entry)) for entry in entries))
+        return _on_uncertain(body)(*entries, *(0 * high(entry) for entry in entries))
+
+    return with_errors
+
+
+def _on_uncertain(body: Body) -> Body:
+    """Return likewise a body that takes all entries, and then all bounds of their errors."""
+
+    def with_errors(*parts: Any) -> tuple[Any, ...]:
+        count = len(parts) // 2
+        results = body(*map(Bounded, parts[:count], parts[count:]))
         numbers = [guaranteed(result) if isinstance(result, Bounded) else Bounded(result, 0) for result in results]
         return (*(number.value for number in numbers), *(number.error for number in numbers))
 

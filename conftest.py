@@ -144,10 +144,10 @@ def decided_here(monkeypatch):
     """Questions are decided in the process of the test: no worker is started, and no time is limited."""
     from algebroproj_sym.proving import worker
 
-    def outcomes(questions, *, seconds, jobs):
+    def outcomes(questions, *, seconds, jobs, engine="flint"):
         for question in questions:
             try:
-                yield worker._decided(question)
+                yield worker._decided(question, engine)
             except Exception as error:
                 yield worker.Outcome("error", "none", 0.0, f"{type(error).__name__}: {error}")
 

@@ -27,9 +27,15 @@ class ClaimFailure(AssertionError):  # noqa: N818 - a failed test, not an error
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add the option of the plugin."""
+    """Add the options of the plugin."""
     group = parser.getgroup("claims", "claims of derivation modules")
     group.addoption("--claims", action="store_true", help="collect the claims of derivation modules as tests")
+    group.addoption(
+        "--claims-engine",
+        choices=("flint", "sympy"),
+        default="flint",
+        help="polynomial arithmetic of the proofs (default: flint)",
+    )
 
 
 @pytest.hookimpl(wrapper=True)
@@ -81,7 +87,7 @@ class ClaimItem(pytest.Item):
         from algebroproj_sym.declaring import judge
         from algebroproj_sym.reporting.explaining import failure_text
 
-        judgement = judge(self.claim)
+        judgement = judge(self.claim, self.config.getoption("claims_engine"))
         self.user_properties += [("verdict", judgement.verdict), ("declared", self.claim.expected)]
         if not judgement.as_declared:
             raise ClaimFailure(failure_text(judgement))

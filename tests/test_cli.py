@@ -127,6 +127,14 @@ def test_the_derived_text_is_the_derived_expression():
         assert evaluate(parsed, point) == evaluate(claim.derived, point), claim.number
 
 
+@pytest.mark.parametrize("engine", ["flint", "sympy"])
+def test_both_engines_come_to_the_same_verdicts(engine):
+    result = run("check", "fundamentals1996:1.3", "--engine", engine, "--format", "json")
+    claims = json.loads(result.stdout)["claims"]
+    assert result.exit_code == 0
+    assert {claim["engine"] for claim in claims} == {engine}
+
+
 @pytest.mark.whole
 def test_workers_change_nothing_but_the_time():
     outputs = [run("check", "fundamentals1996:1.2", "--jobs", jobs, "--format", "json").stdout for jobs in ("1", "2")]
@@ -152,6 +160,7 @@ def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
         (("check", "nosuch"), "or the path of a derivation module or folder, got 'nosuch'"),
         (("check", "fundamentals1996:7.7"), "expected a section or number of fundamentals1996, got '7.7'"),
         (("check", "missing.py"), "expected an existing derivation module, got missing.py"),
+        (("check", "--engine", "maple"), "'maple' is not one of"),
         (("check", "--jobs", "0"), "0 is not in the range"),
         (("explain",), "Missing argument"),
         (("verify", "--package", "nowhere"), "does not exist"),

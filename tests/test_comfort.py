@@ -124,11 +124,13 @@ def test_the_advice_is_for_errors_that_there_are():
 
 def test_the_options_name_what_there_is():
     from algebroproj_sym.generating.writing import PACKAGE
+    from algebroproj_sym.proving import ENGINES
 
     def parameter(command, name):
         found = main.get_command(click.Context(main), command).params
         return next(each for each in found if each.name == name)
 
+    assert parameter("check", "engine").type.choices == ENGINES
     assert parameter("build", "package").default == PACKAGE
 
 

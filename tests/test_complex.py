@@ -131,7 +131,7 @@ FALSE = {
 
 def record_of(lhs, rhs, names, **more):
     question = Question(lhs, rhs, complex=tuple(names), **more)
-    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question))
+    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question, "flint"))
     return json.loads(json.dumps(answers_record([answer])["identities"][0]))
 
 

@@ -11,16 +11,22 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, judge
 from algebroproj_sym.expressions import Matrix, over, vector
+from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.proving.statements import UnsupportedError
 
 x, y, z, w = sympy.symbols("x y z w")
 XYZ = (x, y, z)
 
 
-def judged(printed, derived, variables, kernel=(), **options):
+def judged(printed, derived, variables, kernel=(), engine="flint", **options):
     section = Section("demo", "1", "Demonstration")
     parts = {"printed": printed, "derived": derived, "variables": variables, "kernel": kernel} | options
-    return judge(section.count("1.1", "a title", **parts))
+    return judge(section.count("1.1", "a title", **parts), engine)
+
+
+@pytest.fixture(params=ENGINES)
+def engine(request):
+    return request.param
 
 
 def differences(values):
@@ -70,20 +76,20 @@ known = pytest.mark.parametrize(("count", "functions", "variables", "kernel"), K
 
 
 @known
-def test_known_counts_are_proved(count, functions, variables, kernel):
-    judgement = judged(count, functions, variables, kernel)
+def test_known_counts_are_proved(engine, count, functions, variables, kernel):
+    judgement = judged(count, functions, variables, kernel, engine)
     assert judgement.verdict == "proved"
     assert judgement.counterexample is None
 
 
 @known
-def test_one_more_is_too_many(count, functions, variables, kernel):
-    assert judged(count + 1, functions, variables, kernel).verdict == "false"
+def test_one_more_is_too_many(engine, count, functions, variables, kernel):
+    assert judged(count + 1, functions, variables, kernel, engine).verdict == "false"
 
 
 @known
-def test_one_less_is_too_few_and_a_point_shows_it(count, functions, variables, kernel):
-    judgement = judged(count - 1, functions, variables, kernel)
+def test_one_less_is_too_few_and_a_point_shows_it(engine, count, functions, variables, kernel):
+    judgement = judged(count - 1, functions, variables, kernel, engine)
     assert judgement.verdict == "false"
     at = {symbol: sympy.Rational(str(value)) for symbol, value in judgement.counterexample.items()}
     parts = functions.doit() if isinstance(functions, sympy.MatrixBase) else vector(functions.doit())
@@ -96,78 +102,78 @@ matrices = st.integers(1, 4).flatmap(
 )
 
 
-@given(matrices, st.integers(0, 5), st.booleans())
-def test_linear_forms_are_counted_by_the_rank_of_their_matrix(rows, printed, squared):
+@given(st.sampled_from(ENGINES), matrices, st.integers(0, 5), st.booleans())
+def test_linear_forms_are_counted_by_the_rank_of_their_matrix(engine, rows, printed, squared):
     matrix = Matrix(rows)
     variables = sympy.symbols(f"v0:{matrix.cols}")
     forms = matrix * vector(*variables)
     functions = forms.applyfunc(lambda form: (form + 1) ** 2) if squared else forms
-    judgement = judged(printed, functions, variables, matrix.nullspace())
+    judgement = judged(printed, functions, variables, matrix.nullspace(), engine)
     assert judgement.verdict == ("proved" if printed == matrix.rank() else "false")
 
 
-@given(matrices, st.integers(0, 4))
-def test_without_directions_only_the_smaller_number_bounds_the_count(rows, printed):
+@given(st.sampled_from(ENGINES), matrices, st.integers(0, 4))
+def test_without_directions_only_the_smaller_number_bounds_the_count(engine, rows, printed):
     matrix = Matrix(rows)
     rank, largest = matrix.rank(), min(matrix.shape)
     variables = sympy.symbols(f"v0:{matrix.cols}")
-    verdict = judged(printed, matrix * vector(*variables), variables).verdict
+    verdict = judged(printed, matrix * vector(*variables), variables, engine=engine).verdict
     if printed < rank or printed > largest:
         assert verdict == "false"
     else:
         assert verdict == ("proved" if rank == largest else "open")
 
 
-@given(matrices, st.data())
-def test_a_wrong_direction_bounds_nothing(rows, data):
+@given(st.sampled_from(ENGINES), matrices, st.data())
+def test_a_wrong_direction_bounds_nothing(engine, rows, data):
     matrix = Matrix(rows)
     size = matrix.cols
     direction = vector(*data.draw(st.lists(st.integers(-2, 2), min_size=size, max_size=size)))
     assume(not (matrix * direction).is_zero_matrix)
     variables = sympy.symbols(f"v0:{size}")
     claimed = matrix.rank() - 1
-    assert judged(claimed, matrix * vector(*variables), variables, [direction]).verdict == "false"
-    whole = judged(matrix.rank(), matrix * vector(*variables), variables, [direction]).verdict
+    assert judged(claimed, matrix * vector(*variables), variables, [direction], engine).verdict == "false"
+    whole = judged(matrix.rank(), matrix * vector(*variables), variables, [direction], engine).verdict
     assert whole == ("proved" if matrix.rank() == min(matrix.shape) else "open")
 
 
-def test_one_wrong_direction_spoils_the_right_ones():
+def test_one_wrong_direction_spoils_the_right_ones(engine):
     functions = vector(x - y, y - z, z - x)
-    assert judged(2, functions, XYZ, [vector(1, 1, 1)]).verdict == "proved"
-    assert judged(2, functions, XYZ, [vector(1, 1, 1), vector(1, 0, 0)]).verdict == "open"
-    assert judged(1, functions, XYZ, [vector(1, 1, 1), vector(1, 0, 0)]).verdict == "false"
+    assert judged(2, functions, XYZ, [vector(1, 1, 1)], engine).verdict == "proved"
+    assert judged(2, functions, XYZ, [vector(1, 1, 1), vector(1, 0, 0)], engine).verdict == "open"
+    assert judged(1, functions, XYZ, [vector(1, 1, 1), vector(1, 0, 0)], engine).verdict == "false"
 
 
-def test_dependent_directions_count_once():
+def test_dependent_directions_count_once(engine):
     functions = vector(x - y, 2 * x - 2 * y, z * 0)
     pair = [vector(1, 1, 0), vector(0, 0, 1)]
-    assert judged(1, functions, XYZ, pair).verdict == "proved"
+    assert judged(1, functions, XYZ, pair, engine).verdict == "proved"
     for repeated in ([pair[0], pair[0]], [pair[0], vector(x, x, 0)], [pair[0], vector(0, 0, 0)]):
-        assert judged(1, functions, XYZ, repeated).verdict == "open"
+        assert judged(1, functions, XYZ, repeated, engine).verdict == "open"
 
 
-def test_a_direction_that_is_right_at_some_points_only_bounds_nothing():
+def test_a_direction_that_is_right_at_some_points_only_bounds_nothing(engine):
     functions = vector(x * y, (x * y) ** 2)
-    assert judged(1, functions, (x, y), [vector(x, -y)]).verdict == "proved"
-    assert judged(1, functions, (x, y), [vector(1, -1)]).verdict == "open"
+    assert judged(1, functions, (x, y), [vector(x, -y)], engine).verdict == "proved"
+    assert judged(1, functions, (x, y), [vector(1, -1)], engine).verdict == "open"
 
 
-def test_other_symbols_are_constants():
+def test_other_symbols_are_constants(engine):
     functions = vector(x * z, y * z)
-    assert judged(2, functions, (x, y)).verdict == "proved"
-    assert judged(1, functions, (z,)).verdict == "proved"
-    assert judged(1, vector(x + z, 2 * x + z**2), (x,)).verdict == "proved"
+    assert judged(2, functions, (x, y), engine=engine).verdict == "proved"
+    assert judged(1, functions, (z,), engine=engine).verdict == "proved"
+    assert judged(1, vector(x + z, 2 * x + z**2), (x,), engine=engine).verdict == "proved"
 
 
-def test_a_count_speaks_of_rational_functions_and_has_no_hypotheses():
-    judgement = judged(1, vector(over(x, y), over(y, x)), (x, y), [vector(over(x, z), over(y, z))])
+def test_a_count_speaks_of_rational_functions_and_has_no_hypotheses(engine):
+    judgement = judged(1, vector(over(x, y), over(y, x)), (x, y), [vector(over(x, z), over(y, z))], engine)
     assert (judgement.verdict, judgement.hypotheses) == ("proved", ())
     assert judgement.certificate["kernel"] == ["Matrix([[x], [y]])"]
 
 
-def test_functions_are_judged_where_they_are_defined():
+def test_functions_are_judged_where_they_are_defined(engine):
     pole = (x - 1) * (x - 2) * (x + 1) * (x + 3) * y
-    assert judged(1, vector(over(1, pole), over(2, pole)), (x,)).verdict == "proved"
+    assert judged(1, vector(over(1, pole), over(2, pole)), (x,), engine=engine).verdict == "proved"
 
 
 def test_the_evidence_is_a_point_at_which_the_jacobian_has_the_rank():
@@ -177,17 +183,17 @@ def test_the_evidence_is_a_point_at_which_the_jacobian_has_the_rank():
     assert functions.jacobian(vector(*XYZ)).xreplace(point).rank() == 3
 
 
-def test_a_wrong_count_with_the_right_one_is_a_misprint():
+def test_a_wrong_count_with_the_right_one_is_a_misprint(engine):
     functions = vector(*differences(XYZ))
-    options = {"corrected": 2, "expect": "misprint"}
+    options = {"corrected": 2, "expect": "misprint", "engine": engine}
     assert judged(3, functions, XYZ, [vector(1, 1, 1)], **options).verdict == "misprint"
     assert judged(1, functions, XYZ, [vector(1, 1, 1)], **options).verdict == "misprint"
     assert judged(2, functions, XYZ, [vector(1, 1, 1)], **options).verdict == "proved"
 
 
-def test_a_count_needs_its_variables():
+def test_a_count_needs_its_variables(engine):
     with pytest.raises(DeclarationError, match=r"^1\.1: expected the variables of the functions to be counted"):
-        judged(1, x * y, ())
+        judged(1, x * y, (), engine=engine)
 
 
 def test_a_count_has_no_constraints():
@@ -203,16 +209,16 @@ def test_functions_and_directions_are_rational(inexact):
         judged(1, x, (x, y), [vector(inexact, 1)])
 
 
-def test_equal_declarations_give_equal_evidence():
-    first, second = (judged(2, vector(*differences(XYZ)), XYZ, [vector(1, 1, 1)]) for _ in range(2))
+def test_equal_declarations_give_equal_evidence(engine):
+    first, second = (judged(2, vector(*differences(XYZ)), XYZ, [vector(1, 1, 1)], engine) for _ in range(2))
     assert first.verdict == second.verdict == "proved"
     assert first.certificate == second.certificate
     assert first.hypotheses == second.hypotheses
 
 
-def test_a_fraction_is_no_count():
+def test_a_fraction_is_no_count(engine):
     with pytest.raises(DeclarationError, match=r"^1\.1: expected a number as printed form"):
-        judged(Fraction(3, 2), vector(x, y), (x, y))
+        judged(Fraction(3, 2), vector(x, y), (x, y), engine=engine)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from algebroproj_sym.expressions import Matrix, derivatives, over, vector
-from algebroproj_sym.proving import RationalFunctionField
+from algebroproj_sym.proving import ENGINES, RationalFunctionField
 
 SYMBOLS = sympy.symbols("x y z")
 x, y, z = SYMBOLS
@@ -91,10 +91,10 @@ def test_along_a_direction_they_are_combined_from_the_partial_ones(parts, point,
 components = st.sampled_from([0, 1, x, y * z, x - y])
 
 
-@given(expressions, st.tuples(components, components, components))
-def test_over_rational_functions_they_are_functions_of_the_point(expression, direction):
+@given(st.sampled_from(ENGINES), expressions, st.tuples(components, components, components))
+def test_over_rational_functions_they_are_functions_of_the_point(engine, expression, direction):
     assume(all(sympy.cancel(divisor.doit()) not in (0, sympy.nan, sympy.zoo) for divisor in divisors(expression)))
-    field = RationalFunctionField(SYMBOLS)
+    field = RationalFunctionField(SYMBOLS, engine)
     values = {0: field.lift(Fraction(0)), 1: field.lift(Fraction(1)), x: field.variables[x]}
     values |= {y * z: field.variables[y] * field.variables[z], x - y: field.variables[x] - field.variables[y]}
     along = [values[component] for component in direction]
@@ -106,8 +106,9 @@ def test_over_rational_functions_they_are_functions_of_the_point(expression, dir
     assert computed.is_zero == (sympy.cancel(expected) == 0)
 
 
-def test_over_rational_functions_every_divisor_is_met():
-    field = RationalFunctionField((x, y))
+@pytest.mark.parametrize("engine", ENGINES)
+def test_over_rational_functions_every_divisor_is_met(engine):
+    field = RationalFunctionField((x, y), engine)
     along = [field.lift(Fraction(1)), field.lift(Fraction(0))]
     (computed,) = derivatives(over(x * y, y), field.variables, (x, y), along, field.lift)
     assert (computed - 1).is_zero

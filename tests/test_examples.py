@@ -43,6 +43,12 @@ def test_what_is_refuted_has_a_counterexample(judgements):
     assert all(j.counterexample for j in judgements if j.verdict in ("misprint", "false"))
 
 
+def test_both_engines_agree_on_what_is_not_simply_proved(judgements):
+    for judgement in judgements:
+        if judgement.verdict in ("misprint", "false"):
+            assert judge(judgement.claim, "sympy").verdict == judgement.verdict, judgement.claim.number
+
+
 def test_the_functions_are_generated_and_verified(body, tmp_path):
     name = f"{body.name}_functions"
     arguments = ["build", "--derivations", str(body), "--name", name, "--out", str(tmp_path), "--samples", "6"]

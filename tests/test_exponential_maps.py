@@ -40,7 +40,7 @@ INVERSE = "(1/norm(v)**2 - (1 + cos(norm(v)))/(2*norm(v)*sin(norm(v))))*skew(v)*
 def record_of(lhs, rhs, letters, constraints=()):
     """The record of an answer, as the command writes it."""
     question = Question(lhs, rhs, tuple(constraints), (), letters=letters)
-    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question))
+    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question, "flint"))
     return json.loads(json.dumps(answers_record([answer])["identities"][0]))
 
 

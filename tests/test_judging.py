@@ -10,6 +10,7 @@ import sympy
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import VERDICTS, judge, select
 from algebroproj_sym.expressions import TextForm, over, vector
+from algebroproj_sym.proving import ENGINES
 
 x, y = sympy.symbols("x y")
 TRUE, WRONG, SQUARE = x**2 + 2 * x + 1, x**2 + 1, (x + 1) ** 2
@@ -26,9 +27,9 @@ def number(claim):
     return claim.number
 
 
-def square(printed, **options):
+def square(printed, engine="flint", **options):
     section = Section("demo", "1", "Squares")
-    return judge(section.identity("1.1", "square", printed=printed, derived=SQUARE, **options))
+    return judge(section.identity("1.1", "square", printed=printed, derived=SQUARE, **options), engine)
 
 
 def without_rational_zero(printed, **options):
@@ -37,32 +38,37 @@ def without_rational_zero(printed, **options):
     return judge(section.vanishing("1.1", "no real zero", printed=printed, derived=x**2 + 1, **options))
 
 
-def test_what_holds_is_proved():
-    result = square(TRUE)
+@pytest.fixture(params=ENGINES)
+def engine(request):
+    return request.param
+
+
+def test_what_holds_is_proved(engine):
+    result = square(TRUE, engine)
     assert (result.verdict, result.as_declared, result.counterexample) == ("proved", True, None)
 
 
-def test_what_fails_without_a_correction_is_false():
-    result = square(WRONG, expect="false", instead="1.2")
+def test_what_fails_without_a_correction_is_false(engine):
+    result = square(WRONG, engine, expect="false", instead="1.2")
     assert (result.verdict, result.as_declared) == ("false", True)
     assert result.counterexample[x] != 0
 
 
-def test_what_fails_with_a_correction_that_holds_is_a_misprint():
-    result = square(WRONG, expect="misprint", corrected=TRUE)
+def test_what_fails_with_a_correction_that_holds_is_a_misprint(engine):
+    result = square(WRONG, engine, expect="misprint", corrected=TRUE)
     assert (result.verdict, result.as_declared) == ("misprint", True)
 
 
-def test_a_refuted_form_is_an_error_where_the_paper_shows_that_it_is_no_slip():
-    result = square(WRONG, expect="error", corrected=TRUE)
+def test_a_refuted_form_is_an_error_where_the_paper_shows_that_it_is_no_slip(engine):
+    result = square(WRONG, engine, expect="error", corrected=TRUE)
     assert (result.verdict, result.as_declared) == ("error", True)
     assert result.certificate["refutation"]["method"] == "counterexample"
-    assert square(TRUE, expect="error", corrected=TRUE).verdict == "proved"
-    assert square(WRONG, expect="error", corrected=WRONG).verdict == "open"
+    assert square(TRUE, engine, expect="error", corrected=TRUE).verdict == "proved"
+    assert square(WRONG, engine, expect="error", corrected=WRONG).verdict == "open"
 
 
-def test_the_evidence_of_a_misprint_is_a_counterexample_and_the_proof_of_the_correction():
-    result = square(WRONG, expect="misprint", corrected=TRUE)
+def test_the_evidence_of_a_misprint_is_a_counterexample_and_the_proof_of_the_correction(engine):
+    result = square(WRONG, engine, expect="misprint", corrected=TRUE)
     at = {x: sympy.Rational(result.counterexample[x])}
     assert WRONG.xreplace(at) != SQUARE.xreplace(at)
     assert result.certificate["method"] == "normal form"
@@ -70,37 +76,37 @@ def test_the_evidence_of_a_misprint_is_a_counterexample_and_the_proof_of_the_cor
     assert result.certificate["refutation"]["right"] == [str(SQUARE.xreplace(at))]
 
 
-def test_a_wrong_correction_leaves_the_claim_open():
-    result = square(WRONG, expect="misprint", corrected=x**2 - 2 * x + 1)
+def test_a_wrong_correction_leaves_the_claim_open(engine):
+    result = square(WRONG, engine, expect="misprint", corrected=x**2 - 2 * x + 1)
     assert (result.verdict, result.as_declared) == ("open", False)
 
 
-def test_a_true_statement_is_no_misprint_whatever_is_declared():
-    result = square(TRUE, expect="misprint", corrected=SQUARE)
+def test_a_true_statement_is_no_misprint_whatever_is_declared(engine):
+    result = square(TRUE, engine, expect="misprint", corrected=SQUARE)
     assert (result.verdict, result.as_declared) == ("proved", False)
 
 
-def test_a_true_statement_is_not_false_whatever_is_declared():
-    result = square(TRUE, expect="false", instead="1.2")
+def test_a_true_statement_is_not_false_whatever_is_declared(engine):
+    result = square(TRUE, engine, expect="false", instead="1.2")
     assert (result.verdict, result.as_declared) == ("proved", False)
 
 
-def test_a_false_statement_is_not_proved_whatever_is_declared():
-    result = square(WRONG)
+def test_a_false_statement_is_not_proved_whatever_is_declared(engine):
+    result = square(WRONG, engine)
     assert (result.verdict, result.as_declared) == ("false", False)
 
 
-def test_an_illegible_formula_needs_a_reconstruction_that_holds():
-    good = square(None, expect="illegible", corrected=TRUE)
+def test_an_illegible_formula_needs_a_reconstruction_that_holds(engine):
+    good = square(None, engine, expect="illegible", corrected=TRUE)
     assert (good.verdict, good.as_declared) == ("illegible", True)
     assert good.certificate["method"] == "normal form"
-    bad = square(None, expect="illegible", corrected=WRONG)
+    bad = square(None, engine, expect="illegible", corrected=WRONG)
     assert (bad.verdict, bad.as_declared) == ("open", False)
 
 
-def test_a_notation_is_a_definition():
+def test_a_notation_is_a_definition(engine):
     claim = Section("demo", "1", "Squares").definition("1.1", "quotient", printed=over(x, y))
-    result = judge(claim)
+    result = judge(claim, engine)
     assert (result.verdict, result.as_declared) == ("definition", True)
 
 
@@ -126,15 +132,15 @@ def test_a_correction_is_read_with_the_same_abbreviations():
     assert judge(claim).verdict == "misprint"
 
 
-def test_a_judgement_keeps_claim_and_hypotheses():
+def test_a_judgement_keeps_claim_engine_and_hypotheses(engine):
     claim = Section("demo", "1", "Squares").identity("1.1", "quotient", printed=x, derived=over(x * y, y))
-    result = judge(claim)
-    assert (result.claim, result.hypotheses) == (claim, (y,))
+    result = judge(claim, engine)
+    assert (result.claim, result.engine, result.hypotheses) == (claim, engine, (y,))
     assert result.seconds >= 0
 
 
-def test_judging_twice_gives_the_same_evidence():
-    first, second = (square(WRONG, expect="misprint", corrected=TRUE) for _ in range(2))
+def test_judging_twice_gives_the_same_evidence(engine):
+    first, second = (square(WRONG, engine, expect="misprint", corrected=TRUE) for _ in range(2))
     assert replace(first, seconds=0.0) == replace(second, seconds=0.0)
 
 
@@ -149,7 +155,7 @@ def test_claims_of_the_papers_are_judged_as_declared(claim):
 
 @pytest.mark.parametrize("claim", [claim for claim in CLAIMS if claim.section == "1.3"], ids=number)
 def test_the_other_engine_judges_section_1_3_alike(claim):
-    assert judge(claim).as_declared
+    assert judge(claim, "sympy").as_declared
 
 
 def test_the_papers_hold_every_verdict_but_open():

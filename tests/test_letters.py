@@ -54,7 +54,7 @@ ITEMS = json.loads(CORPUS.read_text(encoding="utf-8"))
 def record_of(lhs, rhs, letters, constraints=(), nonzero=()):
     """The record of an answer, as the command writes it."""
     question = Question(lhs, rhs, tuple(constraints), tuple(nonzero), letters=letters)
-    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question))
+    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question, "flint"))
     return json.loads(json.dumps(answers_record([answer])["identities"][0]))
 
 
@@ -228,7 +228,7 @@ def test_laws_of_three_dimensions_are_proved_by_entries(name):
     left = parse_letters(RULES[name], shapes)
     letters = declared_letters(shapes, {"A": "rotation"} if turned else {})
     right = parse_letters(f"zeros({left.shape[0]}, {left.shape[1]})", {})
-    assert _Question(Statement(left, right, letters))._by_entries().verdict == "proved"
+    assert _Question(Statement(left, right, letters), "flint")._by_entries().verdict == "proved"
 
 
 def test_the_replay_has_the_same_rules():
@@ -777,9 +777,15 @@ def test_a_counterexample_has_every_property():
     assert rotation_found * diagonal_found != diagonal_found * rotation_found
 
 
-def test_entries_decide():
-    assert prove(Adjugate(R), R.T, properties={R: "rotation"}).verdict == "proved"
-    assert prove(sympy.Determinant(R - sympy.Identity(3)), 0, properties={R: "rotation"}).scope == "for 3x3"
+def test_both_engines_decide_by_entries():
+    for engine in ("flint", "sympy"):
+        assert prove(Adjugate(R), R.T, properties={R: "rotation"}, engine=engine).verdict == "proved"
+        assert (
+            prove(sympy.Determinant(R - sympy.Identity(3)), 0, properties={R: "rotation"}, engine=engine).scope
+            == "for 3x3"
+        )
+    with pytest.raises(ValueError, match="engine: expected one of flint, sympy, got 'other'"):
+        prove(R.T, R, engine="other")
 
 
 def test_numbers_keep_their_assumptions():

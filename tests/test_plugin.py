@@ -97,6 +97,11 @@ def test_a_node_id_selects_one_claim(pytester, derivations):
     claims(pytester, "lines/s1.py::1.3/column").assert_outcomes(failed=1)
 
 
+def test_both_engines_can_be_asked(pytester, derivations):
+    derivations(s1=LINES)
+    claims(pytester, "--claims-engine", "sympy", "lines").assert_outcomes(passed=3)
+
+
 def test_junit_xml_has_a_case_and_the_verdicts_for_each_claim(pytester, derivations):
     derivations(s1=LINES + WRONG)
     claims(pytester, "--junitxml=claims.xml", "lines")

@@ -8,19 +8,21 @@ from algebroproj_sym.declaring import DeclarationError, judge
 from algebroproj_sym.expressions import Matrix, over, vector
 
 a, b, c, eps = sympy.symbols("a b c eps")
+both_engines = pytest.mark.parametrize("engine", ["flint", "sympy"])
 
 
-def verdict(claim):
-    return judge(claim).verdict
+def verdict(claim, engine="flint"):
+    return judge(claim, engine).verdict
 
 
 def section():
     return Section("demo", "1", "Demo")
 
 
-def test_a_skew_symmetric_matrix_of_order_3_has_rank_2():
+@both_engines
+def test_a_skew_symmetric_matrix_of_order_3_has_rank_2(engine):
     skew = Matrix([[0, -c, b], [c, 0, -a], [-b, a, 0]])
-    assert verdict(section().rank("1.1", "skew", printed=2, derived=skew, kernel=[vector(a, b, c)])) == "proved"
+    assert verdict(section().rank("1.1", "skew", printed=2, derived=skew, kernel=[vector(a, b, c)]), engine) == "proved"
 
 
 def test_a_rank_that_is_too_small_is_refuted_by_a_point():
@@ -50,11 +52,17 @@ def test_a_scalar_has_no_rank():
         judge(section().rank("1.1", "t", printed=1, derived=a))
 
 
-def test_limits_by_leading_coefficients():
+@both_engines
+def test_limits_by_leading_coefficients(engine):
     expression = over(a * eps + b * eps**2, c * eps - eps**3)
-    assert verdict(section().limit("1.1", "quotient", printed=a / c, derived=expression, variable=eps)) == "proved"
+    assert (
+        verdict(section().limit("1.1", "quotient", printed=a / c, derived=expression, variable=eps), engine) == "proved"
+    )
     vanishing = vector(eps * a, over(eps**2, eps))
-    assert verdict(section().limit("1.2", "zero", printed=vector(0, 0), derived=vanishing, variable=eps)) == "proved"
+    assert (
+        verdict(section().limit("1.2", "zero", printed=vector(0, 0), derived=vanishing, variable=eps), engine)
+        == "proved"
+    )
 
 
 def test_a_wrong_limit_is_refuted():

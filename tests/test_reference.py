@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, judge, statement_text
+from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.reporting.ledger import claim_record, ledger
 
 
@@ -23,20 +24,20 @@ def row(reference):
 references = st.lists(st.integers(0, 30), min_size=1, max_size=4).map(lambda parts: ".".join(map(str, parts)))
 
 
-@given(references)
-def test_a_reference_to_what_is_meant_is_proved(number):
-    judgement = judge(declared(number, number))
+@given(st.sampled_from(ENGINES), references)
+def test_a_reference_to_what_is_meant_is_proved(engine, number):
+    judgement = judge(declared(number, number), engine)
     assert judgement.verdict == "proved"
     assert judgement.as_declared
     assert judgement.claim.corrected is None
     assert judgement.counterexample is None
 
 
-@given(references, references)
-def test_a_reference_to_something_else_is_a_misprint_with_its_correction(printed, meant):
+@given(st.sampled_from(ENGINES), references, references)
+def test_a_reference_to_something_else_is_a_misprint_with_its_correction(engine, printed, meant):
     if printed == meant:
         return
-    judgement = judge(declared(printed, meant))
+    judgement = judge(declared(printed, meant), engine)
     assert judgement.verdict == "misprint"
     assert judgement.as_declared
     assert sympy.Matrix(judgement.claim.corrected) == row(meant)

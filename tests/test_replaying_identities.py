@@ -36,7 +36,7 @@ QUESTIONS = {
 
 def record_of(lhs, rhs, constraints, nonzero):
     question = Question(lhs, rhs, tuple(constraints), tuple(nonzero))
-    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question))
+    answer = Answer(Identity(Path("mine.json"), "mine[0]", "mine", question, None), _decided(question, "flint"))
     return json.loads(json.dumps(answers_record([answer])["identities"][0]))
 
 

@@ -10,13 +10,14 @@ import sympy
 
 from algebroproj_sym.expressions import Matrix, determinant, over
 from algebroproj_sym.proving import UndefinedError, constrained, prove
-from algebroproj_sym.proving.ring import Ring
+from algebroproj_sym.proving.engines import FlintRing, SympyRing
 
 proving_module = import_module("algebroproj_sym.proving.prove")
 field_module = import_module("algebroproj_sym.proving.rational_function")
 
 x, y, z = sympy.symbols("x y z")
 a, b, c, d = sympy.symbols("a b c d")
+each_engine = pytest.mark.parametrize("engine", ["flint", "sympy"])
 
 
 def unproved(proof):
@@ -44,26 +45,29 @@ VANISHING = {
 }
 
 
-@pytest.mark.parametrize("given", [True, False])
+@pytest.mark.parametrize(("engine", "given"), [("flint", True), ("flint", False), ("sympy", True)])
 @pytest.mark.parametrize(("lhs", "rhs", "constraints", "witness"), VANISHING.values(), ids=VANISHING)
-def test_a_denominator_that_vanishes_on_the_constraints_proves_nothing(lhs, rhs, constraints, witness, given):
-    assert unproved(prove(lhs, rhs, constraints=constraints, witness=witness if given else None))
+def test_a_denominator_that_vanishes_on_the_constraints_proves_nothing(engine, lhs, rhs, constraints, witness, given):
+    assert unproved(prove(lhs, rhs, constraints=constraints, witness=witness if given else None, engine=engine))
 
 
-def test_a_nonzero_condition_that_fails_on_the_constraints_proves_nothing():
-    assert unproved(prove(x, y, constraints=[DET], nonzero=[DET]))
-    assert unproved(prove(x, y, constraints=[DET], nonzero=[DET], witness=SINGULAR))
-    assert unproved(prove(x, y, constraints=[x * y], nonzero=[x, y]))
+@each_engine
+def test_a_nonzero_condition_that_fails_on_the_constraints_proves_nothing(engine):
+    assert unproved(prove(x, y, constraints=[DET], nonzero=[DET], engine=engine))
+    assert unproved(prove(x, y, constraints=[DET], nonzero=[DET], witness=SINGULAR, engine=engine))
+    assert unproved(prove(x, y, constraints=[x * y], nonzero=[x, y], engine=engine))
 
 
-def test_conditions_that_never_hold_prove_nothing():
+@each_engine
+def test_conditions_that_never_hold_prove_nothing(engine):
     never = (x + 1) ** 2 - x**2 - 2 * x - 1
-    assert unproved(prove(x, y, nonzero=[never]))
-    assert unproved(prove(x, y, constraints=[x - z], nonzero=[never]))
+    assert unproved(prove(x, y, nonzero=[never], engine=engine))
+    assert unproved(prove(x, y, constraints=[x - z], nonzero=[never], engine=engine))
 
 
-def test_the_denominators_are_in_the_certificate():
-    proof = prove(over(x, DET), over(y, DET), constraints=[x - y])
+@each_engine
+def test_the_denominators_are_in_the_certificate(engine):
+    proof = prove(over(x, DET), over(y, DET), constraints=[x - y], engine=engine)
     assert proof.verdict == "proved"
     assert [sympy.expand(h - DET) for h in proof.hypotheses] == [0]
     assert [sympy.expand(sympy.sympify(written) - DET) for written in proof.certificate["denominators"]] == [0]
@@ -87,10 +91,11 @@ INCONSISTENT = {
 }
 
 
+@each_engine
 @pytest.mark.parametrize("constraints", INCONSISTENT.values(), ids=INCONSISTENT)
 @pytest.mark.parametrize(("lhs", "rhs"), [(x, x + 1), (x**2, x**2)])
-def test_inconsistent_constraints_prove_and_refute_nothing(constraints, lhs, rhs):
-    assert unproved(prove(lhs, rhs, constraints=constraints))
+def test_inconsistent_constraints_prove_and_refute_nothing(engine, constraints, lhs, rhs):
+    assert unproved(prove(lhs, rhs, constraints=constraints, engine=engine))
 
 
 @pytest.mark.parametrize("constraints", [*list(INCONSISTENT.values())[:-1], [x - 1, y - 2]])
@@ -110,28 +115,31 @@ def test_a_witness_is_checked_exactly():
         prove(x**4, 4, constraints=[x**2 - 2], witness=near)
 
 
-def test_a_witness_where_a_denominator_vanishes_is_no_evidence():
+@each_engine
+def test_a_witness_where_a_denominator_vanishes_is_no_evidence(engine):
     circle = [x**2 + y**2 - 1]
     lhs, rhs = over(1 - x, y), over(y, 1 + x)
     for pole in ({x: 1, y: 0}, {x: -1, y: 0}):
-        proof = prove(lhs, rhs, constraints=circle, witness=pole)
+        proof = prove(lhs, rhs, constraints=circle, witness=pole, engine=engine)
         assert proof.certificate["witness"]["y"] != "0"
     defined = {x: Fraction(-3, 5), y: Fraction(4, 5)}
-    assert prove(lhs, rhs, constraints=circle, witness=defined).verdict == "proved"
+    assert prove(lhs, rhs, constraints=circle, witness=defined, engine=engine).verdict == "proved"
 
 
-def test_a_witness_where_a_condition_fails_is_no_evidence():
-    arguments = {"constraints": [x * (y**2 - 1)], "nonzero": [x, z]}
+@each_engine
+def test_a_witness_where_a_condition_fails_is_no_evidence(engine):
+    arguments = {"constraints": [x * (y**2 - 1)], "nonzero": [x, z], "engine": engine}
     for witness in ({x: 0, y: 1, z: 1}, {x: 1, y: 1, z: 0}, {x: 1, y: 1, z: 1}):
         proof = prove(y**4, 1, witness=witness, **arguments)
         assert proof.verdict == "proved"
         assert "0" not in proof.certificate["witness"].values()
 
 
+@each_engine
 @pytest.mark.parametrize("order", [(0, 1), (1, 0)])
-def test_one_entry_that_is_proved_does_not_prove_the_other(order):
+def test_one_entry_that_is_proved_does_not_prove_the_other(engine, order):
     lhs, rhs = ([pair[i] for i in order] for pair in ((x**2, x), (1, 1)))
-    proof = prove(sympy.Matrix(lhs), sympy.Matrix(rhs), constraints=[x**2 - 1], witness={x: 1})
+    proof = prove(sympy.Matrix(lhs), sympy.Matrix(rhs), constraints=[x**2 - 1], witness={x: 1}, engine=engine)
     assert proof.verdict == "refuted"
     assert proof.counterexample == {x: -1}
 
@@ -139,14 +147,16 @@ def test_one_entry_that_is_proved_does_not_prove_the_other(order):
 # -- the limits of ideal membership and of the search for points ------------------------------------------------------
 
 
-def test_what_needs_a_radical_is_proved_by_a_power():
-    proof = prove(x, 0, constraints=[x**2], witness={x: 0})
+@each_engine
+def test_what_needs_a_radical_is_proved_by_a_power(engine):
+    proof = prove(x, 0, constraints=[x**2], witness={x: 0}, engine=engine)
     assert (proof.verdict, proof.certificate["entries"][0]["exponent"]) == ("proved", 2)
 
 
-def test_what_is_true_over_the_reals_alone_is_proved_by_squares():
+@each_engine
+def test_what_is_true_over_the_reals_alone_is_proved_by_squares(engine):
     for side, constraint in ((0, x**2 + y**2), (1, x**3 - 1)):
-        proof = prove(x, side, constraints=[constraint])
+        proof = prove(x, side, constraints=[constraint], engine=engine)
         assert (proof.verdict, proof.certificate["method"]) == ("proved", "sums of squares")
 
 
@@ -159,21 +169,24 @@ IRRATIONAL = {
 }
 
 
+@each_engine
 @pytest.mark.parametrize(("lhs", "rhs", "constraints"), IRRATIONAL.values(), ids=IRRATIONAL)
-def test_without_rational_points_an_irrational_one_decides(request, lhs, rhs, constraints):
-    proof = prove(lhs, rhs, constraints=constraints)
+def test_without_rational_points_an_irrational_one_decides(request, engine, lhs, rhs, constraints):
+    proof = prove(lhs, rhs, constraints=constraints, engine=engine)
     assert proof.verdict == ("proved" if "true on" in request.node.callspec.id else "refuted")
     assert "extension" in proof.certificate
 
 
-def test_what_is_true_at_every_rational_point_but_not_at_every_real_one_is_not_proved():
-    assert prove(x, 0, constraints=[x * (x**2 - 2)], witness={x: 0}).verdict == "refuted"
+@each_engine
+def test_what_is_true_at_every_rational_point_but_not_at_every_real_one_is_not_proved(engine):
+    assert prove(x, 0, constraints=[x * (x**2 - 2)], witness={x: 0}, engine=engine).verdict == "refuted"
 
 
-def test_what_is_true_modulo_a_prime_is_refuted():
-    assert prove(x**7, x).verdict == "refuted"
-    assert prove((x + y) ** 5, x**5 + y**5).verdict == "refuted"
-    assert prove(x + 2**61 * y - y, x).verdict == "refuted"
+@each_engine
+def test_what_is_true_modulo_a_prime_is_refuted(engine):
+    assert prove(x**7, x, engine=engine).verdict == "refuted"
+    assert prove((x + y) ** 5, x**5 + y**5, engine=engine).verdict == "refuted"
+    assert prove(x + 2**61 * y - y, x, engine=engine).verdict == "refuted"
 
 
 VANISHES_ON_INTEGERS = {
@@ -187,9 +200,10 @@ VANISHES_ON_INTEGERS = {
 }
 
 
+@each_engine
 @pytest.mark.parametrize("polynomial", VANISHES_ON_INTEGERS.values(), ids=VANISHES_ON_INTEGERS)
-def test_what_vanishes_on_small_integers_is_still_refuted(polynomial):
-    proof = prove(polynomial, 0)
+def test_what_vanishes_on_small_integers_is_still_refuted(engine, polynomial):
+    proof = prove(polynomial, 0, engine=engine)
     assert proof.verdict == "refuted"
     point = {s: sympy.Rational(v.numerator, v.denominator) for s, v in proof.counterexample.items()}
     value = polynomial.doit().subs(point)
@@ -197,57 +211,62 @@ def test_what_vanishes_on_small_integers_is_still_refuted(polynomial):
     assert value != 0
 
 
-def test_a_search_that_finds_no_counterexample_proves_nothing(monkeypatch):
+@each_engine
+def test_a_search_that_finds_no_counterexample_proves_nothing(monkeypatch, engine):
     on_the_axis = {x: Fraction(0), y: Fraction(3)}
     monkeypatch.setattr(proving_module, "rational_points", lambda *_: repeat(on_the_axis))
-    assert unproved(prove(x * y, 0))
-    assert unproved(prove(sympy.Matrix([1, x]), sympy.Matrix([1, 0])))
+    assert unproved(prove(x * y, 0, engine=engine))
+    assert unproved(prove(sympy.Matrix([1, x]), sympy.Matrix([1, 0]), engine=engine))
 
 
-def test_a_search_on_constraints_that_finds_no_counterexample_proves_nothing(monkeypatch):
+@each_engine
+def test_a_search_on_constraints_that_finds_no_counterexample_proves_nothing(monkeypatch, engine):
     at_one = [Fraction(1), Fraction(1), Fraction(1)]
     monkeypatch.setattr(constrained, "real_points", lambda *_, **options: iter([list(at_one) for _ in range(9)]))
-    assert unproved(prove(x, 1, constraints=[x - y]))
+    assert unproved(prove(x, 1, constraints=[x - y], engine=engine))
 
 
 # -- what SymPy would do to an expression -----------------------------------------------------------------------------
 
 
-def test_a_cancelled_division_is_still_a_hypothesis():
-    assert prove(over(x, x), 1).hypotheses == (x,)
-    assert prove(over(0, x), 0).hypotheses == (x,)
-    assert prove(over(x, y) * over(y, x), 1).hypotheses == (x, y)
+@each_engine
+def test_a_cancelled_division_is_still_a_hypothesis(engine):
+    assert prove(over(x, x), 1, engine=engine).hypotheses == (x,)
+    assert prove(over(0, x), 0, engine=engine).hypotheses == (x,)
+    assert prove(over(x, y) * over(y, x), 1, engine=engine).hypotheses == (x, y)
 
 
+@each_engine
 @pytest.mark.parametrize(
     "name", ["E", "I", "N", "O", "Q", "S", "beta", "gamma", "zeta", "lambda", "pi", "oo", "GF", "zoo"]
 )
-def test_a_reserved_name_is_a_symbol_like_any_other(name):
+def test_a_reserved_name_is_a_symbol_like_any_other(engine, name):
     symbol = sympy.Symbol(name)
-    proof = prove(over(symbol**2 - x**2, symbol - x), symbol + x)
+    proof = prove(over(symbol**2 - x**2, symbol - x), symbol + x, engine=engine)
     assert proof.verdict == "proved"
     assert [sympy.expand(h**2 - (symbol - x) ** 2) for h in proof.hypotheses] == [0]
-    refuted = prove(symbol, 1)
+    refuted = prove(symbol, 1, engine=engine)
     assert (refuted.verdict, set(refuted.counterexample)) == ("refuted", {symbol})
-    constrained = prove(symbol**2, x**2, constraints=[symbol - x])
+    constrained = prove(symbol**2, x**2, constraints=[symbol - x], engine=engine)
     assert (constrained.verdict, set(constrained.certificate["witness"])) == ("proved", {name, "x"})
 
 
-def test_the_symbols_e_s_and_n_are_no_constants():
+@each_engine
+def test_the_symbols_e_s_and_n_are_no_constants(engine):
     e, s, n = map(sympy.Symbol, "ESN")
-    assert prove(over(e * s, n) * n, s * e).hypotheses == (n,)
-    assert prove(e, sympy.Rational(2718281828, 10**9)).verdict == "refuted"
+    assert prove(over(e * s, n) * n, s * e, engine=engine).hypotheses == (n,)
+    assert prove(e, sympy.Rational(2718281828, 10**9), engine=engine).verdict == "refuted"
 
 
-# -- polynomials that fail --------------------------------------------------------------------------------------------
+# -- engines that fail ------------------------------------------------------------------------------------------------
 
 
-class RingError(Exception):
+class EngineError(Exception):
     pass
 
 
 def failing(*_):
-    raise RingError
+    raise EngineError
 
 
 STATEMENTS = {
@@ -258,32 +277,37 @@ STATEMENTS = {
 }
 
 
+@each_engine
 @pytest.mark.parametrize(("lhs", "rhs", "constraints"), STATEMENTS.values(), ids=STATEMENTS)
-def test_polynomial_arithmetic_that_does_not_load_gives_no_verdict(monkeypatch, lhs, rhs, constraints):
-    monkeypatch.setattr(field_module, "Ring", failing)
-    with pytest.raises(RingError):
-        prove(lhs, rhs, constraints=constraints)
+def test_an_engine_that_does_not_load_gives_no_verdict(monkeypatch, engine, lhs, rhs, constraints):
+    monkeypatch.setattr(field_module, "ring", failing)
+    with pytest.raises(EngineError):
+        prove(lhs, rhs, constraints=constraints, engine=engine)
 
 
+@pytest.mark.parametrize(("engine", "ring"), [("flint", FlintRing), ("sympy", SympyRing)])
 @pytest.mark.parametrize("method", ["__init__", "constant", "terms", "factor"])
-def test_polynomial_arithmetic_that_fails_midway_gives_no_verdict(monkeypatch, method):
-    monkeypatch.setattr(Ring, method, failing)
-    with pytest.raises(RingError):
-        prove(over(x, y) + 1, over(x + y, y))
+def test_an_engine_that_fails_midway_gives_no_verdict(monkeypatch, engine, ring, method):
+    monkeypatch.setattr(ring, method, failing)
+    with pytest.raises(EngineError):
+        prove(over(x, y) + 1, over(x + y, y), engine=engine)
 
 
-def test_polynomial_arithmetic_that_fails_while_looking_for_cofactors_gives_no_verdict(monkeypatch):
-    monkeypatch.setattr(Ring, "polynomial", failing)
-    with pytest.raises(RingError):
-        prove(x**2, y**2, constraints=[x - y])
+@pytest.mark.parametrize(("engine", "ring"), [("flint", FlintRing), ("sympy", SympyRing)])
+def test_an_engine_that_fails_while_looking_for_cofactors_gives_no_verdict(monkeypatch, engine, ring):
+    monkeypatch.setattr(ring, "polynomial", failing)
+    with pytest.raises(EngineError):
+        prove(x**2, y**2, constraints=[x - y], engine=engine)
 
 
-def test_cofactors_that_do_not_multiply_out_are_not_believed(monkeypatch):
-    honest = Ring.polynomial
-    monkeypatch.setattr(Ring, "polynomial", lambda self, terms: honest(self, {p: v + 1 for p, v in terms.items()}))
-    assert unproved(prove(x**2, y**2, constraints=[x - y]))
+@pytest.mark.parametrize(("engine", "ring"), [("flint", FlintRing), ("sympy", SympyRing)])
+def test_cofactors_that_do_not_multiply_out_are_not_believed(monkeypatch, engine, ring):
+    honest = ring.polynomial
+    monkeypatch.setattr(ring, "polynomial", lambda self, terms: honest(self, {p: v + 1 for p, v in terms.items()}))
+    assert unproved(prove(x**2, y**2, constraints=[x - y], engine=engine))
 
 
-def test_an_undefined_statement_is_an_error_and_no_verdict():
+@each_engine
+def test_an_undefined_statement_is_an_error_and_no_verdict(engine):
     with pytest.raises(UndefinedError):
-        prove(over(x, over(y, y) - 1), over(x, over(y, y) - 1))
+        prove(over(x, over(y, y) - 1), over(x, over(y, y) - 1), engine=engine)

@@ -27,6 +27,7 @@ from algebroproj_sym.generating.program import Call, Program, Step, run
 from algebroproj_sym.generating.runtime import systems
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.generating.writing import NOTICE, PACKAGE, write
+from algebroproj_sym.proving import ENGINES
 from algebroproj_sym.study.arithmetics import double_double, float64_balls, mpmath_digits
 from algebroproj_sym.study.precision import apply, lift, nearest
 from algebroproj_sym.verifying.accuracy import measured
@@ -43,6 +44,7 @@ c, s, u, v, dx, dy, n0, n1, n2 = sympy.symbols("c s u v dx dy n0 n1 n2")
 x, y, z = sympy.symbols("x y z")
 
 silently = pytest.mark.filterwarnings("ignore::RuntimeWarning")
+every_engine = pytest.mark.parametrize("engine", ENGINES)
 
 
 def kernel(name, arguments, derived, through, **options):
@@ -717,9 +719,10 @@ def test_a_singular_system_has_no_truth():
 # Proving the source
 
 
+@every_engine
 @every_kernel
-def test_every_function_is_proved(declared, package):
-    assert in_general(declared).is_met_by(function_of(declared, package))
+def test_every_function_is_proved(declared, engine, package):
+    assert in_general(declared, engine).is_met_by(function_of(declared, package))
 
 
 def test_proving_leaves_the_functions_as_they_were(package):

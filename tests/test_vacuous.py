@@ -52,9 +52,9 @@ def is_open(result):
 
 @each
 @sides
-@pytest.mark.parametrize("decide", [prove, thorough])
-def test_prove(decide, lhs, rhs, constraints, nonzero):
-    assert is_open(decide(lhs, rhs, constraints=constraints, nonzero=nonzero))
+@pytest.mark.parametrize(("decide", "engine"), [(prove, "flint"), (prove, "sympy"), (thorough, "flint")])
+def test_prove(decide, engine, lhs, rhs, constraints, nonzero):
+    assert is_open(decide(lhs, rhs, constraints=constraints, nonzero=nonzero, engine=engine))
 
 
 @each

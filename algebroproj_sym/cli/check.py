@@ -12,11 +12,12 @@ from algebroproj_sym.cli import options
 
 @click.command()
 @options.selectors
+@options.engine
 @options.jobs
 @options.output_format
 @options.full
 @options.seconds
-def check(selectors: tuple[str, ...], jobs: int, output: str, full: bool, seconds: float) -> None:
+def check(selectors: tuple[str, ...], engine: str, jobs: int, output: str, full: bool, seconds: float) -> None:
     """Judge claims, and compare each verdict with the declared one.
 
     A SELECTOR is a paper (okamoto1981), a section (okamoto1981:2.1), a number (okamoto1981:24), or the path of
@@ -28,14 +29,14 @@ def check(selectors: tuple[str, ...], jobs: int, output: str, full: bool, second
     """
     files = [Path(selector) for selector in selectors if selector.endswith(".json")]
     if not files:
-        _check_claims(selectors, jobs, output, full=full)
+        _check_claims(selectors, engine, jobs, output, full=full)
     elif len(files) < len(selectors):
         raise click.UsageError("expected either claims or files of identities, got both")
     else:
-        _check_files(files, jobs, output, seconds)
+        _check_files(files, engine, jobs, output, seconds)
 
 
-def _check_claims(selectors: Sequence[str], jobs: int, output: str, *, full: bool) -> None:
+def _check_claims(selectors: Sequence[str], engine: str, jobs: int, output: str, *, full: bool) -> None:
     from algebroproj_sym.cli.judging import judged, require_as_declared, say_what_is_wrong
     from algebroproj_sym.cli.terminal import console, echo_json, show, verbosity
     from algebroproj_sym.declaring import located, quotes_of
@@ -43,7 +44,7 @@ def _check_claims(selectors: Sequence[str], jobs: int, output: str, *, full: boo
     from algebroproj_sym.reporting.tables import claims_table, summary_text
 
     found = located(selectors)
-    judgements = judged([claim for _, claim in found], jobs)
+    judgements = judged([claim for _, claim in found], jobs, engine)
     if output == "json":
         echo_json(ledger(judgements, quotes_of(derivation for derivation, _ in found), jobs=jobs))
     else:
@@ -54,14 +55,14 @@ def _check_claims(selectors: Sequence[str], jobs: int, output: str, *, full: boo
     require_as_declared(judgements)
 
 
-def _check_files(files: Sequence[Path], jobs: int, output: str, seconds: float) -> None:
+def _check_files(files: Sequence[Path], engine: str, jobs: int, output: str, seconds: float) -> None:
     from algebroproj_sym.cli.terminal import console, echo_json, progressing, show
     from algebroproj_sym.declaring import Answer, MalformedFileError, identities
     from algebroproj_sym.proving import outcomes
     from algebroproj_sym.reporting.answers import answers_record, answers_summary, answers_table
 
     chosen = [identity for file in files for identity in identities(file)]
-    decided = outcomes([identity.question for identity in chosen], seconds=seconds, jobs=jobs)
+    decided = outcomes([identity.question for identity in chosen], seconds=seconds, engine=engine, jobs=jobs)
     answers = []
     for identity, outcome in zip(chosen, progressing(decided, len(chosen), "deciding"), strict=True):
         if outcome.unreadable:

@@ -11,7 +11,8 @@ from algebroproj_sym.cli import options
 @options.required_selectors
 @options.output_as("text", "markdown", help="Format of the output. Markdown has formulas in LaTeX.")
 @click.option("--full", is_flag=True, help="Show long forms and lists as a whole.")
-def explain(selectors: tuple[str, ...], output: str, full: bool) -> None:
+@options.engine
+def explain(selectors: tuple[str, ...], output: str, full: bool, engine: str) -> None:
     """Show one claim: the printed form, the derived form, the verdict and the evidence.
 
     SELECTOR names a claim, such as okamoto1981:24, or a section, module or folder, as for check.
@@ -30,7 +31,7 @@ def explain(selectors: tuple[str, ...], output: str, full: bool) -> None:
     kernels = kernels_on((claim for _, claim in found), [split(selector)[0] for selector in selectors])
     judgements = []
     for derivation, claim in found:
-        judgement = judge(claim)
+        judgement = judge(claim, engine)
         judgements.append(judgement)
         if output == "markdown":
             echo(f"{markdown(judgement)}\n")

@@ -20,9 +20,9 @@ ADVICE = (
 )
 
 
-def judged(claims: Sequence[Claim], jobs: int) -> list[Judgement]:
+def judged(claims: Sequence[Claim], jobs: int, engine: str = "flint") -> list[Judgement]:
     """Judge claims, in order."""
-    return list(progressing(judge_all(claims, jobs), len(claims), "checking"))
+    return list(progressing(judge_all(claims, engine, jobs), len(claims), "checking"))
 
 
 def say_what_is_wrong(judgements: Sequence[Judgement]) -> None:

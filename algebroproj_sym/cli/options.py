@@ -11,6 +11,13 @@ import click
 
 from algebroproj_sym.cli.completing import selectors_like
 
+engine = click.option(
+    "--engine",
+    type=click.Choice(("flint", "sympy")),
+    default="flint",
+    show_default=True,
+    help="Library for the polynomials of the proofs.",
+)
 jobs = click.option(
     "--jobs", type=click.IntRange(min=1), default=1, show_default=True, metavar="N", help="Number of worker processes."
 )

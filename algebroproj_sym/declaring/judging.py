@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import sympy
@@ -33,6 +34,8 @@ class Judgement:
         The evidence for the printed form, or for the corrected form if the printed form is refuted.
     counterexample : mapping of Symbol to Fraction, or None
         A point where the printed form fails; in letters it has exact matrices, and the sizes as integers.
+    engine : str
+        The library for polynomials that was used.
     seconds : float
         The time it took.
     """
@@ -42,6 +45,7 @@ class Judgement:
     hypotheses: tuple[Any, ...]
     certificate: Mapping[str, Any] | None
     counterexample: Mapping[sympy.Symbol, Any] | None
+    engine: str
     seconds: float
 
     @property
@@ -50,13 +54,15 @@ class Judgement:
         return self.verdict == self.claim.expected
 
 
-def judge(claim: Claim) -> Judgement:
+def judge(claim: Claim, engine: str = "flint") -> Judgement:
     """Decide a claim.
 
     Parameters
     ----------
     claim : Claim
         As declared by a derivation.
+    engine : {"flint", "sympy"}
+        The library for polynomials.
 
     Returns
     -------
@@ -72,7 +78,7 @@ def judge(claim: Claim) -> Judgement:
     'misprint'
     """
     start = time.perf_counter()
-    printed, corrected = _compared(claim, claim.printed), _compared(claim, claim.corrected)
+    printed, corrected = _compared(claim, claim.printed, engine), _compared(claim, claim.corrected, engine)
     verdict = _verdict(claim, printed, corrected)
     evidence = _evidence(verdict, printed, corrected)
     return Judgement(
@@ -81,26 +87,27 @@ def judge(claim: Claim) -> Judgement:
         hypotheses=evidence.hypotheses,
         certificate=_with_whole_witness(claim, verdict, evidence.certificate),
         counterexample=None if printed is None else _completed(claim, claim.printed, printed.counterexample),
+        engine=engine,
         seconds=time.perf_counter() - start,
     )
 
 
-def judge_all(claims: Sequence[Claim], jobs: int = 1) -> Iterator[Judgement]:
+def judge_all(claims: Sequence[Claim], engine: str = "flint", jobs: int = 1) -> Iterator[Judgement]:
     """Decide claims in some processes, in order; the judgements have the very claims that were given."""
-    for claim, found in zip(claims, mapped(_found, claims, jobs), strict=True):
+    for claim, found in zip(claims, mapped(partial(_found, engine=engine), claims, jobs), strict=True):
         yield Judgement(claim=claim, **found)
 
 
-def _found(claim: Claim) -> dict[str, Any]:
+def _found(claim: Claim, engine: str) -> dict[str, Any]:
     """Return a judgement without its claim, whose forms take longer to be sent than to be judged."""
-    return {name: value for name, value in vars(judge(claim)).items() if name != "claim"}
+    return {name: value for name, value in vars(judge(claim, engine)).items() if name != "claim"}
 
 
-def _compared(claim: Claim, form: Statement | None) -> Proof | None:
+def _compared(claim: Claim, form: Statement | None, engine: str) -> Proof | None:
     if form is None:
         return None
     try:
-        return KINDS[claim.kind].compare(claim, in_derived_terms(form, claim.where))
+        return KINDS[claim.kind].compare(claim, in_derived_terms(form, claim.where), engine)
     except ZeroDivisionError:
         where = f"claim {claim.paper}:{claim.number}"
         raise UndefinedError(f"{where}: expected denominators that are not identically zero") from None

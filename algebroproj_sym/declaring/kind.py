@@ -72,9 +72,9 @@ class Kind:
     """As the ledger has it."""
     declare: Callable[..., Claim]
     """It declares a claim of the kind in a section, of which it becomes a method."""
-    compare: Callable[[Claim, Any], Proof]
-    """It takes a claim, its printed or corrected form in the terms of the derived one, and returns a `Proof`.
-    Every decision in it is made by `prove`."""
+    compare: Callable[[Claim, Any, str], Proof]
+    """It takes a claim, its printed or corrected form in the terms of the derived one, and an engine, and returns a
+    `Proof`.  Every decision in it is made by `prove`."""
     says: str | Callable[[Claim], str]
     """A sentence: how the printed form is compared with the derived one."""
     transcribe: Callable[..., Any] = transcribed

@@ -39,7 +39,7 @@ def factored(kernel: Kernel) -> Kernel | None:
     """
     if kernel.stages:
         return None
-    field = RationalFunctionField(kernel.symbols)
+    field = RationalFunctionField(kernel.symbols, "flint")
     names = _abbreviations(kernel, field)
     forms = list[Scalar]()
     for value in evaluate(kernel.derived, field.variables, field.lift):

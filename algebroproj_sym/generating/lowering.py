@@ -91,7 +91,7 @@ def lowered_form(kernel: Kernel, reciprocals: bool = False) -> Lowered:
     It raises `LoweringError` if the program, run on rational functions, does not give the derived expression, or an
     entry is a constant fraction, which integers cannot give.
     """
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate))
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     wanted = (*(stage.derived for stage in kernel.stages), kernel.derived)
     derived = [value for expression in wanted for value in evaluate(expression, field.variables, field.lift)]
     hypotheses = field.divisors()
@@ -129,7 +129,7 @@ def computed_values(program: Program, field: RationalFunctionField) -> tuple[Any
 
 def divisors_of(kernel: Kernel, program: Program) -> tuple[Scalar, ...]:
     """Return the irreducible factors by which a program divides."""
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate))
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     computed_values(program, field)
     return field.divisors()
 

@@ -26,7 +26,7 @@ def mirrored(kernel: Kernel) -> list[Kernel]:
     >>> [each.form[0, 1] for each in mirrored(kernel)]
     [a*(a + b), a**2 + a*b]
     """
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate))
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     signs = [_sign(result, field) for result in kernel.results]
     if not any(signs):
         return [kernel]

@@ -79,7 +79,7 @@ def _fate(claim: Claim, form: Any) -> tuple[Fate, str]:
     """Return what becomes of a changed form, and why it survives or is undefined."""
     try:
         asked, changed = _where_changed(claim, form)
-        proof = KINDS[claim.kind].compare(asked, in_derived_terms(changed, claim.where))
+        proof = KINDS[claim.kind].compare(asked, in_derived_terms(changed, claim.where), "flint")
     except (UndefinedError, DeclarationError, ZeroDivisionError) as error:
         return "undefined", str(error).partition("\n")[0][:200]
     if proof.verdict == "refuted":

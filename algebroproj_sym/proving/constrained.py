@@ -1,7 +1,7 @@
 """Equality under constraints: what follows by steps, bases, saturation, radicals, squares or cases, and real points.
 
 A proof lists steps, each an identity, and for each entry an identity ``claim**exponent * multiplier == sum``,
-the multiplier a product of what does not vanish.  All is multiplied out again in the ring of the question.  A real
+the multiplier a product of what does not vanish.  All is multiplied out again in the engine of the question.  A real
 point at which constraints and hypotheses hold belongs to it.  Where translations change nothing, all is at the origin.
 Where bases find nothing, cases are distinguished.  What sums of squares say over the reals comes last.  A refutation is
 a real point, rational or in Q(r) for one real root r, at which both sides are defined and differ.
@@ -62,6 +62,7 @@ class Problem:
         seed: int,
         given: Sequence[Mapping[sympy.Symbol, Fraction]] = (),
         admits: Callable[[RealPoint], bool] = lambda point: True,
+        engine: str = "flint",
     ) -> None:
         self.field = field
         self.left, self.right = left, right
@@ -70,6 +71,7 @@ class Problem:
         self.seed = seed
         self.given = given
         self.admits = admits
+        self.engine = engine
         names = (*(f"x{place}" for place in range(len(field.symbols))), "spare")
         self.context = flint.fmpq_mpoly_ctx.get(names, flint.Ordering.degrevlex)
         self.claims = [*map(self._into, numerators)]
@@ -84,7 +86,7 @@ class Problem:
         self.search = Work(MOST_OF_SEARCH)
 
     def _frame(self, polynomials: Sequence[Any]) -> Frame:
-        """Return the translations that change nothing in the question, as the ring of the question confirms."""
+        """Return the translations that change nothing in the question, as the engine of the question confirms."""
         frame = frame_of([*self.claims, *self.generators, *self.units], self.context)
         directions = [list(map(fraction, direction)) for direction in frame.directions.values()]
         terms = [self.field.ring.terms(polynomial) for polynomial in polynomials] if directions else []
@@ -194,7 +196,7 @@ class Problem:
         return None if end is None else Case(None, asked.steps, end)
 
     def _proved(self, proof: Case | None) -> Proof | None:
-        """Return a proof with a witness, if all of it multiplies out in the ring of the question."""
+        """Return a proof with a witness, if all of it multiplies out in the engine of the question."""
         if proof is None or self.witness is None:
             return None
         given = len(self.zeros)
@@ -220,7 +222,7 @@ class Problem:
             "entries": record["cases"],
             "witness": self.witness.texts(),
         }
-        return Proof("proved", self.field.divisors(), certificate | self.witness.extension(), None)
+        return Proof("proved", self.field.divisors(), certificate | self.witness.extension(), None, self.engine)
 
     def _everywhere(self, end: Any) -> Case:
         """Return what is a combination at the origin as one at all points."""
@@ -286,10 +288,10 @@ class Problem:
         shown = {name: [*map(_text, values)] for name, values in sides.items()}
         point = {"point": place.texts()} if place.field else {}
         certificate = {"method": "counterexample"} | shown | point | place.extension()
-        return Proof("refuted", (), certificate, place.shown())
+        return Proof("refuted", (), certificate, place.shown(), self.engine)
 
     def _open(self, reason: str) -> Proof:
-        return undecided(reason, self.field.divisors())
+        return undecided(reason, self.engine, self.field.divisors())
 
 
 def _one_by_one(proof: Case) -> list[Case]:

@@ -65,7 +65,7 @@ def rational_zeros(
     >>> point[x]**2 + point[y]**2, point[z]**2 + point[t]**2
     (Fraction(25, 1), Fraction(169, 1))
     """
-    field = RationalFunctionField(symbols)
+    field = RationalFunctionField(symbols, "flint")
     polynomials = [evaluate(expression, field.variables, field.lift)[0].numerator for expression in expressions]
     context = polynomials[0].context()
     parts = [

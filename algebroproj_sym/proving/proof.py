@@ -31,6 +31,8 @@ class Proof:
         The evidence of a proof, or why the statement stays open.
     counterexample : mapping of Symbol to Fraction, or None
         A point at which both sides are defined and differ; with constraints it may have SymPy's real algebraic numbers.
+    engine : str
+        The polynomial arithmetic that was used.
     assumptions : tuple of sympy.Symbol, or of str
         Symbols of which SymPy assumes more than that they are real: the statement is made for such numbers alone.
         With real functions all that is assumed, as text.
@@ -42,10 +44,11 @@ class Proof:
     hypotheses: tuple[Any, ...]
     certificate: Mapping[str, Any] | None
     counterexample: Mapping[sympy.Symbol, Fraction] | None
+    engine: str
     assumptions: tuple[Any, ...] = ()
     scope: str = ""
 
 
-def undecided(reason: str, hypotheses: tuple[Any, ...] = ()) -> Proof:
+def undecided(reason: str, engine: str = "flint", hypotheses: tuple[Any, ...] = ()) -> Proof:
     """Return that a statement stays open, and why."""
-    return Proof("open", hypotheses, {"method": "none", "reason": reason}, None)
+    return Proof("open", hypotheses, {"method": "none", "reason": reason}, None, engine)

@@ -33,6 +33,7 @@ from algebroproj_sym.expressions import (
 )
 from algebroproj_sym.expressions.exact import fmpq
 from algebroproj_sym.proving.constrained import NO_POINT, Problem
+from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.points import Point, rational_points, seed_of, vanish
 from algebroproj_sym.proving.proof import Proof, UndefinedError, undecided
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField
@@ -51,6 +52,7 @@ def prove(
     constraints: Sequence[Any] = (),
     nonzero: Sequence[Any] = (),
     witness: Witness | None = None,
+    engine: str = "flint",
     assumptions: Sequence[sympy.Symbol] = (),
 ) -> Proof:
     """Decide whether two rational expressions are equal; `algebroproj_sym.prove` says what the arguments are.
@@ -68,7 +70,7 @@ def prove(
     SymbolError
         If a symbol cannot be written, stands for no rational number, or is another one of the same name.
     ValueError
-        If the shapes differ, a constraint is a matrix or the witness violates a constraint.
+        If the shapes differ, the engine is unknown, a constraint is a matrix or the witness violates a constraint.
 
     Examples
     --------
@@ -81,12 +83,14 @@ def prove(
     >>> prove(x, 0, nonzero=[x - x]).certificate["reason"]
     'nonzero[0] is always zero, so no point satisfies the conditions'
     """
+    if engine not in ENGINES:
+        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
     left, right = rational(lhs, "lhs", assuming=True), rational(rhs, "rhs", assuming=True)
     if shape(left) != shape(right):
         raise ValueError(f"prove: expected two sides of one shape, got {shape(left)} and {shape(right)}")
     given = tuple(_scalar(expression, "constraints") for expression in constraints)
     units = tuple(_scalar(expression, "nonzero") for expression in nonzero)
-    question = _question(left, right, given, units, witness, assumptions)
+    question = _question(left, right, given, units, witness, engine, assumptions)
     proof = _decided(question)
     return replace(proof, assumptions=tuple(question.assumed.values())) if question.assumed else proof
 
@@ -97,6 +101,7 @@ def _question(
     constraints: Sequence[sympy.Expr],
     nonzero: Sequence[sympy.Expr],
     witness: Witness | None,
+    engine: str,
     assumptions: Sequence[sympy.Symbol],
 ) -> _Question:
     """Put plain symbols for those with assumptions, of which those that are not zero do not vanish."""
@@ -110,14 +115,14 @@ def _question(
     stated = {kept: symbol for symbol, kept in plain.items() if not is_plain(symbol)}
     implied = [kept for kept, symbol in stated.items() if symbol.is_zero is False and kept not in nonzero]
     point = None if witness is None else _witness(witness)
-    return _Question(left, right, tuple(constraints), (*nonzero, *implied), point, stated)
+    return _Question(left, right, tuple(constraints), (*nonzero, *implied), point, engine, stated)
 
 
 def _decided(question: _Question) -> Proof:
     given = question.given_witnesses() if question.constraints else []
     reason = _contradiction(question)
     if reason is not None:
-        return undecided(reason)
+        return undecided(reason, question.engine)
     return _prove_constrained(question, given) if question.constraints else _prove_identity(question)
 
 
@@ -125,7 +130,7 @@ def _contradiction(question: _Question) -> str | None:
     """Return why some condition holds at no point; None if each may hold."""
     if not question.constraints and not question.nonzero:
         return None
-    field = RationalFunctionField(question.symbols)
+    field = RationalFunctionField(question.symbols, question.engine)
     for argument, conditions in {"constraints": question.constraints, "nonzero": question.nonzero}.items():
         for place, condition in enumerate(conditions):
             try:
@@ -154,6 +159,7 @@ class _Question:
     constraints: tuple[sympy.Expr, ...]
     nonzero: tuple[sympy.Expr, ...]
     witness: Point | None
+    engine: str
     assumed: Mapping[sympy.Symbol, sympy.Symbol]
     """The symbols with assumptions, by the plain ones."""
 
@@ -236,14 +242,14 @@ def _prove_identity(question: _Question) -> Proof:
     field, difference = _normal_form(question)
     if all(entry.is_zero for entry in difference):
         if question.assumed and all(question.differs_at(point) is None for point in question.points()):
-            return undecided(NO_POINT, field.divisors())
+            return undecided(NO_POINT, question.engine, field.divisors())
         certificate = {"method": "normal form", "denominators": [text(factor) for factor in field.divisors()]}
-        return Proof("proved", field.divisors(), certificate, None)
+        return Proof("proved", field.divisors(), certificate, None, question.engine)
     refuting = _first_difference(question, SEARCH_POINTS)
     if refuting is not None:
         return _refuted(question, refuting)
     reason = "the normal form is not zero, but no counterexample was found"
-    return undecided(reason, field.divisors())
+    return undecided(reason, question.engine, field.divisors())
 
 
 def _prove_constrained(question: _Question, given: Sequence[Point]) -> Proof:
@@ -258,11 +264,12 @@ def _prove_constrained(question: _Question, given: Sequence[Point]) -> Proof:
         seed=question.seed,
         given=given,
         admits=question.admits,
+        engine=question.engine,
     ).decided()
 
 
 def _normal_form(question: _Question) -> tuple[RationalFunctionField, list[RationalFunction]]:
-    field = RationalFunctionField(question.symbols)
+    field = RationalFunctionField(question.symbols, question.engine)
     try:
         left = evaluate(question.left, field.variables, field.lift)
         right = evaluate(question.right, field.variables, field.lift)
@@ -289,4 +296,4 @@ def _refuted(question: _Question, point: Point) -> Proof:
         "right": [str(fmpq(value)) for value in evaluate(question.right, point)],
     }
     used = {symbol: point[symbol] for symbol in question.symbols}
-    return Proof("refuted", (), certificate, used)
+    return Proof("refuted", (), certificate, used, question.engine)

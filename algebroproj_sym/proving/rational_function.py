@@ -16,7 +16,7 @@ from typing import Any
 import sympy
 
 from algebroproj_sym.expressions import written
-from algebroproj_sym.proving.ring import Ring
+from algebroproj_sym.proving.engines import Ring, ring
 
 Exponents = tuple[tuple[int, int], ...]
 
@@ -28,13 +28,15 @@ class RationalFunctionField:
     ----------
     symbols : sequence of sympy.Symbol
         The variables.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic.
     spend : callable, optional
         It is told how many products of terms come next, before they are computed, and may raise an error.
 
     Examples
     --------
     >>> x, y = sympy.symbols("x y")
-    >>> field = RationalFunctionField([x, y])
+    >>> field = RationalFunctionField([x, y], "flint")
     >>> a, b = field.variables.values()
     >>> (1 / (a - b) + 1 / (b - a)).is_zero
     True
@@ -42,8 +44,10 @@ class RationalFunctionField:
     (x - y,)
     """
 
-    def __init__(self, symbols: Sequence[sympy.Symbol], spend: Callable[[int], None] = lambda products: None) -> None:
-        self.ring = Ring([f"x{place}" for place in range(len(symbols))])
+    def __init__(
+        self, symbols: Sequence[sympy.Symbol], engine: str, spend: Callable[[int], None] = lambda products: None
+    ) -> None:
+        self.ring: Ring = ring(engine, [f"x{place}" for place in range(len(symbols))])
         self.symbols = tuple(symbols)
         self.factors: list[Any] = []
         self.spend = spend

@@ -21,7 +21,7 @@ def reduced(expression: Expression) -> Expression:
     >>> reduced((x**2 - y**2) / (x**2 + 2*x*y + y**2))
     (x - y)/(x + y)
     """
-    field = RationalFunctionField(symbols_of((expression,)))
+    field = RationalFunctionField(symbols_of((expression,)), "flint")
     values = evaluate(expression, field.variables, field.lift)
     written = [_written(divided(entry), value) for entry, value in zip(entries(expression), values, strict=True)]
     if isinstance(expression, sympy.MatrixBase):

@@ -37,6 +37,7 @@ def prove(
     nonzero: Sequence[Any] = (),
     assumptions: Sequence[Any] = (),
     witness: Witness | None = None,
+    engine: str = "flint",
     properties: Mapping[Any, Any] | None = None,
     letters: Mapping[str, str] | None = None,
     complex: Sequence[str] | None = None,
@@ -59,6 +60,8 @@ def prove(
         What holds beside them, such as ``x > 0`` or ``0 < x < pi``; then the symbols are real numbers.
     witness : mapping of Symbol, or name, to rational number, optional
         A point that satisfies constraints and hypotheses, where no search would find one; numbers may also be text.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
     properties : mapping of MatrixSymbol, or name, to str or tuple of str, optional
         What letters are: rotation, orthogonal, symmetric, skew, unit, positive definite, diagonal, idempotent, or of a
         rank, such as rank 2.
@@ -97,7 +100,7 @@ def prove(
     LetterError
         If letters do not fit together, are not declared, or have a property that is unknown.
     ValueError
-        If the shapes differ, a constraint is a matrix, or the witness violates a constraint or
+        If the shapes differ, the engine is unknown, a constraint is a matrix, or the witness violates a constraint or
         has a value for a symbol that does not occur.
 
     Examples
@@ -143,7 +146,7 @@ def prove(
                 raise ValueError(f"{argument}: expected none for a statement in letters")
         if relation != "=":
             raise UnsupportedError(f"relation: expected '=' for a statement in letters, got {relation!r}")
-        return _of_letters(lhs, rhs, constraints, nonzero, properties, letters)
+        return _of_letters(lhs, rhs, constraints, nonzero, properties, letters, engine)
     names = _complex_names(forms, complex)
     if names is not None:
         return _complex(lhs, rhs, relation, constraints, nonzero, assumptions, witness, names)
@@ -154,7 +157,7 @@ def prove(
     ):
         return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
     try:
-        return _rational(lhs, rhs, constraints, nonzero, witness)
+        return _rational(lhs, rhs, constraints, nonzero, witness, engine)
     except (ParseError, NotRationalError):
         if not any(map(has_functions, forms)):
             raise
@@ -261,13 +264,15 @@ def _real(
     return proof_of_matrix(lhs, rhs, lambda a, b: proof_of(a, b, constraints, nonzero, conditions, witness))
 
 
-def _rational(lhs: Any, rhs: Any, constraints: Sequence[Any], nonzero: Sequence[Any], witness: Witness | None) -> Proof:
+def _rational(
+    lhs: Any, rhs: Any, constraints: Sequence[Any], nonzero: Sequence[Any], witness: Witness | None, engine: str
+) -> Proof:
     left, right = _read(lhs, "lhs"), _read(rhs, "rhs")
     zeros = [_zero(constraint, f"constraints[{i}]") for i, constraint in enumerate(constraints)]
     units = [_read(unit, f"nonzero[{i}]") for i, unit in enumerate(nonzero)]
     if isinstance(witness, Mapping):
         _require_known(witness, (left, right, *zeros, *units))
-    return decided(left, right, constraints=zeros, nonzero=units, witness=witness)
+    return decided(left, right, constraints=zeros, nonzero=units, witness=witness, engine=engine)
 
 
 def speaks_of_letters(values: Iterable[Any]) -> bool:
@@ -284,15 +289,16 @@ def _of_letters(
     nonzero: Sequence[Any],
     properties: Mapping[Any, Any] | None,
     letters: Mapping[str, str] | None,
+    engine: str,
 ) -> Proof:
     """Decide a statement in letters; what that needs is imported for it alone."""
     from algebroproj_sym.proving.letters import prove_letters, prove_texts
 
     if letters is None:
-        return prove_letters(lhs, rhs, constraints=constraints, nonzero=nonzero, properties=properties)
+        return prove_letters(lhs, rhs, constraints=constraints, nonzero=nonzero, properties=properties, engine=engine)
     if properties:
         raise ValueError("properties: expected none beside letters, which have their own")
-    return prove_texts(lhs, rhs, letters, constraints=constraints, nonzero=nonzero)
+    return prove_texts(lhs, rhs, letters, constraints=constraints, nonzero=nonzero, engine=engine)
 
 
 def _kind(given: Any) -> str:

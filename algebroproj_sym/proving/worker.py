@@ -20,26 +20,38 @@ MEMORY_BYTES = 4 * 2**30
 
 @dataclass(frozen=True)
 class Question:
-    """An identity as text."""
+    """An identity as text.
+
+    Attributes
+    ----------
+    lhs, rhs : str
+        The two sides.
+    constraints, nonzero : tuple of str
+        What is zero, and what is not.
+    witness : mapping of name to text of a rational number, or None
+        A point at which they hold.
+    variables : tuple of str, or None
+        The names that may occur; None for any.
+    assumptions : tuple of str
+        Comparisons that hold.
+    letters : mapping of name to text, or None
+        The vectors and matrices among the names, such as ``3x3 rotation``.
+    relation : str
+        Between the two sides.
+    complex : tuple of str, or None
+        The complex variables of a statement about complex numbers.
+    """
 
     lhs: str
     rhs: str
-    """The two sides."""
     constraints: tuple[str, ...] = ()
     nonzero: tuple[str, ...] = ()
-    """What is zero, and what is not."""
     witness: Mapping[str, str] | None = None
-    """A point at which they hold."""
     variables: tuple[str, ...] | None = None
-    """The names that may occur; None for any."""
     assumptions: tuple[str, ...] = ()
-    """Comparisons that hold."""
     letters: Mapping[str, str] | None = None
-    """The vectors and matrices among the names, such as ``3x3 rotation``."""
     relation: str = "="
-    """Between the two sides."""
     complex: tuple[str, ...] | None = None
-    """The complex variables of a statement about complex numbers."""
 
     @property
     def named_texts(self) -> Iterator[tuple[str, str]]:
@@ -51,27 +63,41 @@ class Question:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a question."""
+    """What became of a question.
+
+    Attributes
+    ----------
+    verdict : {"proved", "refuted", "open", "error"}
+        ``"error"`` if there is no decision because something failed.
+    method : str
+        How it was decided, ``"none"`` if it was not.
+    seconds : float
+        How long it took.
+    reason : str
+        Why it is open or an error, else empty.
+    hypotheses : tuple of str
+        What must not vanish, for a proof.
+    counterexample : mapping of name to text, or None
+        For a refutation.
+    certificate : mapping or None
+        The evidence.
+    unreadable : bool
+        Whether the error is one of the text: the reason names what cannot be read.
+    """
 
     verdict: str
-    """``"error"`` if there is no decision because something failed."""
     method: str
-    """How it was decided, ``"none"`` if it was not."""
     seconds: float
-    """How long it took."""
     reason: str = ""
-    """Why it is open or an error, else empty."""
     hypotheses: tuple[str, ...] = ()
-    """What must not vanish, for a proof."""
     counterexample: Mapping[str, Any] | None = None
-    """For a refutation."""
     certificate: Mapping[str, Any] | None = field(default=None, repr=False)
-    """The evidence."""
     unreadable: bool = False
-    """Whether the error is one of the text: the reason names what cannot be read."""
 
 
-def outcomes(questions: Sequence[Question], *, seconds: float, jobs: int = 1) -> Iterator[Outcome]:
+def outcomes(
+    questions: Sequence[Question], *, seconds: float, engine: str = "flint", jobs: int = 1
+) -> Iterator[Outcome]:
     """Decide questions, in order, each within a time limit.
 
     Parameters
@@ -80,6 +106,8 @@ def outcomes(questions: Sequence[Question], *, seconds: float, jobs: int = 1) ->
         As text.
     seconds : float
         How long each may take.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
     jobs : int
         How many worker processes.
 
@@ -87,7 +115,7 @@ def outcomes(questions: Sequence[Question], *, seconds: float, jobs: int = 1) ->
     ------
     Outcome
     """
-    workers = [_Worker() for _ in range(jobs)]
+    workers = [_Worker(engine) for _ in range(jobs)]
     free: queue.Queue[_Worker] = queue.Queue()
     for worker in workers:
         free.put(worker)
@@ -111,7 +139,8 @@ def outcomes(questions: Sequence[Question], *, seconds: float, jobs: int = 1) ->
 class _Worker:
     """A process that decides one question after the other, started again after it was killed."""
 
-    def __init__(self) -> None:
+    def __init__(self, engine: str) -> None:
+        self._engine = engine
         self._process: Any = None
         self._connection: Any = None
 
@@ -141,7 +170,7 @@ class _Worker:
     def _start(self) -> bool:
         context = get_context("spawn")
         connection, other = context.Pipe()
-        process = context.Process(target=_serve, args=(other,), daemon=True)
+        process = context.Process(target=_serve, args=(other, self._engine), daemon=True)
         with suppress(EOFError, OSError):
             process.start()
             self._process, self._connection = process, connection
@@ -156,7 +185,7 @@ class _Worker:
         return Outcome("error", "none", seconds, reason)
 
 
-def _serve(connection: Any) -> None:
+def _serve(connection: Any, engine: str) -> None:
     import algebroproj_sym.proving.statements  # noqa: F401 - a slow import must not count as time of a question
 
     with suppress(ImportError, ValueError, OSError):
@@ -168,12 +197,12 @@ def _serve(connection: Any) -> None:
         while True:
             question = connection.recv()
             try:
-                connection.send(_decided(question))
+                connection.send(_decided(question, engine))
             except Exception as error:  # anything that fails is reported as a failure, never as a verdict
                 connection.send(f"{type(error).__name__}: {str(error)[:500]}")
 
 
-def _decided(question: Question) -> Outcome:
+def _decided(question: Question, engine: str) -> Outcome:
     from algebroproj_sym.proving.points import point_record
     from algebroproj_sym.proving.proof import UndefinedError
     from algebroproj_sym.proving.statements import prove
@@ -190,6 +219,7 @@ def _decided(question: Question) -> Outcome:
             nonzero=question.nonzero,
             assumptions=question.assumptions,
             witness=question.witness,
+            engine=engine,
             letters=question.letters,
             complex=question.complex,
         )

@@ -79,7 +79,7 @@ def require_entry(record: Mapping[str, Any]) -> None:
     )
     require(quoted, "quote: expected line, latex and how damaged places of it are read")
     require(setting.keys() <= SETTINGS[record["kind"]], f"setting: unknown entries in {sorted(setting)}")
-    require(record["engine"] == "flint", f"unknown engine {record['engine']!r}")
+    require(record["engine"] in ("flint", "sympy"), f"unknown engine {record['engine']!r}")
     require_seconds(record)
     require(record["declaration"] == declaration_digest(record), "the digest differs from that of the declaration")
 

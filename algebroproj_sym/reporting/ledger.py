@@ -20,8 +20,6 @@ from algebroproj_sym.proving import point_record
 from algebroproj_sym.replaying import declaration_digest
 
 SCHEMA = 1
-ENGINE = "flint"
-"""The library for the polynomials of the proofs."""
 
 Quotes: TypeAlias = Mapping[tuple[str, str], Quote]
 
@@ -58,7 +56,7 @@ def claim_record(judgement: Judgement, quotes: Quotes | None = None, *, timed: b
         "hypotheses": [*map(statement_text, judgement.hypotheses)],
         "counterexample": None if counterexample is None else point_record(counterexample),
         "certificate": judgement.certificate,
-        "engine": ENGINE,
+        "engine": judgement.engine,
     }
     return record | {"seconds": round(judgement.seconds, 4)} if timed else record
 

@@ -135,7 +135,7 @@ _LINEAR: Mapping[str, Callable[[Sequence[Any], int], Sequence[Any]]] = {
 
 def _without_hidden_zeros(kernel: Kernel) -> list[Scalar]:
     """Return the derived entries; one that is identically zero has no digits that could agree, and is written as 0."""
-    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate))
+    field = RationalFunctionField((*kernel.symbols, *kernel.intermediate), "flint")
     values = evaluate(kernel.derived, field.variables, field.lift)
     derived = entries(divided(kernel.derived))
     return [sympy.Integer(0) if value.is_zero else entry for entry, value in zip(derived, values, strict=True)]

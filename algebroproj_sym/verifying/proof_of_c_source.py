@@ -16,11 +16,12 @@ from typing import Any, TypeAlias
 
 import sympy
 from flint.utils.flint_exceptions import DomainError
+from sympy.polys.polyerrors import ExactQuotientFailed
 
 from algebroproj_sym.declaring import ELEMENTARY, LINEAR, Kernel
 from algebroproj_sym.generating.backends.c import c_name, is_compiled, is_compiled_plain
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.proving.ring import Ring
+from algebroproj_sym.proving.engines import ring
 from algebroproj_sym.verifying.c_execution import (
     PRODUCT_ERRORS,
     Meaning,
@@ -38,7 +39,7 @@ KERNELS = ("kernels.h", "solvers.h", "systems.h")
 PLAIN_KERNELS = ("plain_kernels.h",)
 Outputs: TypeAlias = "Callable[[Mapping[sympy.Symbol, Any], Meaning], list[Any]]"
 
-_REMAINDERS = (DomainError, ZeroDivisionError)
+_REMAINDERS = (DomainError, ExactQuotientFailed, ZeroDivisionError)
 """What a division of polynomials raises that leaves a remainder."""
 
 
@@ -66,7 +67,7 @@ def c_source_is_proved(lowered: Lowered, package: ModuleType, *, plain: bool = F
 
 def product_errors_are_proved(source: Source) -> bool:
     """Whether the functions for the error of a product are zero in real arithmetic, wherever they are defined."""
-    a, b, splitter = Ring(["a", "b", "splitter"]).generators
+    a, b, splitter = ring("flint", ["a", "b", "splitter"]).generators
     meaning = Meaning(constants={"splitter": splitter})
     defined = [name for name in PRODUCT_ERRORS if name in source.inlines]
     return all(inline_value(source, name, [a, b, a * b], meaning) == 0 for name in defined)
@@ -175,7 +176,7 @@ def _system(
     names = [f"x{k}" for k in range(height)]
     names += [f"f{k}_{i}" for k in range(height) for i in range(k + 1, height)]
     names += [f"u{k}_{j}" for k in range(height) for j in range(k, height)]
-    free = dict(zip(names, Ring(names).generators, strict=True))
+    free = dict(zip(names, ring("flint", names).generators, strict=True))
     unknowns = [free[f"x{k}"] for k in range(height)]
     upper = [[free.get(f"u{k}_{j}", 0) for j in range(height)] for k in range(height)]
     sign = 1 if primitive == "solve" else -1

@@ -78,9 +78,9 @@ class Expectation:
         return self.lift(Fraction(value)) if isinstance(value, int | Fraction) else value
 
 
-def in_general(kernel: Kernel) -> Expectation:
+def in_general(kernel: Kernel, engine: str = "flint") -> Expectation:
     """Return what the source of a kernel must compute of rational functions."""
-    field = RationalFunctionField(_symbols(kernel))
+    field = RationalFunctionField(_symbols(kernel), engine)
     return Expectation(kernel, field.variables, field.lift, tuple(expected_values(kernel, field.variables, field.lift)))
 
 

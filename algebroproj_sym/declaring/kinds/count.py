@@ -19,7 +19,7 @@ from algebroproj_sym.expressions import columns, derivatives, entries, evaluate,
 from algebroproj_sym.proving import Point, Proof, RationalFunctionField
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed == number of independent functions among the entries of derived``."""
     functions: Any = claim.derived
     if not claim.variables:
@@ -29,13 +29,13 @@ def compare(claim: Claim, printed: Any) -> Proof:
     wrong = [direction for direction in claim.kernel if len(entries(direction)) != len(claim.variables)]
     if wrong:
         raise DeclarationError(f"{claim.number}: expected directions of {len(claim.variables)} components, got {wrong}")
-    vectors = polynomial_vectors(claim)
+    vectors = polynomial_vectors(claim, engine)
     symbols = symbols_of((functions, *vectors, *claim.variables))
 
     def minor_at(point: Point) -> Minor:
         return largest_minor(jacobian(functions, point, claim.variables))
 
-    field = RationalFunctionField(symbols)
+    field = RationalFunctionField(symbols, engine)
     invariant = all(_is_invariant(claim, direction, field) for direction in vectors)
     largest = min(len(entries(functions)), len(claim.variables))
 
@@ -44,7 +44,7 @@ def compare(claim: Claim, printed: Any) -> Proof:
             return Bound(largest, None)
         return bounded(largest, len(claim.variables), largest_minor(values_at(columns(*vectors), point)))
 
-    return generic_rank(claim, printed, symbols, vectors, minor_at, bound_at)
+    return generic_rank(claim, printed, symbols, vectors, minor_at, bound_at, engine)
 
 
 def _is_invariant(claim: Claim, direction: sympy.MatrixBase, field: RationalFunctionField) -> bool:

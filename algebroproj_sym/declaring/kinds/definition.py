@@ -14,22 +14,22 @@ from algebroproj_sym.proving import Point, Proof, prove, rational_points, seed_o
 TRIES = 100
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Find the denominators of the definiens and a point at which it is defined.
 
     What has real functions or letters is proved to equal itself, which needs such a point, too.
     """
     if isinstance(printed, TextForm):
-        return decided_text(claim, printed, printed.text)
-    hypotheses = prove(printed, printed).hypotheses
+        return decided_text(claim, printed, printed.text, engine)
+    hypotheses = prove(printed, printed, engine=engine).hypotheses
     symbols = symbols_of((printed,))
     for point in islice(rational_points(symbols, seed_of(claim.number)), TRIES):
         values = _values(printed, point)
         if values is not None:
             instance = {symbol.name: str(point[symbol]) for symbol in symbols}
             certificate = {"method": "instance", "instance": instance, "values": [str(value) for value in values]}
-            return Proof("proved", hypotheses, certificate, None)
-    return undecided("no instance was found", hypotheses)
+            return Proof("proved", hypotheses, certificate, None, engine)
+    return undecided("no instance was found", engine, hypotheses)
 
 
 def _values(printed: Expression, point: Point) -> tuple[Any, ...] | None:

@@ -17,24 +17,25 @@ from algebroproj_sym.proving.statements import RELATIONS
 from algebroproj_sym.proving.statements import prove as prove_any
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed == derived``."""
-    return decided(claim, printed, claim.derived)
+    return decided(claim, printed, claim.derived, engine)
 
 
-def decided(claim: Claim, left: Any, right: Any, nonzero: Sequence[Scalar] = ()) -> Proof:
+def decided(claim: Claim, left: Any, right: Any, engine: str, nonzero: Sequence[Scalar] = ()) -> Proof:
     """Decide an equality where the conditions of a claim hold, and others.
 
     A counterexample of a claim is rational: what differs at irrational points only stays open.
     """
     if isinstance(left, TextForm):
-        return decided_text(claim, left, right.text)
+        return decided_text(claim, left, right.text, engine)
     proof = prove(
         left,
         right,
         constraints=claim.constraints,
         nonzero=(*claim.nonzero, *nonzero),
         witness=claim.witness,
+        engine=engine,
         assumptions=claim.assumed,
     )
     point = proof.counterexample or {}
@@ -45,7 +46,7 @@ def decided(claim: Claim, left: Any, right: Any, nonzero: Sequence[Scalar] = ())
     return replace(proof, verdict="open", certificate={"method": "none", "reason": reason}, counterexample=None)
 
 
-def decided_text(claim: Claim, left: TextForm, right: str) -> Proof:
+def decided_text(claim: Claim, left: TextForm, right: str, engine: str) -> Proof:
     """Decide an equality with real functions, or in letters; what the prover does not take is named."""
     try:
         proof = prove_any(
@@ -56,6 +57,7 @@ def decided_text(claim: Claim, left: TextForm, right: str) -> Proof:
             assumptions=[form.text for form in claim.assumptions],
             relation=claim.relation,
             witness=claim.witness,
+            engine=engine,
             letters=None if left.letters is None else dict(claim.letters),
         )
     except (ValueError, TypeError) as error:

@@ -13,7 +13,7 @@ from algebroproj_sym.expressions import entries, evaluate, over, symbols_of, tex
 from algebroproj_sym.proving import Proof, RationalFunction, RationalFunctionField, prove
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed == limit of derived``, entry by entry.
 
     There is a limit where the lowest coefficients of all divisors do not vanish.
@@ -21,7 +21,7 @@ def compare(claim: Claim, printed: Any) -> Proof:
     derived: Any = claim.derived
     if claim.variable is None:
         raise DeclarationError(f"{claim.number}: expected the variable that goes to zero")
-    field = RationalFunctionField(symbols_of((derived, claim.variable)))
+    field = RationalFunctionField(symbols_of((derived, claim.variable)), engine)
     values = evaluate(derived, field.variables, field.lift)
     lowest = [_lowest(field, factor, claim.variable)[1] for factor in field.factors]
     limits = [_limit(value, claim.variable) for value in values]
@@ -31,9 +31,9 @@ def compare(claim: Claim, printed: Any) -> Proof:
     }
     finite = [value for _, value in limits if value is not None]
     if len(finite) < len(limits):
-        return Proof("refuted", (), {"method": "divergence", **evidence}, {})
+        return Proof("refuted", (), {"method": "divergence", **evidence}, {}, engine)
     defined = [over(1, coefficient) for coefficient in lowest]
-    proof = prove(vector(*entries(printed), *defined), vector(*finite, *defined))
+    proof = prove(vector(*entries(printed), *defined), vector(*finite, *defined), engine=engine)
     certificate = dict(proof.certificate or {})
     if proof.verdict == "refuted":
         certificate |= {side: certificate[side][: len(finite)] for side in ("left", "right")}

@@ -19,13 +19,13 @@ _ROUNDED = {
 }
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide whether the exact number, rounded as declared, is the printed one; the sign of a zero says nothing."""
     assert claim.derived is not None
     found = rounded(evaluate(claim.derived, {})[0], decimals(printed), claim.rounding)
     holds = found == printed
     certificate = {"method": "exact rounding", "rounded": f"{found:f}"}
-    return Proof("proved" if holds else "refuted", (), certificate, None if holds else {})
+    return Proof("proved" if holds else "refuted", (), certificate, None if holds else {}, engine)
 
 
 def numeric(

@@ -16,7 +16,7 @@ from algebroproj_sym.proving import Point, Proof, point_record
 from algebroproj_sym.proving.letters import shape_in_text
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed ~ derived`` through p_i d_k = p_k d_i, for an entry k that is not identically zero.
 
     The certificate keeps the pivot k.  The factor p_k / d_k must not be identically zero; where there are constraints,
@@ -24,9 +24,9 @@ def compare(claim: Claim, printed: Any) -> Proof:
     p_i d_k and p_k d_i differ.
     """
     if isinstance(printed, TextForm):
-        return _in_letters(claim, printed, claim.derived)
+        return _in_letters(claim, printed, claim.derived, engine)
     p, d = entries(printed), entries(claim.derived)
-    found = (_is_zero(claim, entry) for entry in d)
+    found = (_is_zero(claim, entry, engine) for entry in d)
     zeros = list(takewhile(lambda proof: proof.verdict != "refuted", found))
     pivot = len(zeros)
     if pivot == len(d):
@@ -35,25 +35,25 @@ def compare(claim: Claim, printed: Any) -> Proof:
             raise DeclarationError(f"{claim.number}: expected a derived form that is not identically zero")
         return undecided
     if claim.constraints:
-        return _under_constraints(claim, p, d, pivot)
+        return _under_constraints(claim, p, d, pivot, engine)
     left, right = vector(*(entry * d[pivot] for entry in p)), vector(*(entry * p[pivot] for entry in d))
-    proof = decided(claim, left, right, (d[pivot],))
-    if proof.verdict == "proved" and _is_zero(claim, p[pivot]).verdict != "refuted":
+    proof = decided(claim, left, right, engine, (d[pivot],))
+    if proof.verdict == "proved" and _is_zero(claim, p[pivot], engine).verdict != "refuted":
         return replace(proof, verdict="open", certificate={"method": "none", "reason": "the printed form is zero"})
     return replace(proof, certificate={**(proof.certificate or {}), "pivot": pivot})
 
 
-def _under_constraints(claim: Claim, p: Sequence[Scalar], d: Sequence[Scalar], pivot: int) -> Proof:
+def _under_constraints(claim: Claim, p: Sequence[Scalar], d: Sequence[Scalar], pivot: int, engine: str) -> Proof:
     """Decide it through p_i d_j = p_j d_i for all i and j: where d_k is zero, an entry k says nothing of the others."""
     pairs = [*combinations(range(len(d)), 2)]
     left, right = vector(*(p[i] * d[j] for i, j in pairs)), vector(*(p[j] * d[i] for i, j in pairs))
-    proof = decided(claim, left, right)
+    proof = decided(claim, left, right, engine)
     if proof.verdict == "refuted" and proof.counterexample is not None:
         return replace(proof, certificate=_differing_at(p, d, dict(proof.counterexample)))
     if proof.verdict != "proved":
         return proof
     sides = (*p, *d)
-    nonzero = decided(claim, vector(p[pivot] * d[pivot], *sides), vector(0, *sides))
+    nonzero = decided(claim, vector(p[pivot] * d[pivot], *sides), vector(0, *sides), engine)
     if nonzero.counterexample is None:
         reason = "no point was found at which the printed form is not zero: it may be zero, or add witness="
         return replace(proof, verdict="open", certificate={"method": "none", "reason": reason})
@@ -61,13 +61,13 @@ def _under_constraints(claim: Claim, p: Sequence[Scalar], d: Sequence[Scalar], p
     return replace(proof, certificate={**(proof.certificate or {}), "pivot": pivot, "nonzero at": point})
 
 
-def _in_letters(claim: Claim, printed: TextForm, derived: Any) -> Proof:
+def _in_letters(claim: Claim, printed: TextForm, derived: Any, engine: str) -> Proof:
     """Decide it through the products of all entries of one side with all of the other, in both orders."""
     products = TextForm(f"kron({printed}, {derived})", printed.letters)
-    proof = decided_text(claim, products, f"kron({derived}, {printed})")
+    proof = decided_text(claim, products, f"kron({derived}, {printed})", engine)
     if proof.verdict != "proved":
         return proof
-    nonzero = decided_text(claim, products, "0")
+    nonzero = decided_text(claim, products, "0", engine)
     if nonzero.counterexample is None:
         reason = "no point was found at which neither side is zero"
         return replace(proof, verdict="open", certificate={"method": "none", "reason": reason})
@@ -88,9 +88,9 @@ def _differing_at(p: Sequence[Scalar], d: Sequence[Scalar], point: Point) -> dic
     }
 
 
-def _is_zero(claim: Claim, entry: Scalar) -> Proof:
+def _is_zero(claim: Claim, entry: Scalar, engine: str) -> Proof:
     """Decide whether an entry is zero wherever the conditions hold; a refutation has a point at which it is not."""
-    return decided(claim, entry, 0)
+    return decided(claim, entry, 0, engine)
 
 
 def up_to_scale(

@@ -41,15 +41,15 @@ class Bound(NamedTuple):
     independent: Minor | None
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed == rank of derived``."""
     matrix: Any = claim.derived
     if not isinstance(matrix, sympy.MatrixBase):
         raise DeclarationError(f"{claim.number}: expected a matrix whose rank is claimed, got {matrix}")
     smaller = min(matrix.shape)
-    vectors = polynomial_vectors(claim)
+    vectors = polynomial_vectors(claim, engine)
     kernel: Any = columns(*vectors) if vectors else None
-    annihilated = kernel is not None and _is_annihilated(matrix, kernel)
+    annihilated = kernel is not None and _is_annihilated(matrix, kernel, engine)
 
     def bound_at(point: Point) -> Bound:
         if not annihilated:
@@ -63,21 +63,22 @@ def compare(claim: Claim, printed: Any) -> Proof:
         vectors,
         lambda point: largest_minor(values_at(matrix, point)),
         bound_at,
+        engine,
     )
 
 
-def _is_annihilated(matrix: Any, kernel: Any) -> bool:
+def _is_annihilated(matrix: Any, kernel: Any, engine: str) -> bool:
     zero = sympy.ImmutableDenseMatrix.zeros(matrix.rows, kernel.cols)
-    return prove(matrix * kernel, zero).verdict == "proved"
+    return prove(matrix * kernel, zero, engine=engine).verdict == "proved"
 
 
-def polynomial_vectors(claim: Claim) -> list[Expression]:
+def polynomial_vectors(claim: Claim, engine: str) -> list[Expression]:
     """Return the vectors of a claim, each times what makes its components polynomials with integer coefficients."""
-    return [_polynomial(given) for given in claim.kernel]
+    return [_polynomial(given, engine) for given in claim.kernel]
 
 
-def _polynomial(given: Expression) -> Expression:
-    field = RationalFunctionField(symbols_of((given,)))
+def _polynomial(given: Expression, engine: str) -> Expression:
+    field = RationalFunctionField(symbols_of((given,)), engine)
     numerators = numerators_over_one(evaluate(given, field.variables, field.lift))
     number = lcm(*(value.denominator for part in numerators for value in field.ring.terms(part).values()))
     scale = field.ring.constant(Fraction(number))
@@ -103,6 +104,7 @@ def generic_rank(
     vectors: Sequence[Expression],
     minor_at: Callable[[Point], Minor],
     bound_at: Callable[[Point], Bound],
+    engine: str,
 ) -> Proof:
     """Decide a rank from below by points and from above by a bound, which rests on vectors.
 
@@ -120,22 +122,22 @@ def generic_rank(
         if len(ranked[-1][0].rows) == ranked[-1][1].rank:
             break
     if not ranked:
-        return undecided("no point was found")
+        return undecided("no point was found", engine)
     minor, _, point = max(ranked, key=lambda entry: len(entry[0].rows))
     _, bound, bound_point = min(ranked, key=lambda entry: entry[1].rank)
     largest = len(minor.rows)
     below = {"rows": minor.rows, "columns": minor.columns, "minor": str(minor.value)}
     if largest > printed:
-        return Proof("refuted", (), {"method": "counterexample", "rank": largest, **below}, point)
+        return Proof("refuted", (), {"method": "counterexample", "rank": largest, **below}, point, engine)
     above = _above(vectors, bound, bound_point)
     if bound.rank < printed:
         certificate = {"method": "kernel vectors", "rank at most": bound.rank, **above}
-        return Proof("refuted", (), certificate, {})
+        return Proof("refuted", (), certificate, {}, engine)
     if largest < printed or bound.rank > printed:
         reason = f"the rank lies between {largest} and {bound.rank}"
-        return undecided(reason)
+        return undecided(reason, engine)
     certificate = {"method": "rank at a point and kernel vectors", "point": point_record(point), **below, **above}
-    return Proof("proved", (), certificate, None)
+    return Proof("proved", (), certificate, None, engine)
 
 
 def _above(vectors: Sequence[Expression], bound: Bound, point: Point) -> dict[str, Any]:

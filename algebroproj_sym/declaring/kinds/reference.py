@@ -14,12 +14,12 @@ from algebroproj_sym.declaring.transcription import transcribed_reference
 from algebroproj_sym.proving import Proof
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide ``printed == derived``, number by number."""
     certificate = {"method": "comparison of references"}
     if printed == claim.derived:
-        return Proof("proved", (), certificate, None)
-    return Proof("refuted", (), certificate, {})
+        return Proof("proved", (), certificate, None, engine)
+    return Proof("refuted", (), certificate, {}, engine)
 
 
 def reference(

@@ -14,7 +14,7 @@ from algebroproj_sym.expressions import entries, vector
 from algebroproj_sym.proving import Proof, prove
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Decide whether the derived matrix follows the pattern.
 
     In the pattern a 0 stands for an entry that is identically zero; a symbol for one that is not, the same symbol for
@@ -26,11 +26,11 @@ def compare(claim: Claim, printed: Any) -> Proof:
         _expected(mark, entry, representatives, claim)
         for mark, entry in zip(marks, entries(claim.derived), strict=True)
     ]
-    proof = prove(vector(*expected), vector(*entries(claim.derived)))
+    proof = prove(vector(*expected), vector(*entries(claim.derived)), engine=engine)
     if proof.verdict != "proved":
         return proof
     for mark, entry in representatives.items():
-        if prove(entry, 0).verdict != "refuted":
+        if prove(entry, 0, engine=engine).verdict != "refuted":
             reason = f"the entry marked {mark} is identically zero"
             return replace(proof, verdict="open", certificate={"method": "none", "reason": reason})
     return replace(proof, certificate={**(proof.certificate or {}), "pattern": _pattern(marks)})

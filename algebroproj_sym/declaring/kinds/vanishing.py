@@ -35,13 +35,13 @@ TRIES = 200
 Factors: TypeAlias = dict[str, tuple[sympy.Expr, int]]
 
 
-def compare(claim: Claim, printed: Any) -> Proof:
+def compare(claim: Claim, printed: Any, engine: str) -> Proof:
     """Compare the irreducible factors of the derived numerator with those of the printed factors."""
     derived: Any = claim.derived
-    stated = prove(derived, derived, nonzero=claim.nonzero)
+    stated = prove(derived, derived, nonzero=claim.nonzero, engine=engine)
     if stated.verdict != "proved":
         return stated
-    field = RationalFunctionField(symbols_of((derived, *printed, *claim.nonzero)))
+    field = RationalFunctionField(symbols_of((derived, *printed, *claim.nonzero)), engine)
     value = evaluate(derived, field.variables, field.lift)[0]
     if value.is_zero:
         raise DeclarationError(f"{claim.number}: expected a derived expression that is not identically zero")
@@ -63,10 +63,10 @@ def compare(claim: Claim, printed: Any) -> Proof:
             "printed": [_powers(part) for part in parts],
             "excluded": sorted(zeros.keys() & excluded),
         }
-        proof = prove(derived, factored)
+        proof = prove(derived, factored, engine=engine)
         return replace(proof, certificate=certificate) if proof.verdict == "proved" else proof
     suspects = [(restricted | claimed)[name][0] for name in sorted(restricted.keys() ^ claimed.keys())]
-    return _refutation(claim, sympy.Mul(*printed), suspects)
+    return _refutation(claim, sympy.Mul(*printed), suspects, engine)
 
 
 def _is_zero(expression: sympy.Expr, field: RationalFunctionField) -> bool:
@@ -92,7 +92,7 @@ def _exponents(value: RationalFunction) -> Factors:
     return {written(factor): (factor, count) for factor, count in factors if count}
 
 
-def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr]) -> Proof:
+def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr], engine: str) -> Proof:
     """Find a zero of one side that is none of the other, on the factors that only one side has."""
     derived: Any = claim.derived
     symbols = symbols_of((derived, product, *claim.nonzero))
@@ -100,9 +100,9 @@ def _refutation(claim: Claim, product: sympy.Expr, suspects: Sequence[sympy.Expr
         if _tells_apart(point, derived, product, claim.nonzero):
             values = [str(evaluate(side, point)[0]) for side in (derived, product)]
             certificate = {"method": "counterexample", "derived": values[0], "product of the factors": values[1]}
-            return Proof("refuted", (), certificate, point)
+            return Proof("refuted", (), certificate, point, engine)
     reason = "the irreducible factors differ, but no rational point tells them apart"
-    return undecided(reason)
+    return undecided(reason, engine)
 
 
 def _candidates(suspects: Sequence[sympy.Expr], symbols: Sequence[sympy.Symbol], seed: int) -> Iterator[Point]:

@@ -22,6 +22,7 @@ from algebroproj_sym.expressions.letters import (
     number,
     parse_letters,
 )
+from algebroproj_sym.proving.engines import ENGINES
 from algebroproj_sym.proving.letters.deciding import Found, Point, decide
 from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.properties import PROPERTIES, Letter, declared_letters
@@ -50,11 +51,12 @@ def prove_letters(
     constraints: Sequence[Any] = (),
     nonzero: Sequence[Any] = (),
     properties: Mapping[Any, Any] | None = None,
+    engine: str = "flint",
 ) -> Proof:
     """Decide whether two sides are equal wherever both are defined and all letters have their properties.
 
     It raises `LetterError` if shapes do not fit, a property is unknown, or a name is not declared.  It raises
-    `UndefinedError` if what is inverted has no inverse anywhere.
+    `UndefinedError` if what is inverted has no inverse anywhere.  It raises `ValueError` if the engine is unknown.
 
     Parameters
     ----------
@@ -66,6 +68,8 @@ def prove_letters(
         Numbers that are not zero.
     properties : mapping of MatrixSymbol, or name, to str or tuple of str
         What letters are, see `PROPERTIES`.
+    engine : {"flint", "sympy"}
+        Which polynomial arithmetic to use.
 
     Examples
     --------
@@ -74,13 +78,15 @@ def prove_letters(
     >>> proof.verdict, proof.scope
     ('proved', 'for every size')
     """
+    if engine not in ENGINES:
+        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
     reading = Reading()
     sides = [reading.term(side, name) for side, name in ((lhs, "lhs"), (rhs, "rhs"))]
     zeros = [reading.term(term, f"constraints[{place}]") for place, term in enumerate(constraints)]
     units = [reading.term(term, f"nonzero[{place}]") for place, term in enumerate(nonzero)]
     shapes = _shapes(reading)
     statement = _statement(sides, zeros, units, shapes, _named(properties or {}, reading), reading.scalars)
-    found = decide(statement)
+    found = decide(statement, engine)
     try:
         stated = assumed(reading.scalars.values(), "symbols")
     except SymbolError as error:
@@ -90,6 +96,7 @@ def prove_letters(
         tuple(map(reading.expression, found.hypotheses)),
         found.certificate,
         None if found.point is None else _by_symbol(found.point, reading.letters, reading.scalars),
+        engine,
         tuple(symbol for symbol in stated if not is_plain(symbol)),
         found.scope,
     )
@@ -102,6 +109,7 @@ def prove_texts(
     *,
     constraints: Sequence[str] = (),
     nonzero: Sequence[str] = (),
+    engine: str = "flint",
 ) -> Proof:
     """Decide a statement that is given as text, with letters such as ``{"R": "3x3 rotation", "v": "nx1"}``.
 
@@ -112,10 +120,12 @@ def prove_texts(
     >>> prove_texts("dot(R*a, R*b)", "dot(a, b)", {"R": "3x3 rotation", "a": "3x1", "b": "3x1"}).verdict
     'proved'
     """
+    if engine not in ENGINES:
+        raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")
     statement = _read(lhs, rhs, letters, constraints, nonzero)
-    found = decide(statement)
+    found = decide(statement, engine)
     point = None if found.point is None else _by_symbol(found.point, {}, {})
-    return Proof(found.verdict, found.conditions, found.certificate, point, (), found.scope)
+    return Proof(found.verdict, found.conditions, found.certificate, point, engine, (), found.scope)
 
 
 def worked_out(lhs: str, rhs: str, letters: Mapping[str, str]) -> str:

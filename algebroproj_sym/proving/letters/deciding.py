@@ -118,7 +118,7 @@ class Found:
         return tuple(map(letters_text, self.hypotheses))
 
 
-def decide(statement: Statement) -> Found:
+def decide(statement: Statement, engine: str = "flint") -> Found:
     """Decide a statement.
 
     It raises `LetterError` if a norm is not squared, or entries are needed and a letter is too large for them.  It
@@ -139,11 +139,11 @@ def decide(statement: Statement) -> Found:
     >>> found.verdict, len(found.point.letters["R"])
     ('refuted', 3)
     """
-    return _Question(statement).found()
+    return _Question(statement, engine).found()
 
 
 class _Question:
-    def __init__(self, statement: Statement) -> None:
+    def __init__(self, statement: Statement, engine: str) -> None:
         self.letters = statement.letters
         self.size_names = statement.size_names
         statement = without_lengths(statement)
@@ -154,6 +154,7 @@ class _Question:
             statement, letters={name: statement.letters[name] for name in statement.letters if name in parts}
         )
         self.statement = statement
+        self.engine = engine
         self.witness: Point | None = None
         self.search = Work(MOST_OF_SEARCH)
         self.angles, self.plain = without_series(statement) if speaks_of_angles(statement) else ([], statement)
@@ -472,7 +473,7 @@ class _Question:
 
     def _by_entries(self) -> Found | None:
         expansion = _Expansion(self.plain)
-        field = RationalFunctionField(expansion.symbols, Work(MOST_PRODUCTS).spend)
+        field = RationalFunctionField(expansion.symbols, self.engine, Work(MOST_PRODUCTS).spend)
         if expansion.equations:
             with suppress(ZeroDivisionError):
                 Work(MOST_TERMS).spend(sum(len(entry.numerator) for entry in self._difference(expansion, field, {})))
@@ -509,7 +510,9 @@ class _Question:
         given = [
             symbol for symbol in self.statement.scalars.values() if symbol.name in {s.name for s in expansion.symbols}
         ]
-        proof = decided(left, right, constraints=expansion.equations, nonzero=nonzero, assumptions=given)
+        proof = decided(
+            left, right, constraints=expansion.equations, nonzero=nonzero, engine=self.engine, assumptions=given
+        )
         if proof.verdict == "refuted" and proof.counterexample is not None and not self.angles:
             values = {symbol.name: value for symbol, value in proof.counterexample.items()}
             if all(isinstance(value, Fraction) for value in values.values()):

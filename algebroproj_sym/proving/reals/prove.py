@@ -145,6 +145,7 @@ def _proof(record: Mapping[str, Any], witness: Mapping[Any, Any] | None) -> Proo
         counterexample=None
         if point is None
         else {sympy.Symbol(name): number_of(read(text)) for name, text in point.items()},
+        engine="flint",
         assumptions=tuple(record["assumptions"]),
     )
 

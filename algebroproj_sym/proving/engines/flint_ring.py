@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from math import gcd, lcm
 from typing import Any
 
 import flint
 
 from algebroproj_sym.expressions.exact import fmpq, fraction
-from algebroproj_sym.proving.polynomials import content_of
 
 
-class Ring:
+class FlintRing:
     """The ring Q[names] in lexicographic order.
 
     Examples
     --------
-    >>> ring = Ring(["x", "y"])
+    >>> ring = FlintRing(["x", "y"])
     >>> x, y = ring.generators
     >>> ring.factor(x**2 - y**2)[1]
     [(x - y, 1), (x + y, 1)]
@@ -38,8 +38,9 @@ class Ring:
 
     def unit(self, polynomial: Any) -> Fraction:
         """Return the rational number that makes a polynomial primitive, with a positive leading coefficient."""
-        content = fraction(content_of(polynomial))
-        return content if polynomial.leading_coefficient() > 0 else -content
+        values = polynomial.coeffs()
+        scale = Fraction(gcd(*(int(v.p) for v in values)), lcm(*(int(v.q) for v in values)))
+        return scale if values[0] > 0 else -scale
 
     def terms(self, polynomial: Any) -> dict[tuple[int, ...], Fraction]:
         """Return the coefficients by exponent vector."""

@@ -309,3 +309,14 @@ def test_a_constant_factor_may_be_any_and_a_constant_term_may_be_another_one():
 def test_a_density_with_a_condition_is_no_draw():
     assert verdicts(r"We have \[ f(x \mid s) = \sum_i \log \mathcal{N}\left(x_i \mid m, s\right). \]") == ["definition"]
     assert verdicts(r"We have \[ x = \mathcal{N}\left(m, s\right). \]") == ["not decided"]
+
+
+@pytest.mark.parametrize("value", [r"\frac1n \sum_i f(x_i)", r"L(v) + \nabla L(v) (u - v)"])
+def test_what_stands_roughly_for_a_value_is_given_behind_it(value):
+    assert verdicts(rf"We estimate the loss as \[ L(u) \approx G(u) = {value}. \]") == ["definition"]
+    assert verdicts(rf"It is not true that \[ L(u) \approx G(u) = {value}. \]") != ["definition"]
+
+
+@pytest.mark.parametrize("latex", ["P(A) = a P(B) + P(C)", "V(x) = r + a V(y)"])
+def test_a_probability_or_the_value_of_a_state_is_not_given_by_others(latex):
+    assert verdicts(rf"\[ P(C) + V(z) = 1 \] \[ {latex} \]")[-1] != "definition"

@@ -50,6 +50,7 @@ def texts(latex: str) -> list[str | None]:
         (r"\mathbf n = c \vu*{x} + s \vu*{y}", r"\mathbf n = c \hat{\mathbf{x}} + s \hat{\mathbf{y}}"),
         (r"\mbox{\boldmath{$\alpha$}} = \mbox{\boldmath $\beta$} c", r"\boldsymbol{\alpha} = \boldsymbol{\beta} c"),
         (r"n = \underbrace{(a}_{\text{in}} * \underbrace{b)}_{\text{out}}", r"n = (a * b)"),
+        (r"f = \text{Shift Up} \circ \text{Turn}.", r"f = \mathrm{ShiftUp} \circ \mathrm{Turn}"),
         (r"t = 0.8\,sec", r"t = 0.8\,\mathrm{s}"),
         (r"Depth_{1} = a Depth_2 + b", r"\mathrm{Depth}_1 = a \mathrm{Depth}_2 + b"),
         (r"\underbrace{a = b}_{\text{mean}}, \quad c = d", r"a = b, \quad c = d"),

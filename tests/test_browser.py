@@ -3,6 +3,7 @@
 ``pytest tests/test_browser.py --site DIR`` checks every page of a site that was written before.
 """
 
+import re
 import shutil
 import subprocess
 import sys
@@ -159,19 +160,28 @@ def test_every_link_resolves(visit):
 
 
 @pytest.mark.parametrize("viewport", [DESKTOP, PHONE], ids=["desktop", "phone"])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_no_barrier(site, browser, request, scheme, viewport):
-    """Also in what a reader unfolds, and in the card of a symbol."""
+def test_axe_finds_no_barrier(site, browser, request, viewport):
+    """Also in what a reader unfolds, in the card of a symbol, and in the dark, which changes colors alone."""
     problems = []
-    page = opened(browser, problems, viewport=viewport, color_scheme=scheme)
+    page = opened(browser, problems, viewport=viewport)
     checked = addresses(site, request)
     for name in checked:
+        page.emulate_media(color_scheme="light")
         page.goto((site / name).as_uri())
         unfold(page)
         problems += [(name, *found) for found in barriers(page)]
+        page.emulate_media(color_scheme="dark")
+        problems += [(name, "dark", *found) for found in barriers(page, runOnly=["cat.color"])]
     page.close()
     assert problems == []
     assert len(checked) >= len(REPRESENTATIVE)
+
+
+def test_the_dark_changes_colors_alone(repository):
+    style = (repository / "algebroproj_sym/reporting/site/templates/style.css").read_text(encoding="utf-8")
+    (dark,) = re.findall(r"@media \(prefers-color-scheme: dark\) \{\s*:root \{(.*?)\}\s*\}", style, flags=re.DOTALL)
+    assert style.count("prefers-color-scheme") == 1
+    assert re.fullmatch(r"(\s*--[\w-]+: #[0-9a-f]+;)+\s*", dark)
 
 
 def unfold(page):
@@ -190,11 +200,11 @@ def test_axe_finds_no_barrier_among_the_results_of_a_search(site, browser):
     page.close()
 
 
-def barriers(page):
+def barriers(page, **options):
     """Return what axe-core finds on a page: the rule, and the first elements that break it."""
     from axe_playwright_python.sync_playwright import Axe
 
-    found = Axe().run(page, options={"preload": False}).response["violations"]
+    found = Axe().run(page, options={"preload": False, "resultTypes": ["violations"], **options}).response["violations"]
     return [(each["id"], [node["html"][:200] for node in each["nodes"][:3]]) for each in found]
 
 

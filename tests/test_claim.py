@@ -113,7 +113,7 @@ def test_the_verdicts_are_those_of_the_contract():
     assert set(VERDICTS) == {"proved", "misprint", "error", "false", "illegible", "definition", "open"}
 
 
-@pytest.mark.parametrize("inexact", [0.5, sympy.Float("0.5"), 0.5 * x, sympy.I, "x", True])
+@pytest.mark.parametrize("inexact", [0.5, sympy.Float("0.5"), 0.5 * x, sympy.I, b"x", True])
 @pytest.mark.parametrize("form", ["printed", "derived", "corrected"])
 def test_whatever_is_not_rational_is_refused(form, inexact):
     with pytest.raises(NotRationalError, match=rf"claim demo:1\.1, {form}: expected") as raised:

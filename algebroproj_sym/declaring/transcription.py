@@ -140,12 +140,14 @@ def _only(found: Sequence[_Found], wanted: str, quote: Quote) -> _Found:
 
 
 def beside(forms: Sequence[Any]) -> Any:
-    """Return forms in letters as one: several ones side by side, of which a zero stands for any number."""
+    """Return forms in letters as one: several ones side by side, of which a zero is a column."""
     if all(form == 0 for form in forms):
         return sympy.Integer(0)
     if len(forms) == 1:
         return forms[0]
-    return sympy.BlockMatrix([[f if isinstance(f, sympy.MatrixExpr) else sympy.Matrix([[f]]) for f in forms]])
+    height = next((form.rows for form in forms if isinstance(form, sympy.MatrixExpr)), 1)
+    filled = [sympy.ZeroMatrix(height, 1) if form == 0 else form for form in forms]
+    return sympy.BlockMatrix([[f if isinstance(f, sympy.MatrixExpr) else sympy.Matrix([[f]]) for f in filled]])
 
 
 def _read(folder: Path, section: str, number: str, build: Builder | None, letters: bool) -> tuple[Quote, list[Any]]:

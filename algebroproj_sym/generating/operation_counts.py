@@ -1,38 +1,16 @@
-"""Counting operations: of an expression as written, after SymPy's common subexpressions, and of our program."""
+"""Counting the operations of an expression as it is written."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy
 
+from algebroproj_sym.declaring import Kernel
 from algebroproj_sym.expressions import Expression, Scalar, divided, entries
-from algebroproj_sym.generating.lowering import Lowered
 
 
-@dataclass(frozen=True)
-class OperationCounts:
-    """How many binary operations and negations a kernel takes.
-
-    Of the derived expressions as they are written, of the same after `sympy.cse`, and of the program: its guards count,
-    and changes of digits do not.
-    """
-
-    derived: int
-    sympy_cse: int
-    program: int
-
-
-def operation_counts(lowered: Lowered) -> OperationCounts:
-    """Return the operation counts of a kernel."""
-    kernel = lowered.kernel
-    expressions = [divided(part) for part in (*(stage.derived for stage in kernel.stages), kernel.derived)]
-    replacements, reduced = sympy.cse([entry for expression in expressions for entry in entries(expression)])
-    return OperationCounts(
-        derived=sum(map(operations, expressions)),
-        sympy_cse=sum(operations(value) for _, value in replacements) + sum(map(operations, reduced)),
-        program=sum(lowered.plain.operations().values()),
-    )
+def derived_operations(kernel: Kernel) -> int:
+    """Return how many operations the derived expressions of a kernel take as they are written."""
+    return sum(operations(divided(part)) for part in (*(stage.derived for stage in kernel.stages), kernel.derived))
 
 
 def operations(expression: Expression) -> int:

@@ -16,13 +16,7 @@ _Y = sympy.Dummy("y")
 
 @dataclass(frozen=True)
 class RealField:
-    """The field Q(r) of a real root r of an irreducible polynomial.
-
-    Parameters
-    ----------
-    polynomial : flint.fmpq_poly
-        Irreducible over Q, with a real root; r is the smallest.
-    """
+    """The field Q(r) of the smallest real root r of an irreducible polynomial."""
 
     polynomial: Any
 

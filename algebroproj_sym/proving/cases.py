@@ -26,16 +26,8 @@ TRIES = 40
 def case_distinction(known: Elimination, goal: Any, seed: int, *, real: bool = False) -> Case | None:
     """Return how a goal follows from what is known, by cases; None if that is not found.
 
-    Parameters
-    ----------
-    known : Elimination
-        What vanishes and what does not.
-    goal : flint.fmpq_mpoly
-        What is claimed to vanish.
-    seed : int
-        For points that tell which factors of a goal vanish.
-    real : bool
-        Whether zeros may be taken apart that are sums of squares.
+    Points, which the seed chooses, tell which factors of a goal vanish.  Only of `real` numbers may zeros be taken
+    apart that are sums of squares.
 
     Examples
     --------

@@ -21,15 +21,7 @@ HIGHEST = 3
 
 
 class System:
-    """What is left after an elimination, ready for claims.
-
-    Parameters
-    ----------
-    elimination : Elimination
-        What is zero and what is not.
-    steps : int
-        How many reductions each basis may take.
-    """
+    """What is left after an elimination, ready for claims; each basis may take so many reductions."""
 
     def __init__(self, elimination: Elimination, steps: int = MAX_STEPS) -> None:
         self.elimination = elimination

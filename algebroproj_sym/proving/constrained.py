@@ -45,26 +45,10 @@ MOST_OF_SEARCH = 3_000_000
 
 
 class Problem:
-    """A question about numerators over a field of rational functions.
+    """A question about numerators over a field of rational functions, which has met every denominator of both sides.
 
-    Parameters
-    ----------
-    field : RationalFunctionField
-        Has met every denominator.
-    left, right : sympy.Expr or sympy matrix
-        The two sides.
-    numerators : sequence of polynomial
-        What is claimed to be zero, of the ring of the field.
-    constraints : sequence of polynomial
-        What is zero.
-    nonzero : sequence of polynomial
-        What is not zero, beside the denominators.
-    seed : int
-        For the random points.
-    given : sequence of mapping
-        Points that satisfy the constraints.
-    admits : callable
-        Whether a point is one that the question is about.
+    The numerators are claimed to vanish where all constraints vanish and nothing of `nonzero` does.  `given` are points
+    that satisfy the constraints, and `admits` tells of which points the question is.
     """
 
     def __init__(

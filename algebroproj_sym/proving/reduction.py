@@ -11,18 +11,9 @@ MOST_TERMS = 2000
 
 
 def reduced(expression: Expression) -> Expression:
-    """Return an expression in lowest terms, or as it is if that is shorter.
+    """Return a rational expression, defined somewhere, in lowest terms, or as it is if that is shorter.
 
     The result is the same rational function; divisors that cancel are no longer seen in it.
-
-    Parameters
-    ----------
-    expression : sympy.Expr or sympy matrix
-        A rational expression, defined somewhere.
-
-    Returns
-    -------
-    sympy.Expr or sympy.ImmutableDenseMatrix
 
     Examples
     --------

@@ -38,14 +38,8 @@ def squares_in_ideal(
 ) -> list[tuple[Any, Any]] | None:
     """Return positive numbers and polynomials, none of them in the ideal, whose weighted squares add up to one that is.
 
-    Parameters
-    ----------
-    basis : GroebnerBasis
-        Of the ideal; the last variable of its ring does not count.
-    degree : int
-        The highest of the polynomials.
-    zeros : sequence of sequence of Fraction or Algebraic
-        Points at which the ideal vanishes, and therefore what is squared.
+    The last variable of the ring does not count.  The polynomials have a bounded degree, and vanish at given zeros of
+    the ideal.
 
     Examples
     --------

@@ -78,10 +78,7 @@ def _commit() -> str | None:
 def write(dataset: xarray.Dataset, path: Path) -> None:
     """Write a dataset to a netCDF file: whole, or not at all; its bytes depend on the dataset alone.
 
-    Raises
-    ------
-    OSError
-        If the file cannot be written.
+    It raises `OSError` if the file cannot be written.
     """
     temporary = _beside(path)
     # HDF5 would end the process if it could not write: on a full disk Python raises an error.
@@ -102,12 +99,8 @@ def join(paths: Sequence[Path], dimension: str, attributes: Mapping[str, str], p
     They are files of `write`; variables without the dimension are taken from the first one. A name that ends with
     ``.zarr`` makes a Zarr folder, another one a netCDF file.
 
-    Raises
-    ------
-    ValueError
-        If one has other variables or units than the first.
-    OSError
-        If the result cannot be written.
+    It raises `ValueError` if one has other variables or units than the first.  It raises `OSError` if the result cannot
+    be written.
     """
     temporary = _beside(path)
     if path.suffix == ZARR:

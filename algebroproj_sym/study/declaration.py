@@ -101,10 +101,7 @@ class Study:
     def arguments(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return the value of each option: what is given, or its default.
 
-        Raises
-        ------
-        ValueError
-            If an option is unknown, or the study does not accept the values.
+        It raises `ValueError` if an option is unknown, or the study does not accept the values.
         """
         names = [option.name for option in self.options]
         unknown = sorted(set(given) - set(names))

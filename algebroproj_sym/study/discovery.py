@@ -23,10 +23,7 @@ DECLARES = re.compile(r"^STUDY\s*=", re.MULTILINE)
 def studies(path: Path | None = None) -> tuple[Study, ...]:
     """Return the studies of a file or of the files in a folder, in the order of their names; else the installed ones.
 
-    Raises
-    ------
-    BrokenModuleError
-        If a module cannot be imported.
+    It raises `BrokenModuleError` if a module cannot be imported.
     """
     if path is None:
         names = sorted(info.name for info in iter_modules(importlib.import_module(INSTALLED).__path__))

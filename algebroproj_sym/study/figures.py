@@ -85,10 +85,7 @@ def figure(width: float = PAGE, height: float = 3.2) -> Figure:
 def save(figures: Mapping[str, Figure], folder: Path) -> list[Path]:
     """Write each figure in each of `FORMATS`, and return the files.
 
-    Raises
-    ------
-    OSError
-        If a file cannot be written.
+    It raises `OSError` if a file cannot be written.
     """
     folder.mkdir(parents=True, exist_ok=True)
     paths = []

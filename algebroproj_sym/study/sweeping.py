@@ -55,10 +55,7 @@ class Sweep:
     The options are those that are not to have their default values. A chunk has `size` members, by which memory is
     bounded.
 
-    Raises
-    ------
-    ValueError
-        If an argument is out of its range or the study does not accept its options.
+    It raises `ValueError` if an argument is out of its range or the study does not accept its options.
     """
 
     study: Study
@@ -117,12 +114,7 @@ def arguments(sweep: Sweep) -> dict[str, Any]:
 def held(folder: Path) -> Iterator[None]:
     """Make a folder, and keep other runs from it until the block or this process ends.
 
-    Raises
-    ------
-    BusyFolderError
-        If another run has it.
-    OSError
-        If the folder cannot be written to.
+    It raises `BusyFolderError` if another run has it.  It raises `OSError` if the folder cannot be written to.
     """
     folder.mkdir(parents=True, exist_ok=True)
     with (folder / LOCK).open("a") as lock:
@@ -137,13 +129,8 @@ def held(folder: Path) -> Iterator[None]:
 def prepare(sweep: Sweep) -> None:
     """Make the folder of a sweep, or find that it holds the same one.
 
-    Raises
-    ------
-    OtherSweepError
-        If the folder holds a sweep with other arguments, one of another version of the program, another result, or
-        a folder in the place of a file.
-    OSError
-        If the folder cannot be written to.
+    It raises `OtherSweepError` if the folder holds a sweep with other arguments, one of another version of the program,
+    another result, or a folder in the place of a file.  It raises `OSError` if the folder cannot be written to.
     """
     (sweep.folder / CHUNKS).mkdir(parents=True, exist_ok=True)
     path = sweep.folder / MANIFEST
@@ -202,10 +189,7 @@ def computed(
 ) -> xarray.Dataset:
     """Compute some members of a study by its function, wherever this is called.
 
-    Raises
-    ------
-    RuntimeError
-        If the function gives other members than it was asked for.
+    It raises `RuntimeError` if the function gives other members than it was asked for.
     """
     dataset = chunk(indices, seed, **options)
     if MEMBER not in dataset.coords or not np.array_equal(dataset[MEMBER].values, indices):
@@ -216,12 +200,8 @@ def computed(
 def assemble(sweep: Sweep) -> xarray.Dataset:
     """Make one dataset of all chunks, which are then removed, and open it; its values are read when they are needed.
 
-    Raises
-    ------
-    FileNotFoundError
-        If a chunk is missing, or is not as it was written.
-    ValueError
-        If chunks have different variables or units.
+    It raises `FileNotFoundError` if a chunk is missing, or is not as it was written.  It raises `ValueError` if chunks
+    have different variables or units.
     """
     if absent := missing(sweep):
         raise FileNotFoundError(f"{sweep.path(absent[0])}: expected a chunk with its seal, found none")
@@ -237,10 +217,7 @@ def assemble(sweep: Sweep) -> xarray.Dataset:
 def finished(folder: Path) -> tuple[str, xarray.Dataset]:
     """Return the name of the study that is done in a folder, by whatever version of the program, and its dataset.
 
-    Raises
-    ------
-    OtherSweepError
-        If none is, or it is damaged.
+    It raises `OtherSweepError` if none is, or it is damaged.
     """
     try:
         manifest = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))

@@ -141,7 +141,6 @@ section.identity(
 section.identity(
     "1.1/coordinates",
     "coordinates as scalar products",
-    printed=vector(*(dot(r.row(j), ray) for j in range(3))),
     where=given(r, rows(*reciprocal)),
     derived=solve(B, ray),
 )
@@ -276,8 +275,7 @@ section.identity("1.1.5", "equation of projection", where=seen, derived=P_star *
 section.identity(
     "1.1.5#U*",
     "from barycentric to affine coordinates",
-    printed=Matrix([[1, 1, 1], [0, 1, 0], [0, 0, 1]]) * x,
-    derived=solve(U, x),
+    derived=inverse(U),
 )
 section.identity(
     "1.1.5#P*",

@@ -70,7 +70,6 @@ section.identity(
 section.identity(
     "1.3/p00",
     "the component that is made 1",
-    printed=P_star[0, 0],
     derived=(M_star * homogeneous(e0))[0],
     expect="misprint",
     corrected=M_star[0, 0],
@@ -309,7 +308,6 @@ section.identity(
 section.identity(
     "1.3.6#rows12",
     "matrix of projection in y0 and u3, second and third row",
-    printed=printed_scale * Matrix([[u31 / y01, 0, -u31 / y03], [0, u32 / y02, -u32 / y03]]),
     where=BARYCENTRIC,
     derived=P_star_of_y0[1:, :],
 )
@@ -344,7 +342,6 @@ section.identity("1.3/B", "the base from P*", printed=inverse(U * P_star), deriv
 section.identity(
     "1.3/B#U*",
     "the base from the matrix of reconstruction",
-    printed=B,
     derived=(B * U) * Matrix([[1, 1, 1], [0, 1, 0], [0, 0, 1]]),
 )
 section.up_to_scale(
@@ -438,7 +435,6 @@ section.vanishing(
 section.vanishing(
     "1.3/b#plane",
     "the center lies in the plane of G1, G2, G3 where y00 = 0",
-    printed=(y00,),
     where=BARYCENTRIC,
     derived=determinant(columns(*map(homogeneous, (center, e1, e2, e3)))),
 )

@@ -329,7 +329,6 @@ R_bold, A_v_bold = MatrixSymbol("R", 3, 3), MatrixSymbol("A_v", 3, 3)
 section.identity(
     "1.4.6",
     "matrix of projection, rotation and affine transformation",
-    printed=A_v_bold.I * R_bold.T,
     derived=(R_bold * A_v_bold).I,
     properties={R_bold: "rotation"},
 )
@@ -368,7 +367,6 @@ g_bold, y0_bold, x_bold = (MatrixSymbol(name, 3, 1) for name in ("g", "y0", "x")
 section.identity(
     "1.4.5",
     "projection between cartesian systems",
-    printed=A_v_bold * M * A_X_bold.I * X_homogeneous,
     derived=R_bold.T * (x_bold - (g_bold + F * y0_bold)),
     constraints=[
         Eq(P_star, A_v_bold.I * R_bold.T * F),

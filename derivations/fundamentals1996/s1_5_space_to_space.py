@@ -234,12 +234,9 @@ section.vanishing(
 
 
 # %%
-row_times_y = sympy.symbols("my:4")
 section.identity(
     "1.5.5#rows",
     "image coordinates as quotients of rows",
-    printed=vector(*(row_times_y[i] / row_times_y[0] for i in (1, 2, 3))),
-    where={row_times_y[i]: dot(M_general.row(i), y) for i in range(4)},
     derived=inhomogeneous(M_general * y),
 )
 image = inhomogeneous(M_star * y)
@@ -264,7 +261,6 @@ n = sympy.Symbol("n")
 section.identity(
     "1.5/control-points",
     "number of control points in a space of n dimensions",
-    printed=n + 2,
     derived=over((n + 1) ** 2 - 1, n),
 )
 

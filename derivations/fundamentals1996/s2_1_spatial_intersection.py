@@ -10,7 +10,7 @@
 
 # %%
 import sympy
-from sympy import BlockMatrix, Determinant, Eq, ImmutableMatrix, MatrixSymbol, ZeroMatrix
+from sympy import BlockMatrix, Determinant, Eq, ImmutableMatrix, MatrixSymbol
 
 from algebroproj_derivations.figures import SpaceDrawing
 from algebroproj_derivations.fundamentals1996.notation import *
@@ -105,7 +105,6 @@ D
 section.identity(
     "2.1/D",
     "the vector product with the base as a product of matrices",
-    printed=D_printed.T * ray,
     derived=cross(ray, d),
 )
 
@@ -157,7 +156,6 @@ section.identity(
 section.identity(
     "2.1.4",
     "matrix of correlation, as a product",
-    printed=P_left.T * D_printed * P_right,
     derived=C,
 )
 section.identity("2.1.4#components", "matrix of correlation, by components", derived=P_left.T * D * P_right)
@@ -326,7 +324,6 @@ section.identity("2.1/Dd", "the base annihilates itself", derived=Skew(d_bold) *
 section.identity(
     "2.1/Cu0''",
     "dual transformation of the epipole of P''",
-    printed=BlockMatrix([[Pp.T * D_bold * Ppp * Ppp_star * d_bold, ZeroMatrix(3, 1)]]),
     constraints=[Eq(D_bold, Skew(d_bold)), Eq(Ppp_star, Ppp.I)],
     derived=BlockMatrix([[C_bold * Ppp.I * d_bold, C_bold * Ppp.I * d_bold]]),
 )
@@ -338,7 +335,6 @@ section.identity(
 section.identity(
     "2.1/u0'C",
     "dual transformation of the epipole of P'",
-    printed=d_bold.T * Pp_star.T * Pp.T * D_bold * Ppp,
     constraints=[Eq(D_bold, Skew(d_bold)), Eq(Pp_star, Pp.I)],
     derived=(Pp.I * d_bold).T * C_bold,
 )

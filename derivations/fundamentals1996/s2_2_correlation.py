@@ -160,7 +160,6 @@ def row_of(form: sympy.Expr, variables: tuple[sympy.Symbol, ...]) -> Matrix:
 section.identity(
     "2.2/equation",
     "the equation of a pair of homologous points",
-    printed=equation(Z_general),
     where={z[j, k]: over(c[j, k], c[1, 0]) for j, k in product(range(3), repeat=2)},
     derived=over(dot(u_left, c * u_right), c[1, 0]),
 )

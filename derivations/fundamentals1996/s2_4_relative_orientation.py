@@ -252,7 +252,6 @@ for number, title, conditions in (
 section.vanishing(
     "2.4/singular#plane",
     "the plane of e1 and e2",
-    printed=(ya3,),
     derived=determinant(columns(*map(homogeneous, (e0, e1, e2, axis_point)))),
 )
 section.up_to_scale(
@@ -671,14 +670,12 @@ intersection = [
 section.identity(
     "2.4/2.3.4",
     "the four equations of a model point",
-    printed=vector(*(dot(form, y) for form in intersection)),
     where=HOMOLOGOUS,
     derived=Matrix.zeros(4, 1),
 )
 section.rank(
     "2.4/four-equations",
     "four equations for three unknown components",
-    printed=3,
     derived=rows(*intersection).xreplace(HOMOLOGOUS),
     kernel=[y],
 )

@@ -72,11 +72,9 @@ u_right = vector(*sympy.symbols("uppN1 uppN2"))
 h_left = Z * homogeneous(u_right)
 h_right = Z.T * homogeneous(u_left)
 
-b_normal = vector(*sympy.symbols("bN0:3"))
 section.definition(
     "3.2/line",
     "equation of an epipolar line",
-    printed=dot(b_normal, homogeneous(u_left)),
 )
 
 # %% [markdown]
@@ -618,7 +616,6 @@ section.count(
 section.reference(
     "3.2/ref-2.3",
     "subsection with the procedure of relative orientation",
-    printed="2.3",
     meant="2.4",
     note="See 2.4/ref-2.3; subsection 2.3 is on critical situations.",
     same_as="2.4/ref-2.3",

@@ -35,7 +35,6 @@ section.definition("1.1/p", "projector in the model space")
 section.identity(
     "1.1/E",
     "rotations are orthogonal",
-    printed=E3,
     derived=R_rotation.T * R_rotation,
 )
 
@@ -124,7 +123,6 @@ section.identity(
 
 # %%
 i1, j1, k1, i2, j2, k2, i3, j3, k3 = R_any
-row1, row2, row3 = (R_any.row(k).T for k in range(3))
 section.identity(
     "1.1/quotients",
     "the quotients that eliminate the factor",
@@ -135,13 +133,11 @@ denominator = i3 * x + j3 * y - k3 * c
 section.identity(
     "1.1.5#x",
     "x coordinate of the normal case",
-    printed=vector(-c * (i1 * x + j1 * y - k1 * c) / denominator, -c * dot(row1, x_vector) / dot(row3, x_vector)),
     derived=vector(xn, xn).xreplace(IN_NORMAL_CASE),
 )
 section.identity(
     "1.1.5#y",
     "y coordinate of the normal case",
-    printed=vector(-c * (i2 * x + j2 * y - k2 * c) / denominator, -c * dot(row2, x_vector) / dot(row3, x_vector)),
     derived=vector(yn, yn).xreplace(IN_NORMAL_CASE),
 )
 

@@ -99,11 +99,9 @@ section.count(
 
 # %%
 C = correlation(R_left, R_right, b)
-axes_left, axes_right = ([matrix.col(k) for k in range(3)] for matrix in (R_left, R_right))
 section.identity(
     "1.2.4",
     "matrix of correlation by triple products",
-    printed=Matrix(3, 3, lambda row, column: dot(cross(axes_right[column], axes_left[row]), b)),
     derived=C,
 )
 
@@ -289,7 +287,6 @@ def design_of_points(model_points: list[Matrix]) -> Matrix:
 section.rank(
     "1.2/eight",
     "eight points determine the matrix of correlation but for a factor",
-    printed=8,
     derived=design_of_points(points),
     kernel=[correlation_of_projectors],
 )

@@ -73,14 +73,14 @@ ON_BOTH = Eq(b_bold, lam_p * xp_bold - lam_pp * xpp_bold)
 section.identity(
     "1.3.1#left",
     "factor of the left image",
-    printed=Dot(b_bold, ypp_bold) / Dot(xp_bold, ypp_bold),
+    printed=over(Dot(b_bold, ypp_bold), Dot(xp_bold, ypp_bold)),
     constraints=[ON_BOTH, Eq(ypp_bold, Cross(xpp_bold, e2_bold))],
     derived=lam_p,
 )
 section.identity(
     "1.3.1#right",
     "factor of the right image",
-    printed=-Dot(b_bold, yp_bold) / Dot(xpp_bold, yp_bold),
+    printed=-over(Dot(b_bold, yp_bold), Dot(xpp_bold, yp_bold)),
     constraints=[ON_BOTH, Eq(yp_bold, Cross(xp_bold, e2_bold))],
     derived=lam_pp,
 )
@@ -96,7 +96,6 @@ AT_UNIT_BASE = given(b, unit_base)
 section.identity(
     "1.3/products#b",
     "product with the base",
-    printed=vector(c, c),
     derived=vector(dot(unit_base, y_left), dot(unit_base, y_right)),
 )
 section.identity(
@@ -105,7 +104,6 @@ section.identity(
 section.identity(
     "1.3/products#right",
     "product of the right image vector and the left auxiliary vector",
-    printed=c * (xp - xpp),
     derived=dot(x_right, y_left),
     expect="misprint",
     corrected=c * (xpp - xp),

@@ -33,24 +33,14 @@ R_pp
 # **Print.**  The left matrix is that of the right image without tilt.
 
 # %%
-(cw, sw), (cf, sf), (ck, sk) = OMEGA, PHI_RIGHT, KAPPA_RIGHT
 section.identity(
     "2.1.1",
     "matrix of orientation of the right image",
-    printed=Matrix(
-        [
-            [cf * ck, -cf * sk, sf],
-            [sw * sf * ck + cw * sk, -sw * sf * sk + cw * ck, -sw * cf],
-            [-cw * sf * ck + sw * sk, cw * sf * sk + sw * ck, cw * cf],
-        ]
-    ),
     derived=R_pp,
 )
-(cf, sf), (ck, sk) = PHI_LEFT, KAPPA_LEFT
 section.identity(
     "2.1.2",
     "matrix of orientation of the left image",
-    printed=Matrix([[cf * ck, -cf * sk, sf], [sk, ck, 0], [-sf * ck, sf * sk, cf]]),
     derived=R_p,
 )
 section.identity(

@@ -38,7 +38,6 @@ EPIPOLES = [Eq(b_bold, X0pp - X0p), Eq(xp_o, Rp.T * (X0pp - X0p) / lam_p), Eq(xp
 section.identity(
     "2.2/zero",
     "the matrix of correlation takes the epipoles to zero",
-    printed=BlockMatrix([[Z_bold.T * xp_o, Z_bold * xpp_o]]),
     constraints=[*EPIPOLES, Eq(Z_bold, Rp.T * Skew(b_bold) * Rpp / z)],
     properties={Rp: "rotation", Rpp: "rotation"},
     derived=sympy.ZeroMatrix(3, 2),
@@ -46,7 +45,6 @@ section.identity(
 section.identity(
     "2.2/base",
     "the epipoles are the images of the base",
-    printed=BlockMatrix([[Rp.T * b_bold, -Rpp.T * b_bold]]),
     constraints=EPIPOLES,
     derived=BlockMatrix([[lam_p * xp_o, lam_pp * xpp_o]]),
 )
@@ -59,13 +57,11 @@ base_left
 section.identity(
     "2.2/base#left",
     "image of the base in the left image",
-    printed=vector(cos(phip) * cos(kappap), -cos(phip) * sin(kappap), sin(phip)),
     derived=base_left,
 )
 section.identity(
     "2.2/base#right",
     "image of the base in the right image",
-    printed=-vector(cos(phipp) * cos(kappapp), -cos(phipp) * sin(kappapp), sin(phipp)),
     derived=base_right,
 )
 section.identity(
@@ -145,7 +141,6 @@ for primes, image, coordinates, phi, _ in IMAGES:
     section.identity(
         f"2.2/root{primes}",
         f"the root of the {image} image",
-        printed=sqrt(x0**2 + y0**2),
         derived=over(cos(phi), Abs(lam0)),
         constraints=equations(coordinates),
         assumptions=[cos(phi) > 0],
@@ -206,14 +201,13 @@ for place, (u2, u3) in enumerate(((i2, i3), (j2, j3))):
     section.identity(
         f"2.2/tilt#{place + 1}3",
         f"element c{place + 1}3",
-        printed=(u2 * cos(Omegapp) + u3 * sin(Omegapp)) * cos(phipp),
         derived=column[place],
         expect="misprint",
         corrected=-(u2 * cos(Omegapp) + u3 * sin(Omegapp)) * cos(phipp),
         note=SIGN,
         same_as="2.2/tilt#13" if place else "",
     )
-section.identity("2.2/tilt#33", "element c33", printed=-k3 * sin(Omegapp) * cos(phipp), derived=column[2])
+section.identity("2.2/tilt#33", "element c33", derived=column[2])
 OF_C = equations(given((z13, z23, z33), (over(element, c32) for element in column)))
 section.identity("2.2/cosine", "cosine of the tip from the last equation", constraints=OF_C, derived=cos(phipp))
 

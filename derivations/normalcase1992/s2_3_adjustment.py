@@ -137,12 +137,12 @@ section.identity(
 p1p, p2p, p3p = projector_left = vector(*sympy.symbols("p1p p2p p3p"))
 p1pp, p2pp, p3pp = projector_right = vector(*sympy.symbols("p1pp p2pp p3pp"))
 IN_IMAGES = given((*projector_left, *projector_right), (*p_left, *p_right))
-PRINTED = {
-    dphi_p: ("dphi'", p1p * p2pp),
-    dkappa_p: ("dkappa'", p1p * p3pp),
-    domega_pp: ("dOmega''", -(p2pp * p2p + p3pp * p3p)),
-    dphi_pp: ("dphi''", -p1pp * p2p),
-    dkappa_pp: ("dkappa''", -p1pp * p3p),
+NAMES = {
+    dphi_p: "dphi'",
+    dkappa_p: "dkappa'",
+    domega_pp: "dOmega''",
+    dphi_pp: "dphi''",
+    dkappa_pp: "dkappa''",
 }
 SIGN = (
     "The sign is wrong: -dOmega'' stands twice in B dA'', and it changes on the way to the right side, as the signs of "
@@ -154,14 +154,15 @@ FOLLOWS = (
     "The correction of the tilt goes in the wrong direction, in all eight error equations of the example. See "
     "docs/findings/small-rotations.md."
 )
-for unknown, (name, coefficient) in PRINTED.items():
+for unknown, name in NAMES.items():
     verdict = (
-        {"expect": "error", "corrected": -coefficient, "note": SIGN, "follows": FOLLOWS} if unknown == domega_pp else {}
+        {"expect": "error", "corrected": p2pp * p2p + p3pp * p3p, "note": SIGN, "follows": FOLLOWS}
+        if unknown == domega_pp
+        else {}
     )
     section.identity(
         f"2.3/linear#{name}",
         f"coefficient of {name} in the linearised equation",
-        printed=coefficient,
         where=IN_IMAGES,
         derived=-diff(first_order, unknown),
         **verdict,
@@ -292,7 +293,6 @@ section.identity(
 section.identity(
     "2.3/det",
     "determinant of a matrix of correlation",
-    printed=0,
     derived=determinant(C),
 )
 

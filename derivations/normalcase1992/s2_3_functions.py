@@ -8,7 +8,7 @@ from algebroproj_derivations.drivers import adjust
 from algebroproj_derivations.normalcase1992.notation import *
 from algebroproj_derivations.normalcase1992.s2_3_adjustment import (
     IN_IMAGES,
-    PRINTED,
+    NAMES,
     coefficients_of_projectors,
     first_order,
     unknowns,
@@ -40,7 +40,7 @@ section.kernel(
     derived=coefficients_of_rotations,
     form=coefficients_of_projectors,
     where=IN_IMAGES,
-    claims=[*(f"2.3/linear#{name}" for name, _ in PRINTED.values()), "2.3/beyond/finite"],
+    claims=[*(f"2.3/linear#{name}" for name in NAMES.values()), "2.3/beyond/finite"],
     example={
         "x_left": ("-10.62", "1.694"),
         "x_right": ("-1.851", "2.316"),

@@ -26,7 +26,6 @@ C_normal = correlation(E3, E3, unit_base)
 section.identity(
     "3.1/Z_N",
     "matrix of correlation of the normal case",
-    printed=Matrix.hstack(*(Matrix([[0, 0, 0], [0, 0, -1], [0, 1, 0]]),) * 2),
     derived=Matrix.hstack(C_normal, C_normal.applyfunc(lambda element: over(element, C_normal[2, 1]))),
 )
 
@@ -55,7 +54,6 @@ points = [sympy.symbols(f"xp_{n} xpp_{n} y_{n}") for n in range(1, 9)]
 section.rank(
     "3.1/must-be",
     "eight transformed points allow no other result",
-    printed=8,
     derived=Matrix(
         [
             [p * q for p in image_vector(abscissa_left, ordinate) for q in image_vector(abscissa_right, ordinate)]
@@ -112,7 +110,6 @@ section.identity("3.1.2", "equation of the epipolar line in the left image", der
 section.identity(
     "3.1.3#h''",
     "epipolar line in the right image of the normal case",
-    printed=Matrix.hstack(Matrix([[0, 0, 0], [0, 0, 1], [0, -1, 0]]) * x_left, -vector(0, c, yp)),
     derived=Matrix.hstack(h_right, h_right),
     note="The scan confuses the primes of the left image vector; the matrix is the transpose of C_N, applied to x'.",
 )
@@ -156,7 +153,6 @@ ImageDrawing(
 section.vanishing(
     "3.1/ordinates",
     "homologous points have equal ordinates",
-    printed=(yp - ypp,),
     derived=dot(x_left, C_normal * x_right),
     nonzero=[c],
 )

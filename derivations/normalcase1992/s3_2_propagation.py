@@ -86,7 +86,6 @@ for place, left_side, right_side in (
 section.identity(
     "3.2/tau",
     "the factor from the third component",
-    printed=-dot(row3, x_vector) / c,
     derived=over((R_any * x_vector)[2], -c),
 )
 
@@ -162,7 +161,6 @@ B_x_printed = Matrix([[xn * i3 + c * i1, xn * j3 + c * j1], [yn * i3 + c * i2, y
 section.identity(
     "3.2.1#B_x",
     "matrix of small shifts in the image",
-    printed=B_x_printed / dot(row3, x_vector),
     where=OF_IMAGE,
     derived=B_x,
     expect="error",
@@ -272,13 +270,11 @@ NO_ROTATION = given(R_any, E3)
 section.identity(
     "3.2/normal#e3.x",
     "divisor without rotation",
-    printed=-c,
     derived=dot(row3, x_vector).xreplace(NO_ROTATION),
 )
 section.identity(
     "3.2/normal#B_x",
     "matrix of small shifts without rotation",
-    printed=Matrix.hstack(Matrix([[c, 0], [0, c]]) / c, Matrix.eye(2)),
     derived=Matrix.hstack(*(B_x.xreplace(NO_ROTATION),) * 2),
 )
 section.identity(

@@ -144,7 +144,6 @@ section.identity(
 section.identity(
     "3.3/E#dx-dx",
     "dispersion of the left image point",
-    printed=Matrix([[s_xx, s_xy, 0], [s_xy, s_yy, 0], [0, 0, 0]]),
     derived=of_image,
 )
 
@@ -292,7 +291,6 @@ SpaceDrawing(
 section.identity(
     "3.3/lambda",
     "the dominating factor",
-    printed=1 / (xpp - xp),
     derived=factor,
     expect="misprint",
     corrected=1 / (xp - xpp),

@@ -50,12 +50,10 @@ mapped = image(matrix_of(B), second_point)
 section.definition(
     "8",
     "general central projective one-to-one correspondence",
-    printed=collineation(B, second_point),
 )
 section.identity(
     "8#matrix",
     "the same as the product with a 4 by 4 matrix",
-    printed=collineation(B, second_point),
     derived=mapped,
 )
 

@@ -331,7 +331,6 @@ equations_of_fifteen = Matrix.vstack(
 section.rank(
     "2.2/fifteen",
     "seven conditions of coplanarity and eight of similarity are fifteen independent equations",
-    printed=15,
     derived=rates_of_equations(equations_of_fifteen, fifteen, seven),
 )
 
@@ -489,7 +488,6 @@ similar = list(difference - scale * object_difference)
 section.identity(
     "37",
     "quotient of the line segments of model and object",
-    printed=sqrt(dot(first_model - first_model, first_model - first_model) / object_segment),
     derived=scale,
     constraints=similar,
     nonzero=[object_segment],
@@ -508,7 +506,6 @@ section.identity(
 section.identity(
     "38#m",
     "the scale of (38) in the quotient of (37)",
-    printed=m,
     derived=sqrt(dot(difference, difference) / dot(m * difference, m * difference)),
     assumptions=[m > 0],
     expect="misprint",

@@ -174,7 +174,6 @@ cameras = (
 section.rank(
     "3/twenty-two",
     "seven conditions of coplanarity and five object points give 22 independent equations",
-    printed=22,
     derived=rates_of_equations(images_by(cameras, [*control_points, *tie_points]), twenty_two, tie_points),
 )
 

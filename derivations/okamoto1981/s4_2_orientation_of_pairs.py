@@ -316,7 +316,6 @@ remaining_movements = (allowed - scale_of_matrix * allowed[15, :])[:15, :]
 section.rank(
     "4.2/twelve",
     "model and object differ by a correspondence of twelve parameters",
-    printed=12,
     derived=remaining_movements,
     kernel=[vector(*entry) for entry in remaining_movements.nullspace()],
     expect="false",
@@ -450,7 +449,6 @@ def equations_of(pairs_of_images: int, similarity_equations: int) -> Matrix:
 section.rank(
     "4.2/eleven",
     "six conditions of coplanarity and five of similarity are eleven independent equations",
-    printed=11,
     derived=equations_of(6, 5),
 )
 

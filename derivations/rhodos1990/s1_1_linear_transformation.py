@@ -46,7 +46,7 @@ section.identity(
 # **Rank 4.**  A regular matrix relates two spaces of three dimensions, in both directions.
 
 # %%
-section.rank("1.1/regular#rank", "a general matrix is regular", printed=4, derived=MatrixSymbol("P", 4, 4))
+section.rank("1.1/regular#rank", "a general matrix is regular", derived=MatrixSymbol("P", 4, 4))
 section.identity(
     "1.1/regular#inverse",
     "a regular transformation relates the two spaces in both directions",
@@ -94,7 +94,7 @@ planes = [annihilated(left2.T, kept) for kept in ((0, 1, 2), (1, 2, 3))]
 # **Rank 3.**  One point is annihilated, the center of the projection.  The images fill a plane.
 
 # %%
-section.rank("1.1/plane#rank", "rank 3", printed=3, derived=left3 * right3, kernel=[center])
+section.rank("1.1/plane#rank", "rank 3", derived=left3 * right3, kernel=[center])
 section.identity(
     "1.1/plane#incident",
     "with rank 3 all images lie in a plane",
@@ -114,7 +114,7 @@ section.count(
 # **Rank 2.**  The points of an axis are annihilated.  The images fill a straight line.
 
 # %%
-section.rank("1.1/line#rank", "rank 2", printed=2, derived=left2 * right2, kernel=axis)
+section.rank("1.1/line#rank", "rank 2", derived=left2 * right2, kernel=axis)
 section.identity(
     "1.1/line#incident",
     "with rank 2 all images lie in two planes, and in their line",

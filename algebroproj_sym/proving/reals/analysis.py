@@ -92,18 +92,9 @@ class Rise:
 
 
 class Analysis:
-    """A search for the signs of functions of one variable.
+    """A search for the signs of functions of one variable, after some derivatives were taken.
 
-    Parameters
-    ----------
-    nested : callable
-        Proves relations of terms in a theory of their own.
-    equal : callable
-        Shows that two elements are equal.
-    knowledge : Knowledge
-        What is known, and where steps are taken.
-    level : int
-        How many derivatives were taken before.
+    `nested` proves relations of terms in a theory of their own, and `equal` shows that two elements are equal.
     """
 
     def __init__(self, nested: Nested, equal: Equal, knowledge: Knowledge, level: int) -> None:

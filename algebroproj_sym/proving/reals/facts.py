@@ -26,13 +26,7 @@ MASK = (1 << BITS) - 1
 
 
 class Facts:
-    """Facts, and the steps by which they came.
-
-    Parameters
-    ----------
-    theory : Theory
-        What is known at the beginning.
-    """
+    """Facts, with those of a theory at the beginning, and the steps by which they came."""
 
     def __init__(self, theory: Theory, samples: Sequence[Sample] = (), effort: list[int] | None = None) -> None:
         self.theory = theory

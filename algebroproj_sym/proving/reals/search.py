@@ -38,20 +38,10 @@ class Case:
 
 
 class Search:
-    """A search for a proof of relations of terms to zero, within a number of cases.
+    """A search for a proof of relations of terms to zero, one after the other, within a number of cases.
 
-    Parameters
-    ----------
-    theory : Theory
-        What is known.
-    goals : sequence of (relation, Term)
-        What is to be shown, one after the other.
-    samples : list of Sample
-        Points at which what is known holds.
-    level : int
-        Within how many proofs about derivatives this is.
-    effort : list of int, optional
-        What may still be spent.
+    What a theory knows holds at the samples.  `level` says within how many proofs about derivatives it is, and `effort`
+    what may still be spent.
     """
 
     def __init__(

@@ -67,7 +67,7 @@ _STEMS = (
     "look|seek|learn|guess|generat|minimi[sz]|maximi[sz]|optimi[sz]|sampl|fit|"
     # to suppose it
     "assum|suppos|consider|requir|need|expect|desir|want|wish|ignor|neglect|omit|view|regard|treat|think|prescrib|choos|"
-    "pick|select|fix|keep|let|allow|assign|"
+    "pick|select|fix|keep|let|allow|assign|guarantee|ensur|impos|demand|postulat|justif|conclud|not|notic|"
     # to use it
     "us|eliminat|substitut|insert|plug|integrat|differentiat|equat|factor|simplif|rewrit|rearrang|isolat|cancel|collect|"
     "sum|multipl|divid|add|subtract|appl|work|encod|realiz|build|construct|model|parametri[sz]|retain|plot|display|"

@@ -34,7 +34,7 @@ def composed_in(
     yield from _chained_in(equations)
     yield from _turned_in(side for each in equations for side in each)
     yield from _between_frames(side for each in equations for side in each)
-    yield from _between_matrices(side for each in equations for side in each)
+    yield from _between_matrices((side for each in equations for side in each), numbers)
     for letters in map(frozenset, _ordered_in(equations)):
         yield from letters if letters.isdisjoint(numbers) else ()
     if _QUATERNIONS.search(words):
@@ -67,12 +67,13 @@ def _between_frames(sides: Iterable[Formula]) -> Iterator[str]:
                 yield from (one, other) if split_symbol(other)[2] and below.isalpha() else [one][: below.isalpha()]
 
 
-def _between_matrices(sides: Iterable[Formula]) -> Iterator[str]:
-    """Yield the capitals between a printed row and a printed column: a number would stand before both."""
+def _between_matrices(sides: Iterable[Formula], numbers: Collection[str]) -> Iterator[str]:
+    """Yield the letters between a printed row and a printed column: a number would stand before both."""
     for run in (run for side in sides for run in side.find_data("run")):
         factors = trees_in(run)
         for one, letter, other in zip(factors, map(lone, factors[1:]), factors[2:], strict=False):
-            if letter[:1].isupper() and _is_printed(one) and _is_printed(other):
+            is_matrix = letter[:1].isupper() or (letter and letter not in numbers)
+            if is_matrix and _is_printed(one) and _is_printed(other):
                 yield letter
 
 

@@ -91,11 +91,11 @@ class Indices:
 
     @property
     def _turned(self) -> Iterator[str]:
-        """Yield the letters from i to n of which two stand below a letter in both orders, as in ``d_{ij} = -d_{ji}``."""
-        below = {(letter, script) for letter, _, script, _ in map(split_symbol, filter(_is_plain, self.symbols))}
+        """Yield the letters from i to n of which two stand below a letter in both orders, as ``d_{ij} = -d_{ji}``."""
+        names = map(split_symbol, filter(_is_plain, self.symbols))
+        below = {(letter, script) for letter, _, script, _ in names}
         for letter, script in below:
-            one, other = script if len(script) == 2 else ("", "")
-            if one < other and {one, other} <= {*"ijklmn"} and (letter, other + one) in below:
+            if re.fullmatch("[i-n]{2}", script) and script[0] != script[1] and (letter, script[::-1]) in below:
                 yield from script
 
     @cached_property

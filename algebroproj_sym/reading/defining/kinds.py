@@ -32,7 +32,7 @@ from algebroproj_sym.reading.defining.factors import (
 from algebroproj_sym.reading.defining.inner import vectors_in
 from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
-from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
+from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, Sides, symbols_in, trees_in
 
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
@@ -108,7 +108,9 @@ def kinds_of(
     numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
     known |= vectors_in(sides, words) - numbers
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
-    closure = _Closure({*known, *filter(_BOLD.search, occurring)}, equations, occurring)
+    closure = _Closure(
+        {*known, *(each for each in occurring if _BOLD.search(before_condition(each)))}, equations, occurring
+    )
     while closure.grows():
         pass
     columns |= frozenset(_summed_with(columns, closure.known, equations))

@@ -11,7 +11,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol, written
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
 
 E = Tree("symbol", [Token("SYMBOL", "e")])
 
@@ -54,9 +54,9 @@ def _raised_in_brackets(equations: Sequence[Sides]) -> set[str]:
 
     Two letters or more have it, and it stands nowhere else but in scripts and below sums.
     """
-    powers = [power.children for side in _every(equations) for power in side.find_data("power")]
+    powers = [trees_in(power) for side in _every(equations) for power in side.find_data("power")]
     above = [(str(base.children[0]), _text_of(exponent)) for base, exponent in powers if _is_letter(base)]
-    inside = [_alone(base) for base, _ in powers if isinstance(base, Tree) and base.data == "bracket"]
+    inside = [_alone(base) for base, _ in powers if base.data == "bracket"]
     raised = {
         _text_of(each.children[1]) for each in inside if each.data == "power" and _is_letter(_alone(each.children[0]))
     }

@@ -44,8 +44,26 @@ _SIGNS = (
         "signs may mean something else than for numbers",
     ),
     *(
-        (rf"\$\s*{sign}\s*\$ (?:means|denotes|stands|is)\b", latex, "a sign may mean something else than for numbers")
-        for sign, latex in ((r"\+", r"\+"), ("/", r"/|\\[dt]?frac"), (r"\\cdot", r"(?<![_^{])\\cdot"))
+        (
+            rf"\$\s*{sign}\s*\$ (?:means|denotes|stands|marks|is)\b",
+            latex,
+            "a sign may mean something else than for numbers",
+        )
+        for sign, latex in (("!", "!"), (r"\+", r"\+"), ("/", r"/|\\[dt]?frac"), (r"\\cdot", r"(?<![_^{])\\cdot"))
+    ),
+    *(
+        (
+            rf"(?<![a-z])\\?{name}\$? (?:denotes|means|stands for)\b"
+            r"(?![^.;]*\b(?:co)?(?:sine|tangent|logarithm|exponential|function\b(?! of)|inverse|base))",
+            rf"\\?(?<![a-z]){name}(?![a-z])",
+            f"{name} may mean something else than for numbers",
+        )
+        for name in ("sin", "cos", "tan", "exp", "log", "ln")
+    ),
+    (
+        r"\$d[a-z]\$[^.$]{0,20}\b(?:is|are) (?:an? |the )?products?\b",
+        r"\\[dt]?frac\s*\{\s*d",
+        "d may be a factor",
     ),
     (
         r"\bnearest integer|\binteger part|\bfractional part",
@@ -108,6 +126,11 @@ _SUPERSCRIPTS = re.compile(
     r"(?! (?:the )?(?:transpos|invers|conjug|adjoint|power|exponent))",
     re.IGNORECASE,
 )
+_BOUNDARY = re.compile(
+    r"\bboundar[^.$]*\$\\partial|\$\\partial[^$]*\$ (?:be|is|denotes) (?:the|an?|its) [^.$]{0,30}\bboundar",
+    re.IGNORECASE,
+)
+"""Words by which a curved d before a letter is its boundary."""
 _CHANGES = re.compile(r"/|dot|'")
 _DEGREES = re.compile(
     r"\b(?:is|are|be|measured|given|expressed|angles?) in degrees\b|\bset to degrees\b", re.IGNORECASE
@@ -146,6 +169,7 @@ _SIGNALS = (
     r"(?:frequency|impulse|step) responses?|shapes?|wave ?forms?|profiles?)"
 )
 _NUMBER = re.compile(r"\b(?:ratio|circle|number|constant|half)\b|3\.14")
+_CLAUSE = re.compile(r"[,.;]")
 _CALLED = re.compile(r"^\s*(?:is|are|be|denotes?|represents?)\b")
 _IS_NAME_OF = re.compile(r"\b(?:the|an?) (?!value |factor |angle |phase |limit |interval )[a-z]{4,} $")
 _EACH_TIME = re.compile(
@@ -255,6 +279,10 @@ class Meanings:
         return _CONVENTION.search(self.words) is not None
 
     @cached_property
+    def _has_boundaries(self) -> bool:
+        return _BOUNDARY.search(self.words) is not None
+
+    @cached_property
     def _signs(self) -> list[tuple[re.Pattern[str], str]]:
         text = " ".join([self.words, *(each.latex for each in self.statements)])
         said = (each for each in _SIGNS if re.search(each[0], text, re.IGNORECASE))
@@ -270,7 +298,7 @@ class Meanings:
             before, after = each.display.before[-60:], each.display.after[:60]
             is_named = _CALLED.match(after) or _IS_NAME_OF.search(before)
             is_inline = each.display.environment == "inline" and each.latex.strip() == r"\pi"
-            if is_inline and is_named and not _NUMBER.search(before[-20:] + after):
+            if is_inline and is_named and not _NUMBER.search(before[-20:] + _CLAUSE.split(after)[0]):
                 found[r"\pi"] = "is not the number, for words call it something else"
         for match in _EACH_TIME.finditer(self.words):
             found |= dict.fromkeys(symbols_in_list(match[1]), VARIES)
@@ -333,6 +361,8 @@ class Meanings:
             match = pattern.search(latex)
             if match and (reason != ITERATE or match[1] == "}" or match[1] in self._applied):
                 return reason
+        if self._has_boundaries and r"\partial_" in statement.display.latex.replace(" ", ""):
+            return "it may be a part of a boundary, and no derivative"
         if self.gives_products and any(True for side in formula.sides for _ in products_in(side)):
             return "an inner product is given otherwise"
         if match := _MICRO.search(statement.latex):

@@ -83,6 +83,9 @@ _VECTOR_SPACE = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathbb|mathbf|Bbb)\s*\{?\s*[RC]\s*\}?|\\R(?![a-zA-Z]))\s*\^\s*\{?\s*(?:[a-zA-Z]|[2-9]|\d+\s*\\times|\d\d)"
 )
 _COMPLEX = re.compile(r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*C\b")
+_REAL = re.compile(
+    r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathbb|mathbf|Bbb)\s*\{?\s*[RZNQ]\b|(?:\\left\s*)?[\[(]|\\R(?![a-zA-Z]))(?!\s*\}?\s*\^)"
+)
 _OF_SUMS = ("symmetric", "positive definite", "diagonal")
 """The properties that covariances may have."""
 _IS_CALLED = re.compile(
@@ -197,6 +200,15 @@ def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
         symbol for each in every if (match := _COMPLEX.match(each.latex)) for symbol in symbols_in_list(match[1])
     )
     return called(every, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | {*members}
+
+
+def reals_in(statements: Iterable[Statement]) -> frozenset[str]:
+    r"""Return the symbols that are said to be real, in words or as in ``x \in \mathbb{R}`` and ``x \in [0, 1]``."""
+    every = tuple(statements)
+    members = (symbol for each in every if (match := _REAL.match(each.latex)) for symbol in symbols_in_list(match[1]))
+    return called(every, r"(?:real|positive|negative|nonnegative|non-negative)(?: (?:[a-z-]+|number|variable)s?)?") | {
+        *members
+    }
 
 
 _AND_OTHERS = r"(?:\$[^$]*\$ ?(?:, ?and|,|and) ?)*"

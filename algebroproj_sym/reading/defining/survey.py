@@ -33,6 +33,7 @@ from algebroproj_sym.reading.defining.phrases import (
     matrices_in,
     named_otherwise,
     properties_in,
+    reals_in,
     sizes_in,
     vectors_in,
 )
@@ -270,7 +271,9 @@ class Survey:
         )
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
         by_time = by_time or "t" in {symbol for each in self.formulas.values() for symbol in _turning(each)}
-        arguments = {name: defined_by(next(iter(of)))[1] for name, of in self._arguments.items() if len(of) == 1}
+        own = {name: defined_by(next(iter(of)))[1] for name, of in self._arguments.items() if len(of) == 1}
+        time = ("t",) if _OF_TIME.search(self._prose) else ()
+        arguments = {name: of + time if of and "t" not in of else of for name, of in own.items()}
         return Dependence(tuple(ties), by_time, constants_in(self.statements), arguments)
 
     @cached_property
@@ -310,14 +313,15 @@ class Survey:
 
     @cached_property
     def _units(self) -> frozenset[str]:
-        """The letters i and j that may be the imaginary unit: roots of -1, or in an exponent of e, and no indices."""
+        """The letters i and j that may be the imaginary unit: roots of -1, said to be it, or in an exponent of e."""
         trees = [tree for side in _sides(self.formulas) for tree in side.iter_subtrees()]
         names = [str(each.children[0]) for each in trees if each.data == "big"]
         raised = {symbol for each in trees if _is_exponential(each) for symbol in symbols_in(each)}
         alone = {lone_letter(each.children[-1]) for each in trees if each.data == "function"}
         given = {tie.given for tie in self.dependence.ties if tie.others}
         indices = frozenset().union(*map(letters_in, names), *map(letters_of_symbol, self.occurring - {"i", "j"}))
-        found = {each for each in ("i", "j") if each in raised or self._is_root(each)}
+        named = called(self.statements, "imaginary unit")
+        found = {each for each in ("i", "j") if each in raised or each in named or self._is_root(each)}
         return frozenset(found - alone - given - indices)
 
     @property
@@ -325,6 +329,13 @@ class Survey:
         """Yield the letters that are a side of an equation in which the imaginary unit may stand."""
         for formula in self.formulas.values() if self._units else ():
             if isinstance(formula, Parsed) and self._units & {x for side in formula.sides for x in symbols_in(side)}:
+                yield from (symbol for side in formula.sides if (symbol := defined_by(side)[0]))
+
+    @property
+    def _compared(self) -> Iterator[str]:
+        """Yield the letters that are a side of an inequality: they are real."""
+        for formula in self.formulas.values():
+            if isinstance(formula, Parsed) and not _LESS.isdisjoint(formula.relations):
                 yield from (symbol for side in formula.sides if (symbol := defined_by(side)[0]))
 
     def _is_root(self, letter: str) -> bool:
@@ -343,6 +354,7 @@ class Survey:
             euler=self._has_euler(),
             complexes=complexes_in(self.statements) | self._units | {*self._equated_with_units},
             imaginary=self.imaginary,
+            reals=reals_in(self.statements) | {*self._compared},
         )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
@@ -392,6 +404,15 @@ _SPECIAL = re.compile(
 )
 """Words by which values or products may be others than those of real numbers."""
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
+_OF_TIME = re.compile(
+    r"\btime[- ](?:depend|var[iy]|chang)\w*|\bnon-?autonomous|\bnon-?stationary|\bunsteady|\btransient"
+    r"|(?<!how )\b(?:depend(?:s|ing)?|chang(?:es|ing)|var(?:ies|ying)|drift(?:s|ing)|evolv(?:es|ing)|grow(?:s|ing)|"
+    r"decay(?:s|ing)|(?:de|in)creas(?:es|ing)|explicit\w*|arguments?)\b[^.;]{0,40}\btime\b"
+    r"|\b(?:switched|ramped|turned|modulated|driven) (?:\w+ )?(?:on|off|up|down|slowly|by)\b",
+    re.IGNORECASE,
+)
+"""Words by which functions may have the time as an argument that is not written."""
+_LESS = frozenset(("<", ">", "<=", ">=", "≪", "≫", "≲", "≳"))
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 
 

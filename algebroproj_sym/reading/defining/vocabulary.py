@@ -18,7 +18,7 @@ from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES
-from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
@@ -122,8 +122,10 @@ class Vocabulary:
         euler: bool = False,
         complexes: frozenset[str] = frozenset(),
         imaginary: str = "",
+        reals: frozenset[str] = frozenset(),
     ) -> None:
         self.given = given
+        self.reals = reals
         self.complexes = complexes
         self.imaginary = imaginary
         self.numbers: Numbers = "real"
@@ -150,6 +152,7 @@ class Vocabulary:
             euler=self.euler,
             complexes=self.complexes,
             imaginary=self.imaginary,
+            reals=self.reals,
         )
         copied.numbers = self.numbers
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
@@ -347,7 +350,11 @@ class Vocabulary:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
         if symbol in self.kinds.averages.operators:
             return False
-        return _BOLD.search(symbol) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
+        return (
+            _BOLD.search(before_condition(symbol)) is not None
+            or symbol in self.kinds.no_numbers
+            or symbol in self._properties
+        )
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""

@@ -36,7 +36,7 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
 from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
 from algebroproj_sym.reading.judging.renaming import gives_its_name_away, renamed_in
-from algebroproj_sym.reading.judging.sampling import agree, samples_of
+from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.sentences import (
     last_sentence,
@@ -282,6 +282,8 @@ class Memory:
         if not (self.beside.renews or elsewhere or letters <= theirs or theirs <= letters):
             return
         if not is_named(left) and (is_one_value(parameters, value) or agree(samples_of(told), (left, value))):
+            return
+        if self.vocabulary.is_matrix(symbol) and are_one_matrix(told, (left, value)):
             return
         self.premises = older + [
             each

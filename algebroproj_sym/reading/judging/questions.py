@@ -142,6 +142,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
         raise UnreadableError(
             f"{min(map(vocabulary.name, found))} may be complex, but functions are computed of real ones"
         )
+    if is_elementary and (name := _assumed_real(vocabulary, values)):
+        raise UnreadableError(f"{name} may be complex or a vector, for it has an absolute value")
     if shape(values[0]) and (is_elementary or by_entries):
         return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
     return [Question(_text(values[0]), _text(values[1]))]
@@ -155,6 +157,26 @@ def complex_letters_in(vocabulary: Vocabulary, *trees: Formula) -> frozenset[str
     """Return the letters of formulas that may be complex, or the imaginary unit."""
     symbols = frozenset().union(*({*symbols_in(each)} | vocabulary.letters_of(each) for each in trees))
     return vocabulary.complex_letters(symbols)
+
+
+def _assumed_real(vocabulary: Vocabulary, values: Sequence[Any]) -> str:
+    """Return a letter within an absolute value, and outside of it or in another one, that no words call real.
+
+    Nobody writes ``|x|^2`` of a real number, and ``|x|^2 = x^2`` holds of no other one.  Functions are of real ones.
+    """
+    moduli = frozenset().union(*(value.atoms(sympy.Abs) for value in values))
+    inside = (each.args[0].replace(_has_real_argument, lambda _: sympy.Integer(1)) for each in moduli)
+    measured = {each if each.could_extract_minus_sign() else -each for each in inside}
+    others = [value.xreplace(dict.fromkeys(moduli, sympy.Integer(1))) for value in values]
+    seen = [*(each.free_symbols for each in measured), frozenset().union(*(each.free_symbols for each in others))]
+    twice = {symbol for symbol in frozenset().union(*seen[:-1]) if sum(symbol in each for each in seen) > 1}
+    sums = any(each.is_Add for each in measured)
+    twice &= frozenset().union(*seen) if sums else seen[-1]
+    return min((each.name for each in twice if vocabulary.symbol_of(each.name) not in vocabulary.reals), default="")
+
+
+def _has_real_argument(part: Any) -> bool:
+    return bool(part.is_Function or (part.is_Pow and part.exp.free_symbols))
 
 
 def _of_complex(vocabulary: Vocabulary, left: Any, right: Any) -> Question:

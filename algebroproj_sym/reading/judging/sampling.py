@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cmath import isnan
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from fractions import Fraction
 from itertools import count
 from typing import Any
@@ -12,8 +13,11 @@ import sympy
 
 from algebroproj_sym.expressions import NotRationalError, entries, evaluate
 from algebroproj_sym.expressions.bounds import MAX_BITS
+from algebroproj_sym.proving import Question
+from algebroproj_sym.proving.letters import prove_texts
+from algebroproj_sym.proving.proof import UndefinedError
 from algebroproj_sym.reading.defining.vocabulary import MOST_PARTS, Definition, Vocabulary
-from algebroproj_sym.reading.judging.questions import Sides
+from algebroproj_sym.reading.judging.questions import Sides, asked_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import evaluated, evaluator
 from algebroproj_sym.reading.parsing.grammar import Formula
@@ -137,6 +141,22 @@ def samples_of(vocabulary: Vocabulary, *trees: Formula) -> list[Sample]:
     """Return some points at which formulas have values."""
     samples = (Sample(vocabulary, seed) for seed in range(len(POINTS)))
     return [each for each in samples if all(each.at(tree) is not None for tree in trees)]
+
+
+def are_one_matrix(vocabulary: Vocabulary, sides: Sides) -> bool:
+    """Whether two sides with vectors and matrices as letters are seen to be one."""
+    for known in (vocabulary, vocabulary.with_identity(*sides)):
+        asked = asked_of(known, *sides) if known is not None else ""
+        with suppress(*_UNDEFINED, UndefinedError):
+            if isinstance(asked, list) and all(_is_proved(each) for each in asked):
+                return True
+    return False
+
+
+def _is_proved(question: Question) -> bool:
+    return question.letters is not None and (
+        prove_texts(question.lhs, question.rhs, question.letters, constraints=question.constraints).verdict == "proved"
+    )
 
 
 def agree(samples: Iterable[Sample], sides: Sides) -> bool:

@@ -45,7 +45,7 @@ from algebroproj_sym.reading.judging.indexed import instance_of, instances, sour
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in, with_divided_angles
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
@@ -154,8 +154,9 @@ def along_directions_in(way: Way) -> Iterator[Way]:
 def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:
     """Yield a relation as LaTeX may mean it as well: the slash, and how far the argument of a function goes."""
     sides = formula.sides[index], formula.sides[index + 1]
-    if (others := (regrouped(sides[0]), regrouped(sides[1]))) != sides:
-        yield others
+    for otherwise in (regrouped, with_divided_angles):
+        if (others := (otherwise(sides[0]), otherwise(sides[1]))) != sides:
+            yield others
     if formula.chose:
         with suppress(UnreadableError):
             narrow = standing.survey.parsed(statement, wide=False)
@@ -258,7 +259,11 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     own = _supposed(standing, left, right)
     if alone:
         yield Way(left, right, standing.vocabulary, under=(*alone, *own))
-    last = [each for each in near[:MOST_NEAR] if each.gives is None and speaks[each] <= letters]
+    last = [
+        each
+        for each in near[:MOST_NEAR]
+        if each.gives is None and speaks[each] <= letters and _is_still_so(standing, each)
+    ]
     several = [each for each in asserted if _has_components(each, speaks[each] & letters)]
     for each in dict.fromkeys((*last, *several)):
         if (each,) != alone:
@@ -276,6 +281,15 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     if together and tuple(together) != alone:
         yield Way(left, right, standing.vocabulary, under=(*together, *own))
     yield from _with_given_letters(standing, left, right, [each for each in asserted if each.gives is None])
+
+
+def _is_still_so(standing: Standing, premise: Premise) -> bool:
+    """Whether no letter of an equation was given since, but by a display that defines it; of a chain, if it is zero."""
+    known = standing.vocabulary.definitions
+    given = [each for each in premise.symbols if each not in known or known[each].explicit]
+    is_zero = any(side.data == "number" and side.children[0] == "0" for side in (premise.left, premise.right))
+    since = any(standing.given_at.get(symbol, -1) > premise.place for symbol in given)
+    return (is_zero or not premise.chained) and not since
 
 
 def _with_given_letters(standing: Standing, left: Formula, right: Formula, others: Sequence[Premise]) -> Iterator[Way]:

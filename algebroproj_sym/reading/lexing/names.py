@@ -316,6 +316,11 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
 
 
+def before_condition(symbol: str) -> str:
+    r"""Return the letter of a value with a condition, as p of ``p(\mathbf{y}|x)``, and another symbol as it is."""
+    return re.split(r" [(\[]", symbol, maxsplit=1)[0]
+
+
 _FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|Delta|Pr)|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 """What is a function before a bracket, whatever stands in it."""
 OFTEN_FUNCTION = re.compile(r"\\delta(?:_.*)?")

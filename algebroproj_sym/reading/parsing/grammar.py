@@ -147,6 +147,21 @@ def regrouped(tree: Formula) -> Formula:
     return Tree(tree.data, children)
 
 
+def with_divided_angles(tree: Formula) -> Formula:
+    r"""Return a tree in which an angle is divided, and not its sine: ``\sin x/2`` as that of the half."""
+    children: list[Any] = [with_divided_angles(child) if isinstance(child, Tree) else child for child in tree.children]
+    if tree.data == "quotient" and len(children) == 2 and isinstance(above := children[0], Tree):
+        *factors, wave = above.children if above.data == "run" else [above]
+        if isinstance(wave, Tree) and wave.data in ("function", "raised_function") and wave.children[0] in _WAVES:
+            *head, angle = wave.children
+            if isinstance(angle, Tree) and (letter := without_brackets(angle)).data == "symbol":
+                divided = Tree("items", [Tree("quotient", [letter, children[1]])])
+                return Tree("run", [*factors, Tree(wave.data, [*head, divided])])
+    return Tree(tree.data, children)
+
+
+_WAVES = ("sin", "cos", "tan", "cot")
+
 IN_BRACKETS = ("group", "bracket", "items")
 """What has brackets, seen or unseen, round it."""
 _OF_SYMBOLS = ("SYMBOL", "CALLEE", "OPAQUE")

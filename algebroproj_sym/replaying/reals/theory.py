@@ -42,14 +42,9 @@ class Application(NamedTuple):
 
 
 class Theory:
-    """Facts about real numbers.
+    """Facts about real numbers, which some symbols stand for.
 
-    Parameters
-    ----------
-    symbols : iterable of str
-        The symbols of a statement.
-    depth : int
-        Within how many cases, or proofs of something else, this is.
+    `depth` says within how many cases, or proofs of something else, it is.
 
     Examples
     --------

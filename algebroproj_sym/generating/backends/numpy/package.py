@@ -23,7 +23,7 @@ from algebroproj_sym.generating.backends.numpy.printer import packed, statements
 from algebroproj_sym.generating.description import by_module, factor_name, formula, origin, singularities
 from algebroproj_sym.generating.expansion import expanded
 from algebroproj_sym.generating.lowering import Lowered, factors_of
-from algebroproj_sym.generating.operation_counts import operation_counts
+from algebroproj_sym.generating.operation_counts import derived_operations
 from algebroproj_sym.generating.program import Call, Program, Step, run
 from algebroproj_sym.generating.ranges import reach
 from algebroproj_sym.generating.runtime.pairs import DIGITS
@@ -171,7 +171,7 @@ def _operations(low: Lowered) -> str:
     listed = ", ".join(
         _counted(counts[kind], kind) for kind in ("+", "-", "*", "/", "neg", *PRIMITIVES) if counts[kind]
     )
-    before = operation_counts(low).derived
+    before = derived_operations(low.kernel)
     text = f"Operations: {counts.total()} ({listed or 'none'}).\n    The derived expression takes {before} as written."
     if low.program == low.plain:
         return text

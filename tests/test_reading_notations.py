@@ -51,6 +51,8 @@ def texts(latex: str) -> list[str | None]:
         (r"\mbox{\boldmath{$\alpha$}} = \mbox{\boldmath $\beta$} c", r"\boldsymbol{\alpha} = \boldsymbol{\beta} c"),
         (r"n = \underbrace{(a}_{\text{in}} * \underbrace{b)}_{\text{out}}", r"n = (a * b)"),
         (r"f = \text{Shift Up} \circ \text{Turn}.", r"f = \mathrm{ShiftUp} \circ \mathrm{Turn}"),
+        (r"n = \underbrace{(a\rule[-9pt]{0pt}{5pt}}_{\text{in}} + b) c", r"n = (a + b) c"),
+        (r"n = a \rule{0pt}{5pt} b", r"n = a b"),
         (r"t = 0.8\,sec", r"t = 0.8\,\mathrm{s}"),
         (r"Depth_{1} = a Depth_2 + b", r"\mathrm{Depth}_1 = a \mathrm{Depth}_2 + b"),
         (r"\underbrace{a = b}_{\text{mean}}, \quad c = d", r"a = b, \quad c = d"),

@@ -182,6 +182,12 @@ def _without(arguments: int) -> Callable[[_Page, Piece], bool]:
     return step
 
 
+def _rule(page: _Page, piece: Piece) -> bool:
+    """Leave a line out, which is often of no width and makes room."""
+    page.waiting.options()
+    return _without(2)(page, piece)
+
+
 def _framed(arguments: int, braces: bool = True) -> Callable[[_Page, Piece], bool]:
     """Return a step that keeps the last argument of a command, perhaps a formula in words, and none before it."""
 
@@ -508,6 +514,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     (_SIZES, _without(0)),
     ((r"\!", r"\_"), _without(0)),
     ((r"\color",), _without(1)),
+    ((r"\rule",), _rule),
     ((r"\resizebox",), _framed(2, braces=False)),
     ((r"\scalebox",), _framed(1, braces=False)),
     ((r"\textcolor", r"\colorbox", r"\raisebox"), _framed(1)),

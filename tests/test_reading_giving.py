@@ -284,3 +284,39 @@ def test_an_operation_gives_another_one_and_not_itself():
 @pytest.mark.parametrize("latex", ["2 (3) = 6", "2 (3 + 4) = 14 a", r"\sqrt{2} (3) = x", r"2 \oplus 3 = a"])
 def test_a_left_side_without_a_letter_names_none(latex):
     assert verdicts(rf"\[ {latex} \]") != ["definition"]
+
+
+VALUES = [
+    r"E[N_1] = h E[T_1]",
+    r"E[N] = \sum_{j=1,2} E[N_j]",
+    r"{B_k}_{ii} = x_i - {B_o}_{ii}",
+    r"V_t^0(a) = \max_c (c + b V_{t+1}^0(a'))",
+]
+
+
+@pytest.mark.parametrize("latex", VALUES)
+def test_a_value_of_its_own_is_given_though_its_letter_has_others(latex):
+    above = r"\[ E[T_2] = B_k + V_t. \] "
+    assert verdicts(rf"{above} The quantity is \[ {latex}. \]")[-1] == "definition"
+    assert verdicts(rf"{above} It is not true that \[ {latex}. \]")[-1] != "definition"
+
+
+def test_a_constant_factor_may_be_any_and_a_constant_term_may_be_another_one():
+    assert verdicts(r"The opacity is \[ k = \mathrm{const}\, r^m T^{-n}. \]") == ["definition"]
+    assert verdicts(r"It is \[ k = r + \mathrm{const}. \]") == ["not decided"]
+
+
+def test_a_density_with_a_condition_is_no_draw():
+    assert verdicts(r"We have \[ f(x \mid s) = \sum_i \log \mathcal{N}\left(x_i \mid m, s\right). \]") == ["definition"]
+    assert verdicts(r"We have \[ x = \mathcal{N}\left(m, s\right). \]") == ["not decided"]
+
+
+@pytest.mark.parametrize("value", [r"\frac1n \sum_i f(x_i)", r"L(v) + \nabla L(v) (u - v)"])
+def test_what_stands_roughly_for_a_value_is_given_behind_it(value):
+    assert verdicts(rf"We estimate the loss as \[ L(u) \approx G(u) = {value}. \]") == ["definition"]
+    assert verdicts(rf"It is not true that \[ L(u) \approx G(u) = {value}. \]") != ["definition"]
+
+
+@pytest.mark.parametrize("latex", ["P(A) = a P(B) + P(C)", "V(x) = r + a V(y)"])
+def test_a_probability_or_the_value_of_a_state_is_not_given_by_others(latex):
+    assert verdicts(rf"\[ P(C) + V(z) = 1 \] \[ {latex} \]")[-1] != "definition"

@@ -67,7 +67,7 @@ _SIGNS = (
     ),
     (
         r"\bnearest integer|\binteger part|\bfractional part",
-        r"\[|\\\{|\\lbrack|\\lbrace",
+        r"\[(?!\s*\\begin)|\\\{|\\lbrack|\\lbrace",
         "a bracket may stand for an integer or a fractional part",
     ),
     (
@@ -146,7 +146,7 @@ _ORDER = re.compile(
     r"(?<![a-zA-Z\\_])(?<!_\{)(?:\\mathcal\s*\{?\s*)?[Oo]\s*\}?\s*(?:\\left\s*)?\("
     r"|\\(?:Theta|Omega)\s*(?:\\left\s*)?\((?=\s*(?:[nN]\b|\\log))"
 )
-_DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\([^()|;]*\)")
+_DRAW = re.compile(r"\\mathcal\s*\{?\s*[NU]\s*\}?\s*(?:\\left\s*)?\((?:(?!\\mid|\\vert)[^()|;])*\)")
 _SIGN = (
     r"\$\s*(?:[-+*]|\\(?:wedge|vee|hat|check|oplus|ominus|otimes|odot|circ|boxplus|boxminus|times|cdot|star|ast))\s*\$"
 )
@@ -373,6 +373,8 @@ class Meanings:
             return f"{match[0].rstrip('( ')}(...) {VARIES}"
         symbols = {symbol for side in formula.sides for symbol in symbols_in(side)}
         for symbol in sorted(symbols):
+            if symbol == "const" and not any(symbol in map(_text, side.children) for side in _sums_in(formula.sides)):
+                return f"{symbol} stands for a factor that nothing gives"
             if _FILLER.fullmatch(symbol) and symbol not in self.given:
                 return f"{symbol} {VARIES}"
             if symbol in self._letters:
@@ -502,6 +504,12 @@ def _text(tree: object) -> str:
     if data in IN_BRACKETS and len(children) == 1:
         return _text(children[0])
     return str(children[0]) if data in ("symbol", "number") else ""
+
+
+def _sums_in(sides: Sequence[Formula]) -> Iterator[Formula]:
+    """Yield the sums of an equation, and the sides that are none."""
+    for side in sides:
+        yield from (side, *side.find_data("sum")) if side.data != "run" else side.find_data("sum")
 
 
 def _is_number(tree: object) -> bool:

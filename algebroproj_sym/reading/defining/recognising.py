@@ -17,6 +17,8 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
+_VALUES = re.compile(r"(?:[a-zA-Z]{2,}|E|\\math(?:bb|ds)\{E\})(?:_.*)?")
+"""Names of which one value may be given by others; no probability, and no value of a state."""
 _RANDOM = re.compile(r"[XYZ](?:_.*)?")
 _OPERATOR = re.compile(r"\\math(?:cal|scr|frak)(?![a-zA-Z])")
 _STEP = re.compile(r"[a-su-z]( [-+] \d)?")
@@ -108,6 +110,46 @@ def named_on_left(tree: Formula) -> str:
     return named_on_left(parts[0]) if parts and (applied or tree.data in ("power", "marked")) else ""
 
 
+def value_on_left(tree: Formula) -> str:
+    r"""Return a side as text if it is a value of its own, though its letter may have others; empty for none.
+
+    So is the value of a named function, an entry of a letter, and a letter with an index above it.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> sides = r"E[X_1]", r"(a, b)_{rs}", r"V_t^0(a)", r"E[T]^{[r]}", "f(x)", "x^2"
+    >>> [value_on_left(parsed(f"{each} = a", functions=()).sides[0]) for each in sides]
+    ['call E X_1', 'marked a b _rs', 'power V_t 0', 'power E T r', '', '']
+    """
+    tree = without_brackets(tree)
+    if tree.data == "run" and [each.data for each in trees_in(tree)] == ["power", "bracket"]:
+        tree = trees_in(tree)[0]
+    entry = tree.data == "marked" and str(tree.children[-1]).startswith("_")
+    return _as_text(tree) if has_values(tree) or entry or _has_index(tree) else ""
+
+
+def values_in(tree: Formula) -> list[str]:
+    """Return all that may be a value of its own in a formula, as text: without its index it is another one."""
+    indexed = [each.children[0] for each in tree.iter_subtrees() if _has_index(each)]
+    values = (each for each in tree.iter_subtrees() if each.data in ("call", "marked", "power"))
+    return [_as_text(each) for each in values if not any(each is base for base in indexed)]
+
+
+def _has_index(tree: Formula) -> bool:
+    """Whether a formula is a value with an index above it, in brackets or not."""
+    exponent = tree.children[1] if tree.data == "power" else None
+    return isinstance(exponent, Tree) and (exponent.data == "bracket" or is_indexed_above(tree) or _is_zero(exponent))
+
+
+def _is_zero(tree: Formula) -> bool:
+    return tree.data == "number" and tree.children == ["0"]
+
+
+def _as_text(tree: Formula) -> str:
+    return " ".join([tree.data, *(str(each) for each in tree.scan_values(lambda _: True))])
+
+
 def operations_in(tree: Formula) -> list[str]:
     r"""Return the operations in circles that stand in a formula, such as the one of ``x \oplus y``."""
     found = tree.scan_values(lambda each: isinstance(each, Token) and each.type == "CIRCLED")
@@ -123,6 +165,11 @@ def is_named(tree: Formula) -> bool:
         return False
     head, random = str(tree.children[0]), all(map(_RANDOM.fullmatch, defined_by(tree)[1] or ("",)))
     return _NAME.fullmatch(head) is not None or (head in ("H", "h", "I") and random)
+
+
+def has_values(tree: Formula) -> bool:
+    """Whether a side is the value of a named function, such as E(X), that other values of it may give."""
+    return tree.data == "call" and _VALUES.fullmatch(str(tree.children[0])) is not None and bool(defined_by(tree)[0])
 
 
 def given_by(tree: Formula) -> str:
@@ -239,7 +286,7 @@ def without_others(left: Formula, value: Formula) -> Formula:
     symbol, parameters = defined_by(left)
     if value.data == "call" and str(value.children[0]) == symbol:
         inside = trees_in(value.children[1])  # type: ignore[arg-type]
-        if len(inside) != len(parameters) or not any(map(symbols_in, inside)):
+        if len(inside) != len(parameters) or not any(map(symbols_in, inside)) or (has_values(left) and value != left):
             return Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
     if value.data in ("norm", "absolute") and not parameters and [*symbols_in(value)] == [symbol]:
         return Tree("number", [Token("NUMBER", "1")])

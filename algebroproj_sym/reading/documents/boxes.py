@@ -7,11 +7,15 @@ from collections.abc import Sequence
 
 from algebroproj_sym.reading.documents.pending import Pending, braced, ends_value, formulas_in, group_start, renamed
 from algebroproj_sym.reading.lexing.commands import BOLD, FUNCTIONS, LETTERS, OPERATORS, STYLES
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, is_closed, pieces_of
 
 CONNECTIVES = re.compile(r"(?:if|for|and|or|where|when|with|otherwise|else|on|at|as|then|subject to|s\.t\.)\W*")
 """Words that join formulas."""
 _WORD = re.compile(r"[A-Za-z]+")
+_WORDS = re.compile(r"([A-Za-z]{2,})")
+_COMPOSED = re.compile(r"[A-Za-z][A-Za-z -]+")
+"""What is the name of a map where it is composed with another one."""
+_BOLD = re.compile(r"\\boldmath\s*(?:\{\s*\$([^$]+)\$\s*\}|\$([^$]+)\$)")
 _ACTS_BEFORE = re.compile(
     r"\W*(?:(?:the|an?|its|their|one|minus|plus|not|square|cube) )*"
     r"(?:\w+ of(?: (?:the|an?|all))?|twice|thrice|double|half|triple|not|negative|minus|plus)\W*",
@@ -37,10 +41,20 @@ def read_box(out: list[Piece], waiting: Pending, piece: Piece) -> None:
     name = "".join(each.text for each in inside)
     if (_ACTS_BEHIND if ends_value(out) else _ACTS_BEFORE).fullmatch(name) and not _is_in_script(out):
         raise UnreadableError(f"the words {name.strip()!r} act on what stands beside them", piece.place)
+    if not is_closed(inside) and "$" not in name:
+        waiting.put([each for part in _WORDS.split(name) for each in _named(piece, part)])
+        return
+    if bold := _BOLD.fullmatch(name.strip()):
+        waiting.put([renamed(piece, r"\boldsymbol"), *braced(piece, pieces_of(bold[1] or bold[2], piece.place))])
+        return
+    composed = _COMPOSED.fullmatch(name) and not CONNECTIVES.fullmatch(name)
+    if composed and r"\circ" in (waiting.next, first_text(reversed(out))):
+        waiting.put(_named(piece, re.sub(r"[^A-Za-z]", "", name)))
+        return
     called = (_is_name(name) or name in FUNCTIONS) and _OPENS.fullmatch(waiting.next)
     named = (name in FUNCTIONS and waiting.next == "^") or name == "d"
     acts = _acts(name, waiting.next) or (_is_letter(name) and _ends_factor(out))
-    if called or named or (_WORD.fullmatch(name) and waiting.next == "_") or acts:
+    if called or named or (_is_name(name) and waiting.next in ("_", "^")) or acts:
         word = [each for each in inside if not each.text.isspace()]
         waiting.put([renamed(piece, r"\mathrm"), *braced(piece, word)])
     elif not name.strip(" .,;:"):
@@ -49,6 +63,12 @@ def read_box(out: list[Piece], waiting: Pending, piece: Piece) -> None:
         waiting.put(braced(piece, formulas))
     else:
         out += [renamed(piece, r"\text"), *braced(piece, inside)]
+
+
+def _named(piece: Piece, words: str) -> list[Piece]:
+    """Return a part of a box as a formula: several letters are a name."""
+    inside = [renamed(piece, each.text) for each in pieces_of(words)]
+    return [renamed(piece, r"\mathrm"), *braced(piece, inside)] if _WORD.fullmatch(words) else inside
 
 
 def _is_name(words: str) -> bool:

@@ -45,7 +45,7 @@ _OF_PACKAGES = {
     r"\grad": (0, r"\nabla"),
     r"\order": (1, r"\mathcal{O}(#1)"),
     r"\vb*": (1, r"\mathbf{#1}"),
-    r"\vu": (1, r"\hat{\mathbf{#1}}"),
+    **dict.fromkeys((r"\vu", r"\vu*"), (1, r"\hat{\mathbf{#1}}")),
     **{rf"\m{style}": (1, rf"\math{style}{{#1}}") for style in ("rm", "cal", "bb", "sf", "scr", "frak")},
     **dict.fromkeys((r"\cr", r"\tabularnewline"), (0, r"\\")),
     **{rf"\{name}": (1, rf"\begin{{{name}}}#1\end{{{name}}}") for name in ("matrix", "pmatrix", "cases")},

@@ -14,10 +14,15 @@ _SHORT = frozenset(["Re", "Pr", "Nu", "Fr", "We", "Sc", "Pe", "Gr", "Ra", "Kn", 
 """Numbers without dimension that are named after people."""
 _LETTER = re.compile("[a-zA-Z]")
 _CAPITAL = re.compile("[A-Z]")
+LONG = 4
+"""How many letters may be a product, though they begin with a capital, and are a word without it."""
 _FILLERS = ("noise", "const", "pH", "pK")
 _WORD = re.compile(r"(?<![\\\w])[A-Za-z]{3,}(?!\w)")
-_SAYS_ITSELF = re.compile(r"[A-Z]{3,}|[a-z]{4,}")
-_WITH_MORE = re.compile(r"[A-Z]+[a-z]{2,}\([^()=]*\)|([A-Z])\1_\{[^{}]*(?:\{[^{}]*\})?\}|[A-Z]{3,}_(?:\w|\{[^{}]*\})")
+_SAYS_ITSELF = re.compile(r"[A-Z]{3,}|[A-Z]?[a-z]{4,}")
+_WITH_MORE = re.compile(
+    r"[A-Z]+[a-z]{2,}\([^()=]*\)|([A-Z])\1_\{[^{}]*(?:\{[^{}]*\})?\}"
+    r"|(?:[A-Z]{3,}|[A-Z][a-z]{4,})_(?:\w|\{[^{}]*\})"
+)
 """Names with an argument or a subscript, as in Mean(x) and SS_{total}."""
 _OF_CAPITALS = re.compile(r"[A-Z]{2,}(?:\([^()=]*\)|_(?:\w|\{[^{}]*\}))?")
 """What is a name if its letters stand nowhere else, as in TV(x) and OP_1."""
@@ -29,6 +34,7 @@ def named(statements: Sequence[Statement]) -> list[Statement]:
     """Return the statements with each name of several letters as one."""
     statements = [replace(each, pieces=tuple(_joined(each.pieces))) for each in statements]
     words = {word for each in statements for word in _WORD.findall(re.sub(r"\$[^$]*\$", " ", each.display.before))}
+    words |= {word.capitalize() for word in words if len(word) > LONG}
     names = {
         run
         for each in statements

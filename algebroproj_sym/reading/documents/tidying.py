@@ -28,7 +28,7 @@ from algebroproj_sym.reading.documents.slopes import slope_ahead
 from algebroproj_sym.reading.documents.systems import as_rows
 from algebroproj_sym.reading.documents.unicode import SIGNS_OF_UNICODE, accented
 from algebroproj_sym.reading.lexing.commands import BIG, BOXES, CLOSING, LETTERS, MAX_PIECES, RELATIONS, SIGNS, UPRIGHT
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, has_relation
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, has_relation, is_closed
 
 _ENDS = frozenset((*RELATIONS, r"\left", r"\,", r"\;", r"\quad", r"\qquad", r"\\", r"\cdot", r"\times"))
 """Commands behind which braces hold no argument."""
@@ -182,6 +182,12 @@ def _without(arguments: int) -> Callable[[_Page, Piece], bool]:
     return step
 
 
+def _rule(page: _Page, piece: Piece) -> bool:
+    """Leave a line out, which is often of no width and makes room."""
+    page.waiting.options()
+    return _without(2)(page, piece)
+
+
 def _framed(arguments: int, braces: bool = True) -> Callable[[_Page, Piece], bool]:
     """Return a step that keeps the last argument of a command, perhaps a formula in words, and none before it."""
 
@@ -218,7 +224,8 @@ def _braced_below(page: _Page, piece: Piece) -> bool:
     if page.waiting.next in ("_", "^"):
         page.waiting.group()
         page.waiting.group()
-    page.waiting.put(inside if has_relation(inside) else braced(piece, formulas_in(inside) or inside))
+    bare = has_relation(inside) or not is_closed(inside)
+    page.waiting.put(inside if bare else braced(piece, formulas_in(inside) or inside))
     return True
 
 
@@ -295,6 +302,20 @@ def _needless_braces(page: _Page, piece: Piece) -> bool:
         return False
     page.waiting.put(inside)
     return True
+
+
+def _label(page: _Page, piece: Piece) -> bool:
+    """Take a label out of braces that hold nothing else."""
+    if page.waiting.next != r"\label":
+        return False
+    page.waiting.put([piece])
+    inside = page.waiting.group()
+    alone = _LABEL.fullmatch("".join(each.text for each in inside)) is not None
+    page.waiting.put(inside if alone else [*inside, renamed(piece, "}")])
+    return alone
+
+
+_LABEL = re.compile(r"\\label\s*\{[^{}]*\}\s*")
 
 
 def _brace(page: _Page, piece: Piece) -> bool:
@@ -493,6 +514,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     (_SIZES, _without(0)),
     ((r"\!", r"\_"), _without(0)),
     ((r"\color",), _without(1)),
+    ((r"\rule",), _rule),
     ((r"\resizebox",), _framed(2, braces=False)),
     ((r"\scalebox",), _framed(1, braces=False)),
     ((r"\textcolor", r"\colorbox", r"\raisebox"), _framed(1)),
@@ -512,6 +534,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     (("|", r"\vert", r"\lvert"), _ket),
     (("{",), _needless_braces),
     (("{",), _brace),
+    (("{",), _label),
     (BOXES, _box),
     ((r"\mathrm",), _upright),
     ((r"\buildrel",), _built),

@@ -17,6 +17,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_reordered,
     is_value_of_itself,
     operations_in,
+    values_in,
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -124,6 +125,12 @@ def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
     return found
 
 
+def _without_rough_value(formula: Parsed) -> tuple[int, Parsed]:
+    r"""Return a chain from where it is exact, and how many sides that leaves out: ``a \approx s = b`` gives s."""
+    place = int(formula.relations[:1] == ("≈",) and len(formula.sides) > 2)
+    return place, replace(formula, sides=formula.sides[place:], relations=formula.relations[place:])
+
+
 class _Pass:
     """Goes through a document once, and collects definitions, premises and questions."""
 
@@ -148,7 +155,8 @@ class _Pass:
                 readings.append(reading)
                 asked += questions
             if isinstance(found, Parsed) and found.relations:
-                self.memory.seen.update(*map(symbols_in, found.sides), *map(operations_in, found.sides))
+                shown = (symbols_in, operations_in, values_in)
+                self.memory.seen.update(*(each(side) for each in shown for side in found.sides))
         return readings, asked
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
@@ -226,12 +234,13 @@ class _Pass:
             self.memory.leave_open(found, display.part)
             self.memory.tie(found.sides)
             links = [Link("not decided", reason)] * max(1, len(found.relations))
-            equal = bool(found.relations) and found.relations[0] in EQUALITIES
+            start, first = _without_rough_value(found)
+            equal = bool(first.relations) and first.relations[0] in EQUALITIES
             if equal and not reason.endswith(VARIES):
-                if tells(self.memory, statement, found, 0):
-                    links[0] = Link("definition")
-                elif gives_if_open(self.memory, statement, found) or names_its_letter(self.memory, statement, found):
-                    links[0] = Link("definition", f"{OPEN}: {reason}")
+                if tells(self.memory, statement, first, 0):
+                    links[start] = Link("definition")
+                elif gives_if_open(self.memory, statement, first) or names_its_letter(self.memory, statement, first):
+                    links[start] = Link("definition", f"{OPEN}: {reason}")
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])
@@ -303,10 +312,11 @@ class _Pass:
         ways = ways_of(self._standing(statement), statement, formula, index)
         chained = len(formula.sides) > 2
         link = Link("not decided", rests_on=rests)
-        may = index == 0 and gives_if_open(self.memory, statement, formula)
+        start, first = _without_rough_value(formula)
+        may = index == start and gives_if_open(self.memory, statement, first)
         words = self.memory.beside
         anew = begins_anew(self.memory, right) and not (words.follows or words.case_of_sentence)
-        new = index == 0 and names_its_letter(self.memory, statement, formula)
+        new = index == start and names_its_letter(self.memory, statement, first)
         asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, anew, new, words.follows)
         return asked.link, asked
 

@@ -26,6 +26,8 @@ from algebroproj_sym.reading.defining.recognising import (
     named_on_left,
     operations_in,
     says_more_than_a_number,
+    value_on_left,
+    values_in,
     without_numbers,
     without_others,
     without_own_indices,
@@ -142,14 +144,14 @@ def gives_if_open(memory: Memory, statement: Statement, formula: Parsed) -> bool
 
 
 def names_its_letter(memory: Memory, statement: Statement, formula: Parsed) -> bool:
-    """Whether the left side of an equation is one letter, whatever stands at it, that no equation above has.
+    """Whether the left side of an equation is one letter, whatever stands at it, or a value that no equation above has.
 
     Then it says what the letter is, though nobody may be able to compute it.  Such an equation is no premise.
     """
     left, right = formula.sides[:2]
     used = memory.seen.union(memory.given.whole.symbols, symbols_in(right), operations_in(right))
     return (
-        named_on_left(left) not in used | {""}
+        (named_on_left(left) not in used | {""} or value_on_left(left) not in {"", *memory.seen, *values_in(right)})
         and formula.relations[0] in EQUALITIES
         and says_more_than_a_number(right)
         and not is_case_of(defined_by(left)[1], right)

@@ -58,6 +58,8 @@ def main_clause(sentence: str) -> str:
     --------
     >>> main_clause("If the orbit is closed, its period is:"), main_clause("If $a$ is real, and $b$ is")
     (' its period is', 'If $a$ is real, and $b$ is')
+    >>> main_clause("If $a$ is real, then $b$ is a root, and $c$ is")
+    ' and $c$ is'
     """
     if _CASE_BEFORE.search(sentence):
         return ""
@@ -65,7 +67,9 @@ def main_clause(sentence: str) -> str:
     bare = _AND_THEN.sub(r"\1, \2", IN_THIS_CASE.sub(" then ", bare))
     clauses = [each for each in re.split(r"[,;:]|\b(?=then\b)", bare) if each.strip()]
     last = clauses[-1] if clauses else ""
-    return last if _ASSERTS.search(FORMULA.sub(" ", last)) and not _GOES_ON.match(last) else sentence
+    concluded = any(each.startswith("then") for each in clauses[:-1])
+    alone = concluded or not _GOES_ON.match(last)
+    return last if _ASSERTS.search(FORMULA.sub(" ", last)) and alone else sentence
 
 
 def last_sentence(words: str) -> str:

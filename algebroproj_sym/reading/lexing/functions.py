@@ -173,6 +173,10 @@ def _read_body(cursor: Cursor) -> None:
     cursor.inner([piece for piece in cursor.pieces[start : cursor.index] if piece.text not in (r"\left", r"\right")])
 
 
+_BEHIND_UNITS = frozenset(("", ".", ",", ")", "]", "&", r"\\", *RELATIONS))
+"""What comes behind a second that is no secant."""
+
+
 def read_function(cursor: Cursor) -> None:
     """Read a function with its exponent and its argument."""
     start, name = cursor.place, function_at(cursor)
@@ -184,6 +188,9 @@ def read_function(cursor: Cursor) -> None:
     if primes:
         raise cursor.fail("a prime is read only after a letter")
     mark, raised = len(cursor.out), cursor.raised
+    if name == "sec" and cursor.peek() in _BEHIND_UNITS and not (below or raised):
+        cursor.out.append(Token("SYMBOL", r"\mathrm{s}", start_pos=start))
+        return
     cursor.out.append(Token("FUNCTION", name + (f"_{below}" if below else ""), start_pos=start))
     opening = cursor.peek()
     begin = cursor.index

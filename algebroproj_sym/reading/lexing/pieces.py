@@ -98,6 +98,11 @@ def has_relation(pieces: Sequence[Piece]) -> bool:
     return any(piece.text in RELATIONS for piece in outside_environments(pieces))
 
 
+def is_closed(pieces: Iterable[Piece]) -> bool:
+    """Whether as many brackets close as open."""
+    return sum((piece.text in OPENING) - (piece.text in CLOSING) for piece in pieces) == 0
+
+
 def first_text(pieces: Iterable[Piece]) -> str:
     """Return the text of the first piece that is no space; empty for none."""
     return next((piece.text for piece in pieces if not piece.text.isspace()), "")

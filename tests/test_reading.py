@@ -317,7 +317,8 @@ def test_what_contradicts_has_an_exact_point(latex):
     found = readings(latex)[-1]
     assert found.verdict == "contradicts"
     link = next(each for each in found.links if each.verdict == "contradicts")
-    left, right = (sympy.sympify(side, {n: sympy.Symbol(n) for n in link.counterexample}) for side in link.sides)
+    names = {n: sympy.Symbol(n) for n in link.counterexample}
+    left, right = (sympy.sympify(side, names) for side in (link.asked[0].lhs, link.asked[0].rhs))
     point = {sympy.Symbol(name): sympy.Rational(number) for name, number in link.counterexample.items()}
     assert left.subs(point) != right.subs(point)
 
@@ -671,5 +672,6 @@ def test_every_follows_is_proved_again():
         for link in reading.links:
             if link.verdict == "follows":
                 names = {str(n): n for n in sympy.symbols("a b")}
-                left, right = (sympy.sympify(side, names) for side in link.sides)
+                (asked,) = link.asked
+                left, right = (sympy.sympify(side, names) for side in (asked.lhs, asked.rhs))
                 assert prove(left, right).verdict == "proved"

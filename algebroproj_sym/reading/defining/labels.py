@@ -11,7 +11,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol, written
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in, without_brackets
 
 E = Tree("symbol", [Token("SYMBOL", "e")])
 
@@ -56,10 +56,9 @@ def _raised_in_brackets(equations: Sequence[Sides]) -> set[str]:
     """
     powers = [trees_in(power) for side in _every(equations) for power in side.find_data("power")]
     above = [(str(base.children[0]), _text_of(exponent)) for base, exponent in powers if _is_letter(base)]
-    inside = [_alone(base) for base, _ in powers if base.data == "bracket"]
-    raised = {
-        _text_of(each.children[1]) for each in inside if each.data == "power" and _is_letter(_alone(each.children[0]))
-    }
+    inside = [without_brackets(base) for base, _ in powers if base.data == "bracket"]
+    inner = [trees_in(each) for each in inside if each.data == "power"]
+    raised = {_text_of(exponent) for base, exponent in inner if _is_letter(without_brackets(base))}
     labels = {each for each in raised if each == "0" or re.fullmatch("[a-z]", each)}
     labels -= {symbol for side in _every(equations) for symbol in _not_above(side)}
     labels -= {letter for _, exponent in above if len(exponent) > 1 for letter in exponent}
@@ -71,13 +70,6 @@ def _is_letter(tree: Any) -> bool:
     return isinstance(tree, Tree) and tree.data == "symbol" and tree != E
 
 
-def _alone(tree: Any) -> Any:
-    """Return a formula without brackets around it."""
-    while isinstance(tree, Tree) and tree.data in ("group", "items", "bracket") and len(tree.children) == 1:
-        (tree,) = tree.children
-    return tree
-
-
 def _text_of(tree: Any) -> str:
     return "".join(map(str, tree.scan_values(lambda _: True))) if isinstance(tree, Tree) else str(tree)
 
@@ -86,7 +78,9 @@ def _not_above(tree: Formula) -> Iterator[str]:
     """Yield the symbols of a formula that are no whole exponent."""
     if tree.data == "symbol":
         yield str(tree.children[0])
-    kept = tree.children[:1] if tree.data == "power" and _is_letter(_alone(tree.children[1])) else tree.children
+    is_raised = tree.data == "power" and isinstance(tree.children[1], Tree)
+    is_raised = is_raised and _is_letter(without_brackets(trees_in(tree)[1]))
+    kept = tree.children[:1] if is_raised else tree.children
     for child in kept:
         if isinstance(child, Tree):
             yield from _not_above(child)

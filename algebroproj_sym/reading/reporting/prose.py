@@ -31,9 +31,7 @@ def title_of(display: Display) -> str:
     >>> title_of(document_of(r"\section{The \emph{thin} lens} Let $$ a = b $$").formulas[0])
     'The thin lens'
     """
-    heading = display.before.rpartition(HEADING)
-    title, dot, _ = heading[2].partition(".\n") if heading[1] else ("", "", "")
-    return _plain(title.strip().lstrip("*").strip()) if dot else ""
+    return _plain(_section(display)[0].strip().lstrip("*"))
 
 
 def prose_before(display: Display) -> str:
@@ -45,14 +43,19 @@ def prose_before(display: Display) -> str:
     >>> document = document_of(r"With \textbf{bold} $\hat{n}$, by \cite{a} and Eq.~\eqref{b}, $$ a = b $$")
     >>> prose_before(document.formulas[1])
     'With bold $\\hat{n}$, by [a] and Eq. b,'
+    >>> document = document_of("One.\n\n---\nTwo.\nThree $$ a = b $$", latex=False)
+    >>> title_of(document.formulas[0]), prose_before(document.formulas[0])
+    ('', 'Two. Three')
     """
-    words = display.before
-    if HEADING in words:
-        words = words.rpartition(HEADING)[2]
-        words = words.partition(".\n")[2]
-    elif len(words) >= MAX_WORDS:
-        words = _SENTENCE.split(words, maxsplit=1)[-1]
-    return _plain(words)
+    words = _section(display)[1]
+    return _plain(words if len(words) < MAX_WORDS else _SENTENCE.split(words, maxsplit=1)[-1])
+
+
+def _section(display: Display) -> tuple[str, str]:
+    """Return the title of the heading before a formula, which may have none, and the words behind it."""
+    _, heading, rest = display.before.rpartition(HEADING)
+    title, _, words = rest.partition(".\n") if heading and not rest.startswith("\n") else ("", "", rest)
+    return title, words
 
 
 def _plain(words: str) -> str:

@@ -14,7 +14,7 @@ _STEP = (
 _ORDINAL = r"(?:old|new|first|second|third|other|another|explicit|implicit|forward|backward|original|modified|exact)"
 _THING = (
     r"(?:method|model|case|experiment|medium|scheme|image|camera|approach|problem|lens|body|stage|phase|euler|setup|"
-    r"system|example|variant|interval|region|version|edition|notation|convention|axis|branch|frame|run|trial|one)"
+    r"system|example|variant|interval|region|version|edition|notation|convention|axis|branch|frame|run|trial|definition|one)"
 )
 _WORK = (
     r"(?:the|an?|we|you|it|few|squar|tak|solv|eliminat|regroup|replac|appl|us|perform|add|subtract|factor|evaluat|introduc|"
@@ -63,7 +63,7 @@ _KINDS = {
     r"|in\s+(?:(?:the|an?)\s+)?(?:steady|stationary|transient|static|dynamic)\s+(?:state|case|regime)|during\s+the\s+transient"
     r"|at\s+rest|in\s+motion",
     "place": (
-        r"at\s+(?:the\s+)?points?\s+\$[^$=]*\$|"
+        r"at\s+(?:the\s+)?(?:points?|times?|instants?|positions?)\s+\$[^$=]*\$|"
         r"(?:(?:at|on|in)\s+)?(?:the\s+)?(?:left|right|upper|lower|inner|outer)\s+"
         r"(?:boundary|end|wall|edge|half|side(?! of))|"
         rf"(?:at|on|near|inside|outside)\s+(?!{_ARTICLE}?{_STEP}){_ARTICLE}?[a-z]+"
@@ -77,23 +77,28 @@ _KINDS = {
     r"(?!\s+(?:assumptions?|conditions?|hypothes[ie]s|form|constraints?))[^,]*",
     "name": (
         r"(?:model|option|variant|version|method|scheme|exercise|problem|example|experiment|scenario|case|design)\s+"
-        rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
+        rf"(?:\d+|[a-z]|[ivx]+)\b|(?:(?:in|by|for|with|using)\s+)?(?:the\s+|an\s+)?{_ORDINAL}\s+{_THING}"
         rf"|(?:in|on|for|by|with|at|during)\s+(?:the\s+)?(?!(?:an?|{_WORD_OF_A_TEXT})\b)[a-z]+\s+(?:\d+|one|two|three|ii|iii)\b(?!-)"
     ),
     "sort": r"for\s+(?:an?|the\s+(?:left|right|first|second|upper|lower|inner|outer|other))\s+"
     r"(?!(?:terms?|factors?|parts?|equations?|integrals?|sums?|steps?|sides?|hand)\b)[a-z]+"
     r"|for\s+[a-z-]+\s+(?:flows?|fluids?|gas(?:es)?|media|materials?|particles?|bodies|motions?|light)\b"
     rf"|for\s+(?!{_AIM}\b)[a-z]+(?=\s*(?:,|:|$|(?:we|the|it|one|this|is)\b))",
-    "presence": r"with(?:out)?\s+(?:the\s+|any\s+|an?\s+)?[a-z]+",
+    "presence": r"(?:with(?:out)?|in the (?:absence|presence) of|ignoring|neglecting|including|excluding|omitting)\s+"
+    r"(?:the\s+|any\s+|an?\s+)?[a-z]+",
 }
+_COMMANDS = re.compile(
+    r"(?:\s|[{}]|\\(?:begin|end|label|[vh]space|input|include)\*?(?:\[[^\]]*\]|\{[^{}]*\})+|\\[a-zA-Z]+\*?(?:\[[^\]]*\])?)*"
+)
+"""The commands with which a sentence may begin, and no words of them but those in brackets of a font."""
 _BEGINS = re.compile(
-    r"[^a-z$]*(?:(?:textbf|textit|emph|paragraph|and|but|now|then|hence|thus|so|therefore|consequently)\W+)*(?:"
+    r"[^a-z$]*(?:(?:and|but|now|then|hence|thus|so|therefore|consequently)\W+)*(?:"
     + "|".join(f"(?P<{kind}>{words})" for kind, words in _KINDS.items())
     + ")",
     re.DOTALL,
 )
 _WHERE = re.compile(
-    r"[^a-z$]*(?:(?:textbf|textit|emph|and|but|now|then|hence|thus|so|therefore|consequently)\W+)*"
+    r"[^a-z$]*(?:(?:and|but|now|then|hence|thus|so|therefore|consequently)\W+)*"
     r"(?P<words>(?:in|on|at|for|near|under|during|along|across)\s+(?:the\s+|an?\s+)?(?:[a-z-]+\s+){1,2}?"
     rf"(?P<head>(?!(?:{_WORD_OF_A_TEXT}|{_MANNER})\b)[a-z-]+))"
     r"(?=\s*(?:,|:|$|\$|(?:the|we|it|its|one|this|that|an?|there|is|are|has|holds|hence|thus|then)\b))"
@@ -107,16 +112,44 @@ _OF_ANOTHER = re.compile(
 _PROPER = re.compile(
     r"\W*(?:And\s+|But\s+)?(?:[Ii]n|[Oo]n|[Aa]t|[Nn]ear)\s+(?:the\s+)?(?P<words>[A-Z][a-z]{2,})(?=\s*(?:,|:|$|(?:the|we|it|its|one|this|an?)\b))"
 )
+_SAID = (
+    r"(?:finally|similarly|consequently|accordingly|equivalently|alternatively|explicitly|conversely|analogously|namely|"
+    r"additionally|clearly|obviously|simply|importantly|interestingly|specifically|particularly|formally|mathematically|"
+    r"subsequently|firstly|secondly|thirdly|lastly|intuitively|geometrically|algebraically|physically|notably|precisely|"
+    r"correspondingly|immediately|directly|evidently|trivially|easily|readily|ultimately|essentially|basically|naturally|"
+    r"fortunately|unfortunately|surprisingly|recursively|iteratively|inductively|concretely|briefly|certainly|surely|"
+    r"actually|previously|concisely|compactly|effectively|necessarily|logically|multiply|apply|imply|reply|rely|supply|"
+    r"only|early|family)"
+)
+"""How something is said; and words with the same ending."""
+_FRONT = re.compile(
+    r"[^a-z$]*(?:(?:and|but|now|then|hence|thus|so|therefore|consequently)\W+)*(?:(?P<sure>"
+    rf"(?!{_SAID}\b)[a-z]{{2,}}ly|[a-z]+\s+\d+|for\s+(?!{_AIM}\b)[a-z]+\s+\$[^$]*\$|at\s+(?:time\s+)?\$[^$]*\$|(?:at|to)\s+[a-z]+\s+orders?"
+    r"|in\s+(?:any|each|every)\s+case|in\s+all\s+cases)|(?P<words>"
+    r"(?:in|on|at|under|within|among|amongst|near|inside|outside|beyond|along|across|during|except|unlike|according\s+to|"
+    r"besides|throughout|around|between|only)\s+[^,;:]{1,80}))(?=\s*[,:])"
+)
+"""What stands before the first comma of a sentence, and says where it holds."""
+_SOURCE = re.compile(
+    r"\W*(?:And\s+|But\s+)?(?P<words>[A-Z][a-z]+(?:\s+and\s+[A-Z][a-z]+)?)\s+(?:found|finds|shows?|showed|prove[sd]?|claim(?:s|ed)?|"
+    r"says?|said|argue[sd]?|measure[sd]|assume[sd]|uses?|used|reports?|reported|proposed?|proposes|suggests?|suggested)\b"
+)
+"""How a sentence says who says it."""
+_NOBODY = re.compile(
+    r"We|You|One|It|This|That|These|They|He|She|Who|Which|Theory|Experiments?|Figures?|Tables?|Equations?"
+)
 _NO_PLACE = re.compile(
     rf"(?:{_WORD_OF_A_TEXT}|{_MANNER}|eqn|fig|cref|autoref|lemma|python|matlab|latex)", re.IGNORECASE
 )
+_OF_A_TEXT = re.compile(rf"\b(?:{_WORD_OF_A_TEXT}|{_MANNER}|{_ARISES}|{_STEP}\w*|eqn|fig|cref|autoref|eqref|ref)\b")
 _OF_A_THING = re.compile(
     r"[^a-z$]*the\s+[a-z]+\s+(?:in|of|for)\s+(?:the\s+)?((?:frame|model|image|camera|system|case|observer|medium|scenario)"
     r"\s+\$?[a-z0-9]+\b)"
 )
-_LEADS = re.compile(r"(?:(?:in|on|at|for|by|with|during)\s+)?(?:(?:the|an?)\s+)?")
+_LEADS = re.compile(r"(?:(?:in|on|at|for|by|with|using|during)\s+)?(?:(?:the|an?)\s+)?")
+_ABSENT = re.compile(r"without|in the absence|ignoring|neglecting|excluding|omitting")
 _WHILE = ("while", "as long as", "so long as", "until")
-_THINGS = ("place", "name", "sort", "state", "time", "extent", "of several")
+_THINGS = ("front", "source", "place", "name", "sort", "state", "time", "extent", "of several")
 """The kinds of contexts that a sentence of its own may begin."""
 _BEHIND = re.compile(
     r"[\s,]*((?:(?:but )?only )?(?:if|when|whenever|unless|provided(?! by)|in case|as long as|so long as|until|while|"
@@ -168,9 +201,12 @@ class Context:
             return False
         if self.words.startswith(("in general", "generally")):
             return bool(other.kind)
+        kinds = {self.kind, other.kind}
+        if "front" in kinds or kinds == {"time", "place"}:
+            return bool(other.kind)
         if self.kind != other.kind:
             return other.kind == "condition" or other.words.startswith(_WHILE)
-        return self.kind != "presence" or ("without" in self.words) != ("without" in other.words)
+        return self.kind != "presence" or bool(_ABSENT.match(self.words)) != bool(_ABSENT.match(other.words))
 
     @property
     def is_case(self) -> bool:
@@ -229,15 +265,27 @@ def context_of(sentence: str, behind: str = "") -> Context:
     """
     step = _STEPS.search(f"{sentence} {behind}")
     bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
+    bare = _COMMANDS.sub("", bare, count=1)
     found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
         proper = _PROPER.match(bare)
         if proper is not None and not _NO_PLACE.fullmatch(proper["words"]):
             return Context("place", proper["words"].lower())
+        source = _SOURCE.match(bare)
+        if source is not None and not _NOBODY.fullmatch(source["words"]):
+            return Context("source", source["words"].lower())
         thing = _OF_A_THING.match(bare.lower())
         place = _OF_ANOTHER.match(bare.lower()) or _WHERE.match(bare.lower())
         if thing is None and place is not None:
-            return Context(f"{place['head']} of several", _LEADS.sub("", " ".join(place["words"].split())))
-        return Context("name", " ".join(thing[1].split())) if thing else ANYWHERE
+            return Context(f"{place['head']} of several", _LEADS.sub("", " ".join(place["words"].split()), count=1))
+        return Context("name", " ".join(thing[1].split())) if thing else _front_of(bare.lower())
     words = " ".join(found[found.lastgroup].split())
-    return Context(found.lastgroup, _LEADS.sub("", words) if found.lastgroup in _THINGS else words)
+    return Context(found.lastgroup, _LEADS.sub("", words, count=1) if found.lastgroup in _THINGS else words)
+
+
+def _front_of(sentence: str) -> Context:
+    """Return where an equation holds by what stands before the first comma, if it is no word of a text or a step."""
+    found = _FRONT.match(sentence)
+    if found is None or (found["words"] and _OF_A_TEXT.search(found["words"])):
+        return ANYWHERE
+    return Context("front", " ".join((found["sure"] or found["words"]).split()))

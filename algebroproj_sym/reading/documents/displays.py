@@ -36,7 +36,7 @@ _ENVIRONMENTS = (
 _OPTIONS = re.compile(r"\*?\s*(?:\[(?:[^\[\]]|\[[^\]]*\])*\])?\s*\{[^{}]*\}")
 """What stands behind the beginning of an environment that says how many columns it has, or of which kind it is."""
 _HEADS = (
-    r"\\(?:part|chapter|(?:sub)*section|paragraph|appendix)\b|\\begin\{frame\}|<h[1-6]\b"
+    r"\\(?:part|chapter|(?:sub)*section|paragraph|appendix)\b|\\begin\{(?:document|frame)\}|<h[1-6]\b"
     r"|(?m:^#+ |^[ ]{0,3}(?:-{3,}|={3,}|\*{3,}|_{3,})[ ]*$)"
 )
 """Where a section, a slide or what stands behind a rule begins."""

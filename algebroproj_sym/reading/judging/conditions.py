@@ -23,6 +23,14 @@ _WISHED = re.compile(
     re.IGNORECASE,
 )
 """Words of a condition or of a wish, where a letter alone is a number."""
+_SOUGHT = re.compile(
+    r"\bwhether\W*$|\b(?:(?:question|aim|goal) is|subject to|(?:roots|zeros|zeroes) of|points (?:with|where))\W*$"
+    r"|\b(?:we|you|one) (?:want|wish|would like|seek|look for|search for)\b"
+    r"|\b(?:exists?|find|seek|there (?:is|are)) (?:an? |some )?[^.;]*\bsuch that\W*$"
+    r"|\bsome \w+ (?:satisfy|have|obey|fulfil)\W*$",
+    re.IGNORECASE,
+)
+"""How a sentence ends before an equation that it wishes, or of which only some points are said to have it."""
 _CRITERION = re.compile(
     r"(?:\b(?:criteri(?:on|a)|tests?|requirements?)\b|"
     r"\bconditions? (?:of|for|that|under which)\b(?![^.]*\b(?:minim|maxim|extrem|optim|station)))"
@@ -43,7 +51,8 @@ _LATER = re.compile(
 )
 """How a sentence says behind an equation where it holds."""
 _GOES_ON = re.compile(
-    r"\b(?:then|if so|(?:in|at|under|for|on) (?:this|that|these|those|such|which)(?: an?)?"
+    r"^\W*(?:and )?(?:hence|thus|therefore|so|consequently|it follows|this (?:gives|yields|implies|means))\b"
+    r"|\b(?:then|if so|(?:in|at|under|for|on) (?:this|that|these|those|such|which)(?: an?)?"
     r" (?:cases?|points?|conditions?|situations?|states?|events?))\b",
     re.IGNORECASE,
 )
@@ -58,6 +67,8 @@ def is_condition(beside: Beside, formula: Parsed) -> bool:
     sentence = without_formulas(beside.sentence)
     number = _number_of(formula)
     if _IF.search(sentence) or _CRITERION.search(sentence):
+        return True
+    if _SOUGHT.search(sentence) and not any(each.data == "symbol" for each in formula.sides):
         return True
     if number == "0" and (_LATER.match(beside.behind) or not (_SAYS.search(sentence) or _SUPPOSES.search(sentence))):
         return True

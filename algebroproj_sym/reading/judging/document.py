@@ -183,7 +183,7 @@ class _Pass:
                 and definition.symbol not in self.memory.vocabulary.definitions
             ):
                 self.memory.vocabulary.define(definition)
-                if number:
+                if number or (beside(statement, "").supposes and definition.symbol in self.memory.seen):
                     self.memory.valued.add(definition.symbol)
             elif says and definition is None and ends_clause(statement.display) and self._introduces_within(formula):
                 given = self.memory.premises_of(statement, formula, formula.sides)
@@ -248,7 +248,7 @@ class _Pass:
         definition = definition and replace(definition, ranges=self.memory.ranges)
         plain = definition is not None and not (definition.explicit or definition.parameters)
         if plain and self.survey.indices.counted:
-            repeats = gives_at_other_index(self._standing(statement), found.sides[0], found.sides[1])
+            repeats = gives_at_other_index(self._standing(statement, found), found.sides[0], found.sides[1])
             definition = None if repeats else definition
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None and not self.memory.ties(definition):
@@ -309,7 +309,7 @@ class _Pass:
         letters = self.memory.vocabulary.letters_of(left) | self.memory.vocabulary.letters_of(right)
         identity = self.memory.is_named(statement, self.memory.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right))
-        ways = ways_of(self._standing(statement), statement, formula, index)
+        ways = ways_of(self._standing(statement, formula), statement, formula, index)
         chained = len(formula.sides) > 2
         link = Link("not decided", rests_on=rests)
         start, first = _without_rough_value(formula)
@@ -320,17 +320,22 @@ class _Pass:
         asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, anew, new, words.follows)
         return asked.link, asked
 
-    def _standing(self, statement: Statement) -> Standing:
+    def _standing(self, statement: Statement, formula: Parsed) -> Standing:
         """Return where a statement stands."""
         vocabulary = self.memory.vocabulary.copied()
         self.memory.forget_elsewhere(vocabulary)
+        letters = frozenset(symbol for side in formula.sides for symbol in symbols_in(side))
+        for known in [*vocabulary.definitions.values()]:
+            if self.memory.tells_of_another(known, letters):
+                vocabulary.drop(known.symbol)
+        premises = [each for each in self.memory.serving if not self.memory.tells_of_another(each, letters)]
         for symbol in self.memory.exchanged:
             if symbol in vocabulary.definitions:
                 vocabulary.drop(symbol)
-        place = statement.display.part, self.memory.serving, self.memory.cited
+        place = statement.display.part, premises, self.memory.cited
         own = [each for words, each in self.within if supposes(self.memory.beside, words)]
         own += self._explained_behind()
-        own += set_to_zero(self.memory.beside, self.memory.serving, self._free(statement), self._place_above)
+        own += set_to_zero(self.memory.beside, premises, self._free(statement), self._place_above)
         return Standing(self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, own)
 
     @property

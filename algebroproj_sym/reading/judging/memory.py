@@ -39,6 +39,7 @@ from algebroproj_sym.reading.judging.renaming import gives_its_name_away, rename
 from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.sentences import (
+    are_of_two_things,
     last_sentence,
     main_clause,
     sentences_of,
@@ -53,6 +54,8 @@ _IS = re.compile(r"\b(?:is|are)\W*$")
 _IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")
 _NAMED = re.compile(r"(?<=[a-z] )[A-Z]\b")
 """The letter of a thing in the text, as in "model B"."""
+_CAPITAL = re.compile(r"\s*(?!(?:Eqs?|Equation|I)\b)[A-Z][a-z]+\s")
+"""How a new sentence begins, though no full stop stands behind the formula before it."""
 _ONLY = re.compile(r"\W*([^.$]*?) only\b")
 """Words behind an equation that limit it, as in "in the first case only"."""
 
@@ -83,6 +86,7 @@ class Memory:
         self.scopes = Scopes()
         self.supposed = set[int]()
         self.conditions = set[int]()
+        self.sentences: dict[int, str] = {}
         self.running = set[int]()
         self.part = 0
         self.valued = set[str]()
@@ -92,7 +96,7 @@ class Memory:
         self.ended = True
 
     def leave(self, display: Display) -> None:
-        """Forget what a quotation, an example or a theorem says where it ends, and the numbers of another section."""
+        """Forget what a quotation, an example or a theorem says where it ends, and the cases of another section."""
         if display.part != self.part:
             for symbol in self.valued & {*self.vocabulary.definitions}:
                 del self.vocabulary.definitions[symbol]
@@ -120,9 +124,11 @@ class Memory:
                 self._retract({self.display.place})
             for symbol in acted_on(display.before):
                 self.forget(symbol)
-            self.carried = "" if self.ended or not same_part else self.beside.sentence
+            continues = same_part and not (self.ended or _CAPITAL.match(display.before))
+            self.carried = self.beside.sentence if continues else ""
         before, self.display = self.display, display
         self.beside = beside(statement, self.carried)
+        self.sentences[display.place] = last_sentence(display.before)
         if before is not display:
             self._end_cases(display)
             self._keep_stated(display)
@@ -411,6 +417,17 @@ class Memory:
         held = self.context, self.ranges
         return [Premise(left, right, *given, chained, *held) for left, right in pairs]
 
+    def tells_of_another(self, known: Premise | Definition, letters: frozenset[str]) -> bool:
+        """Whether an equation above one of some letters is of no others, and says the same of another thing."""
+        symbols = {*known.symbols, *([known.symbol] if isinstance(known, Definition) else [])}
+        here = self.sentences.get(self.beside.place, "")
+        return symbols <= letters and are_of_two_things(self.sentences.get(known.place, ""), here)
+
+    def _is_of_some(self, known: Premise | Definition) -> bool:
+        """Whether an equation gives a number to a letter that is any here, or holds in a case of it."""
+        symbols = {*known.symbols, *([known.symbol] if isinstance(known, Definition) else [])}
+        return bool(symbols & self.beside.quantified) and (len(symbols) == 1 or known.context.is_case)
+
     def _is_over(self, place: int) -> bool:
         """Whether a display was the condition of a sentence that has ended, or of a case that has."""
         here = None if self.display is None else self.display.place
@@ -420,8 +437,7 @@ class Memory:
         """Drop definitions of another context, conditions, and numbers of letters that are any; not what words cite."""
         names = tuple(f"({name})" for name in self.cited)
         for known in [*vocabulary.definitions.values()]:
-            is_any = known.symbol in self.beside.quantified and not known.symbols
-            if is_any or (self._is_over(known.place) and not known.where.startswith(names)):
+            if self._is_of_some(known) or (self._is_over(known.place) and not known.where.startswith(names)):
                 del vocabulary.definitions[known.symbol]
         vocabulary.forget()
         apart = tuple(f"({name})" for name in self.apart)
@@ -453,8 +469,9 @@ class Memory:
         cited = self.cited
         changed = self.beside.exchanged
         known = [*self.premises, *(each for _, each in self.stated)]
-        known = [each for each in known if not (len(each.symbols) == 1 and each.symbols & self.beside.quantified)]
-        premises = (each for each in known if not (changed & each.symbols or self.apart & each.names))
+        premises = (
+            each for each in known if not (changed & each.symbols or self.apart & each.names or self._is_of_some(each))
+        )
         return [
             each
             for each in premises

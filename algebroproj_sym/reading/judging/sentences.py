@@ -99,6 +99,25 @@ def strange_word(sentence: str, known: Collection[str]) -> str:
     return next((each for each in words if each.lower() not in known), "")
 
 
+def are_of_two_things(one: str, other: str) -> bool:
+    """Whether two short sentences differ in a word or two, and so say the same of two things.
+
+    Examples
+    --------
+    >>> are_of_two_things("The left camera has", "The right camera has")
+    True
+    >>> are_of_two_things("The force is", "The work is")
+    False
+    """
+    ours, theirs = ([each.lower() for each in _WORD.findall(without_formulas(text))] for text in (one, other))
+    if ours == theirs or max(len(ours), len(theirs)) > MOST_WORDS:
+        return False
+    only, shared, others = {*ours} - {*theirs}, {*ours} & {*theirs}, {*theirs} - {*ours}
+    little = all(1 <= len(each - _ARTICLES) <= 2 for each in (only, others))
+    strange = [any(not is_neutral(each) for each in words) for words in (shared, only, others - _QUANTIFIERS)]
+    return little and all(strange[:2]) and (strange[2] or not others.isdisjoint(_QUANTIFIERS))
+
+
 def is_neutral(word: str) -> bool:
     """Whether a word is one of those of a derivation."""
     return _NEUTRAL.fullmatch(word) is not None
@@ -126,6 +145,10 @@ _SIDE = re.compile(
     r"\b(?:left|right)(?:[ -]?hand)?[ -](?:sides?|terms?|factors?)\b|\b(?:[Oo]n|[Tt]o|[Ff]rom) the (?:left|right)\b"
     r"|\b[Oo]n the other hand\b"
 )
+MOST_WORDS = 12
+"""How many words sentences have that are compared word by word."""
+_ARTICLES = frozenset(("the", "an", "this", "that", "these", "those"))
+_QUANTIFIERS = frozenset(("all", "every", "each", "any", "no", "most"))
 FORMULA = re.compile(r"\$[^$]*\$")
 _WORD = re.compile(r"[^\W\d_]{2,}")
 

@@ -53,6 +53,8 @@ _PRODUCT = re.compile(r"\W*(?:dot\W*)?(\w+)(?:\W*\.T\W*\*|, )\W*(\w+)\W*")
 """A product of two vectors, perhaps with a sign."""
 _FACTOR = re.compile(r"(?:^|(?<=\*))(?:det\(\w+\)|\w+)(?=\*|$)(?![^()]*\))")
 """A letter, or a determinant, that is a factor of a product."""
+_INVERTED = re.compile(r"\b(\w+)(?:\.T)?\*\*\(?-")
+"""What has a negative power."""
 _UNLESS = re.compile(
     r"\b(?:if|iff|when|whenever|unless|whether|until|except|provided|not|never|neither|nor|no longer|cannot|case)\b"
     r"[^.;]*$",
@@ -105,9 +107,11 @@ def _denies(denied: frozenset[str], hypothesis: str) -> bool:
 
 def without_denied(reading: Reading, denied: frozenset[str]) -> Reading:
     """Return a reading in which nothing follows under a hypothesis that words deny."""
+    inverted = [f"det({each})" for each in _INVERTED.findall(reading.read or "")]
     links = tuple(
         replace(link, verdict="not decided", reason=_reason_of(wrong[0]))
-        if link.verdict == "follows" and (wrong := [each for each in link.hypotheses if _denies(denied, each)])
+        if link.verdict == "follows"
+        and (wrong := [each for each in (*link.hypotheses, *inverted) if _denies(denied, each)])
         else link
         for link in reading.links
     )

@@ -85,7 +85,9 @@ _OF_IT = re.compile(
 )
 """How a sentence begins that speaks of the equation before it."""
 _UNDOES = re.compile(
-    r"\b(?:spoils?|destroys?|invalidates?|falsif(?:y|ies)|violates?|rules?) (?:this|that|it)\b(?! (?:section|case))",
+    r"\b(?:spoils?|destroys?|invalidates?|falsif(?:y|ies)|violates?|rules?) (?:this|that|it)\b(?! (?:section|case))"
+    r"|\b(?:drop|relax|remov|abandon|lift|discard)(?:e|ing)? (?:this|that|the|these|our) (?:\w+ )?"
+    r"(?:assumption|hypothes[ie]s|restriction|condition|constraint)s?\b|\b(?:absurd|contradiction|contradictory|impossible)\b",
     re.IGNORECASE,
 )
 """Words of another thing by which the equation before them does not hold."""

@@ -1,0 +1,84 @@
+"""What is said of one thing, case or speaker is not put into what is said of another."""
+
+import pytest
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("decided_here")
+
+APART = [
+    ("Classically,", "Relativistically,"),
+    ("According to Newton,", "According to Einstein,"),
+    ("Smith found that", "Jones found that"),
+    ("In the absence of friction,", "With friction,"),
+    ("At time $t_1$,", "At time $t_2$,"),
+    ("In 2D,", "In 3D,"),
+    ("Day 1:", "Day 2:"),
+    ("Using the first definition,", "Using the second definition,"),
+    ("Assume", "Now drop this assumption. Then"),
+    ("Except at $x = 0$,", "At $x = 0$,"),
+    ("Some points satisfy", "All points satisfy"),
+    ("At leading order,", "To all orders,"),
+    ("Asymptotically,", "For finite $n$,"),
+    ("In vacuum,", "In matter,"),
+    ("With the pinhole camera,", "With the fisheye camera,"),
+    ("The left camera has", "The right camera has"),
+    ("Among adults,", "Among children,"),
+    ("Initially,", "At the end,"),
+    ("Neglecting the noise,", "Including the noise,"),
+    ("Only if $a > 0$,", "In any case,"),
+    ("A fixed point satisfies", "Every point satisfies"),
+    ("Suppose for contradiction that", "This is absurd. We have"),
+]
+SOUGHT = [
+    ("The question is whether", "The answer is"),
+    ("Let us see whether", "It turns out that"),
+    ("There exists $a$ such that", "For all $a$,"),
+    ("We look for points with", "All points have"),
+    ("We want", "We have"),
+    ("We minimise subject to", "It holds that"),
+    ("Find $a$ such that", "Any $a$ satisfies"),
+]
+SAYS, IMPLIED = r"2 a b - 2 c d = 0", r"a b = c d"
+
+
+def last(one, says, other, implied):
+    text = rf"\documentclass{{x}}\begin{{document}}We study things. {one} \[ {says} \] {other} \[ {implied} \]"
+    return read_document(document_of(text, latex=True), seconds=5)[-1].verdict
+
+
+@pytest.mark.parametrize("stop", ["", "."])
+@pytest.mark.parametrize(("one", "other"), [*APART, *SOUGHT])
+def test_what_is_said_of_one_thing_does_not_serve_another(one, other, stop):
+    assert last(one, SAYS + stop, other, IMPLIED + stop) != "follows"
+
+
+@pytest.mark.parametrize(("one", "other"), APART)
+def test_nor_does_what_a_letter_is_there(one, other):
+    assert last(one, "q = 2 a b.", other, "q^2 = 4 a^2 b^2.") not in ("follows", "contradicts")
+
+
+@pytest.mark.parametrize("one", [one for one, _ in APART if one.endswith((",", ":", "has", "found that"))])
+def test_it_serves_the_same_thing_and_what_goes_on_from_it(one):
+    assert last(one, SAYS + ".", one, IMPLIED) == "follows"
+    assert last(one, SAYS + ".", "Hence", IMPLIED) == "follows"
+
+
+@pytest.mark.parametrize(
+    "words", [r"\noindent", r"\maketitle", r"\begin{abstract}", r"\bigskip\par", r"\textbf{", r"\item"]
+)
+def test_commands_before_a_sentence_hide_no_case(words):
+    assert last(f"{words} In the first model,", SAYS, f"{words} In the second model,", IMPLIED) != "follows"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"The volume is \[ V = a b c \] Let $a = 2 b$. \[ V = 2 b^2 c \] \section{Others} We have \[ V = a^2 c / 2 \]",
+        r"If $x$ is a root, \[ 3 x y - 3 z = 0 \] For any $x$, it holds that \[ x y = z \]",
+        r"\[ A X B = C \] where $A, X, B, C \in \mathbb{R}^{n \times n}$ and $A$ is singular. "
+        r"Hence \[ X = A^{-1} C B^{-1} \]",
+    ],
+)
+def test_nothing_follows_from_a_case_that_is_over_or_by_an_inverse_that_does_not_exist(text):
+    assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict != "follows"

@@ -596,6 +596,12 @@ POINTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.parametrize("constraints", [[], ["S = S.T"]])
+def test_what_never_has_an_inverse_is_refused_also_under_a_condition(constraints):
+    with pytest.raises(UndefinedError, match="expected sides in which something has an inverse"):
+        prove("S**-1", "S", letters={"S": "3x3 rank 1", "N": "3x3"}, constraints=constraints)
+
+
 @given(left=WORDS, right=WORDS)
 def test_what_is_proved_holds_for_explicit_matrices(left, right):
     statement = f"({left})*({right})", f"({right})*({left})"

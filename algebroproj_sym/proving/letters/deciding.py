@@ -505,7 +505,10 @@ class _Question:
         return UndefinedError(f"prove: expected sides in which something has an inverse somewhere, got {texts}")
 
     def _constrained(self, expansion: _Expansion) -> Found | None:
-        left, right, *others = (expansion.matrix(term) for term in self.plain.terms)
+        try:
+            left, right, *others = (expansion.matrix(term) for term in self.plain.terms)
+        except ZeroDivisionError:
+            raise self._undefined() from None
         nonzero = [unit[0] for unit in others[len(self.plain.constraints) :]]
         given = [
             symbol for symbol in self.statement.scalars.values() if symbol.name in {s.name for s in expansion.symbols}

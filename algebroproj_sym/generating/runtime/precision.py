@@ -56,7 +56,7 @@ def dd(function: Callable[..., Any]) -> Callable[..., Any]:
         given = placed(signature, arguments, named)
         pairs = [number if isinstance(number, DoubleDouble) else DoubleDouble(number) for number in given]
         heads = reals(signature, [pair.hi for pair in pairs])
-        taken = [_taken(pair.hi, head) for head, pair in zip(heads, pairs, strict=True)]
+        taken = [lost_digits(pair.hi, head) for head, pair in zip(heads, pairs, strict=True)]
         tails = [rest if pair.lo is None else pair.lo for rest, pair in zip(taken, pairs, strict=True)]
         parts = evaluate(both, _on_pairs(body), [*heads, *tails])
         count = len(signature.results)
@@ -101,7 +101,7 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
         numbers = placed(signature, arguments, named)
         given = reals(signature, numbers)
         with np.errstate(all="ignore"):
-            lost = [_enlarged(_taken(number, head)) for number, head in zip(numbers, given, strict=True)]
+            lost = [_enlarged(lost_digits(number, head)) for number, head in zip(numbers, given, strict=True)]
             parts = evaluate(both, _on_uncertain(body), [*given, *lost])
             count = len(signature.results)
             values = function(*given)
@@ -112,10 +112,10 @@ def bounds(function: Callable[..., Any]) -> Callable[..., Any]:
     return Wrapped(bounds, function, "Pairs of each result and a bound of its absolute error.", with_bounds)
 
 
-def _taken(number: Any, head: NDArray[Any]) -> NDArray[Any]:
+def lost_digits(number: Any, head: NDArray[Any]) -> NDArray[Any]:
     """Return what the dtype of the results does not hold of an argument: digits of a long integer, or of a float.
 
-    >>> _taken([2**53 + 1, 3], np.array([2.0**53, 3.0])).tolist()
+    >>> lost_digits([2**53 + 1, 3], np.array([2.0**53, 3.0])).tolist()
     [1.0, 0.0]
     """
     whole = np.asarray(number)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from .evaluation import Body, batch_of, elementary, parts_of, placed, reals
 from .pairs import DoubleDouble
-from .precision import on_bounded
+from .precision import lost_digits, on_bounded
 from .wrapping import Wrapped
 
 __all__ = ["nearest", "rounded"]
@@ -47,7 +47,8 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
     Raises
     ------
     TypeError
-        If the function is not a generated one, or calls an elementary function, or an argument is not real.
+        If the function is not a generated one, or calls an elementary function, or an argument is not real, or has an integer that
+        is no machine number, such as ``2**53 + 1``.
 
     Examples
     --------
@@ -61,7 +62,11 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
         raise TypeError(f"rounded: expected a rational function, got {signature.name}, which calls {called[0]}")
 
     def correctly_rounded(*arguments: Any, **named: Any) -> Any:
-        given = reals(signature, placed(signature, arguments, named))
+        numbers = placed(signature, arguments, named)
+        given = reals(signature, numbers)
+        for (name, _), number, head in zip(signature.arguments, numbers, given, strict=True):
+            if np.any(lost_digits(number, head)):
+                raise TypeError(f"{signature.name}: expected machine numbers for {name}, got {number}, which is none")
         batch = batch_of(signature, [array.shape for array in given])
         rows = [
             np.broadcast_to(array, batch + core).reshape(prod(batch), prod(core))

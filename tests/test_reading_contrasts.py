@@ -82,3 +82,35 @@ def test_commands_before_a_sentence_hide_no_case(words):
 )
 def test_nothing_follows_from_a_case_that_is_over_or_by_an_inverse_that_does_not_exist(text):
     assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    ("words", "supposed"),
+    [
+        ("Hence", False),
+        ("For the twin we get", True),
+        ("The glacier of 1987 has", True),
+        ("Solving for it, we find", False),
+    ],
+)
+def test_what_an_equation_rests_on_must_be_true_there_where_a_word_is_new(words, supposed):
+    text = f"The lens satisfies \\[ 2 a b - 2 c d = 0. \\]\n{words} \\[ a b = c d. \\]"
+    found = read_document(document_of(text, latex=True), seconds=5)[-1]
+    assert (found.verdict, found.supposes) == ("follows", supposed)
+    assert any("line 1 is true here, where the word" in each for each in found.links[0].hypotheses) is supposed
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Quantities are intervals, and we use interval arithmetic.",
+        "Sums are those of single-precision hardware.",
+        "The letters $a$ and $b$ do not commute.",
+        "Here $x + y$ stands for the larger of both.",
+    ],
+)
+def test_nothing_follows_in_a_section_on_another_arithmetic(words):
+    text = rf"{words} We have \[ c = (a + b) - a. \] Hence \[ c = b. \]"
+    assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict == "not decided"
+    plain = text.replace("Hence", r"\section{Numbers} We have \[ q = (a + b) - a. \] Hence").replace("c = b", "q = b")
+    assert read_document(document_of(plain, latex=True), seconds=5)[-1].verdict == "follows"

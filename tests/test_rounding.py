@@ -119,5 +119,5 @@ def test_functions_of_angles_and_other_numbers_are_refused():
         algebroproj.rounded(metric.rotation_right)
     with pytest.raises(TypeError, match="scale: expected real machine numbers, got dtype complex128"):
         algebroproj.rounded(optics.scale)(1j, 1.0)
-    with pytest.raises(TypeError, match="scale: expected machine numbers for f, got 9007199254740993, which is none"):
+    with pytest.raises(TypeError, match="scale: expected machine numbers for x3, got 9007199254740993, which is none"):
         algebroproj.rounded(optics.scale)(1, 2**53 + 1)

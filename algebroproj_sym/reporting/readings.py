@@ -80,8 +80,12 @@ def reading_lines(
         for verdict in ("definition", "follows", "independent"):
             alike = [each for each in readings if each.verdict == verdict]
             claimed = [each for each in alike if verdict == "definition" and reason_of(each)]
-            if found := [each.where for each in alike if verdict != "definition" or not reason_of(each)]:
+            supposed = [each.where for each in alike if each.supposes]
+            others = [each for each in alike if not each.supposes]
+            if found := [each.where for each in others if verdict != "definition" or not reason_of(each)]:
                 yield f"{verdict}: {_some(found)}"
+            if supposed:
+                yield f"{verdict}, if what it rests on is true here, too: {_some(supposed)}"
             yield from _by_reason(verdict, claimed)
         for verdict in ("not decided", "not read"):
             yield from _by_reason(verdict, [each for each in readings if each.verdict == verdict])

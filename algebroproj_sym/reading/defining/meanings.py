@@ -155,7 +155,7 @@ _OF_SIGNS = re.compile(
     r"\b(?:hat|wedge|vee|skew(?:-symmetric)?|boxplus|boxminus|oplus) operators\b"
 )
 """Operators that are signs: no letter with a hat stands for one."""
-_DERIVATIVE = r"derivative(?! (?:of|with)\b)"
+_DERIVATIVE = r"(?:derivative(?! (?:of|with)\b)|differentiation)"
 _RATE = re.compile(r"[a-ce-z]_.+")
 """What is a derivative, and none that acts: ``u_x``."""
 _EXPECTATIONS = r"(?:expectation|expected value)(?! (?:of|with)\b)"

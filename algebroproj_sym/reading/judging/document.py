@@ -23,6 +23,7 @@ from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
+from algebroproj_sym.reading.judging.applying import with_what_is_true_here
 from algebroproj_sym.reading.judging.deciding import OPEN, Asked, decide
 from algebroproj_sym.reading.judging.introducing import (
     begins_anew,
@@ -92,7 +93,8 @@ def read_document(
     >>> [(each.read, each.verdict) for each in found]
     [('s = a + b', 'definition'), ('s**2 = a**2 + 2*a*b + b**2', 'follows')]
     """
-    readings, asked = _Pass(Survey(document, given or SymbolsFile())).all()
+    survey = Survey(document, given or SymbolsFile())
+    readings, asked = _Pass(survey).all()
     asked = [each for each in asked if lines is None or readings[each.reading].line in lines]
     decide(asked, seconds, jobs)
     for each in asked:
@@ -100,7 +102,8 @@ def read_document(
         links[each.place] = each.link
         readings[each.reading] = replace(readings[each.reading], links=tuple(links))
     denied = denied_by_words(document)
-    return [without_denied(each, denied) for each in _without_refuted_premises(readings)]
+    readings = [without_denied(each, denied) for each in _without_refuted_premises(readings)]
+    return with_what_is_true_here(readings, survey.statements)
 
 
 def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
@@ -307,6 +310,8 @@ class _Pass:
         if is_reordered(known.tree if known else left, right):
             return Link("not decided", "the order of the factors may matter", rests), None
         letters = self.memory.vocabulary.letters_of(left) | self.memory.vocabulary.letters_of(right)
+        if (spoken := self.memory.arithmetic) and not any(map(self.memory.vocabulary.is_matrix, letters)):
+            return Link("not decided", f"the words {spoken!r} above it speak of another arithmetic", rests), None
         identity = self.memory.is_named(statement, self.memory.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right))
         ways = ways_of(self._standing(statement, formula), statement, formula, index)

@@ -47,7 +47,7 @@ from algebroproj_sym.reading.judging.sentences import (
     without_formulas,
     words_of,
 )
-from algebroproj_sym.reading.judging.words import Beside, beside, has_ended, takes_back
+from algebroproj_sym.reading.judging.words import Beside, arithmetic_in, beside, has_ended, takes_back
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 _IS = re.compile(r"\b(?:is|are)\W*$")
@@ -87,6 +87,7 @@ class Memory:
         self.supposed = set[int]()
         self.conditions = set[int]()
         self.sentences: dict[int, str] = {}
+        self.arithmetic = ""
         self.running = set[int]()
         self.part = 0
         self.valued = set[str]()
@@ -129,6 +130,8 @@ class Memory:
         before, self.display = self.display, display
         self.beside = beside(statement, self.carried)
         self.sentences[display.place] = last_sentence(display.before)
+        *_, own = display.before.split(HEADING)
+        self.arithmetic = arithmetic_in(f"{own} {self.beside.behind}") or (self.arithmetic if same_part else "")
         if before is not display:
             self._end_cases(display)
             self._keep_stated(display)

@@ -45,7 +45,7 @@ _NEUTRAL = re.compile(
     r"equation|expression\w*|quantit(?:y|ies)|values?|letters?|variables?|used|matrix|matrices|vector|vectors|"
     r"back|out|up|together|after|since|because|known|via|through|thanks|according|algebra\w*|manipulation\w*|steps?|"
     r"fact|sections?|chapters?|ref|eqref|label|cref|autoref|indeed|clearly|obviously|moreover|furthermore|"
-    r"same|just",
+    r"same|just|solv\w+|eliminat\w+|not(?:e|ed|ice|icing)|chain|rules?",
     re.IGNORECASE,
 )
 """The words of a derivation, which name nothing that an equation could be of."""

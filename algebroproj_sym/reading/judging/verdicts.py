@@ -18,6 +18,10 @@ VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 _ROUGHLY = ("≈", "≅", "≍", "~", "∝")
 
 
+TRUE_HERE = "is true here"
+"""How a hypothesis ends, or goes on, that an equation above speaks of the same thing."""
+
+
 @dataclass(frozen=True)
 class Link:
     """One relation of a chain.
@@ -31,7 +35,7 @@ class Link:
     rests_on : tuple of str
         Definitions, equations above it, derivatives, and words.
     hypotheses : tuple of str
-        What is not zero where it holds.
+        What is not zero where it holds, and which equations must be true there as well.
     counterexample : mapping of str to str, or None
         A point at which the sides differ.
     suggestion : str
@@ -109,3 +113,8 @@ class Reading:
         found = exactly or {link.verdict for link in self.links}
         order: tuple[Verdict, ...] = ("contradicts", "not decided", "independent", "definition", "follows")
         return next((verdict for verdict in order if verdict in found), "not decided")
+
+    @property
+    def supposes(self) -> bool:
+        """Whether it follows only if an equation that may be of another thing is true here, too."""
+        return self.verdict == "follows" and any(TRUE_HERE in name for link in self.links for name in link.hypotheses)

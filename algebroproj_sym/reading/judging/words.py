@@ -62,7 +62,7 @@ _DENIED = re.compile(
     r"up to (?:(?:the|its|their) )?(?:scale|scaling|signs?|normali[sz]ation|factors?|constants?|multiples?|units|"
     r"phases?|permutations?|rotations?|isomorphism|translations?|higher|lower|first|second|rounding|noise|gauge|terms)\b|"
     r"(?:plus|and|with) some noise|"
-    r"(?:is|be) (?:enough|sufficient) (?:that|if)|suffices (?:that|if)|we (?:want|wish|demand)(?: that)?(?=\W*$)|"
+    r"(?:is|be) (?:enough|sufficient) (?:that|if)|suffices? (?:that|if)|we (?:want|wish|demand)(?: that)?(?=\W*$)|"
     r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
     r"apparently|seemingly|at first (?:sight|glance)|rule of thumb|rumou?r\w*|hearsay|myth|counter-?example|bug|"
     r"(?<!as )(?:one|you|we) (?:might|may|could) (?:guess|think|expect|suspect|believe)|"
@@ -87,7 +87,8 @@ _OF_IT = re.compile(
 _UNDOES = re.compile(
     r"\b(?:spoils?|destroys?|invalidates?|falsif(?:y|ies)|violates?|rules?) (?:this|that|it)\b(?! (?:section|case))"
     r"|\b(?:drop|relax|remov|abandon|lift|discard)(?:e|ing)? (?:this|that|the|these|our) (?:\w+ )?"
-    r"(?:assumption|hypothes[ie]s|restriction|condition|constraint)s?\b|\b(?:absurd|contradiction|contradictory|impossible)\b",
+    r"(?:assumption|hypothes[ie]s|restriction|condition|constraint)s?\b"
+    r"|\b(?:absurd|contradiction|contradictory|impossible|is (?:mistaken|wrong|in error))\b",
     re.IGNORECASE,
 )
 """Words of another thing by which the equation before them does not hold."""
@@ -449,6 +450,29 @@ _VARIABLES = re.compile(
 )
 _WIDER = re.compile(r"\b(all|every|everywhere|always|away|relaxed|violated)\b", re.IGNORECASE)
 _ANY = re.compile(r"\b(?:any|all|every|each|arbitrary)\b (?:[a-z]+ ){0,2}\$([^$=<>]*)\$", re.IGNORECASE)
+
+
+def arithmetic_in(words: str) -> str:
+    """Return the words that speak of another arithmetic than that of real numbers; empty for none.
+
+    Examples
+    --------
+    >>> arithmetic_in("In interval arithmetic, we have"), arithmetic_in("The sum is")
+    ('interval arithmetic', '')
+    """
+    found = _ARITHMETIC.search(words)
+    return " ".join(found.group().split()) if found else ""
+
+
+_ARITHMETIC = re.compile(
+    r"\b(?:(?:interval|floating-point|single-precision|double-precision|modular|tropical|max-plus|min-plus|saturat\w+|"
+    r"integer) (?:arithmetic|hardware|algebra|sums?|division|semirings?)|truncat(?:es?|ing|ed) (?:integer )?division|"
+    r"rounding after each|(?:infinite )?cardinals?(?:ity)?|ordinals?|(?:do|does|need) not commute|non-?commut\w+|"
+    r"(?:understood|taken|known|equal|equality|reduced|congruent|counted|hold|holds) modulo|"
+    r"equal in (?:law|distribution))\b"
+    r"|\$[^$]*[-+*/][^$]*\$ (?:stands for|denotes|means) the (?!sum|difference|product|quotient|ratio)",
+    re.IGNORECASE,
+)
 _DROPS = re.compile(r"\bdrop(?:ping|ped|s)? (?:the|all) (tilde|hat|bar|overline|prime)s?\b", re.IGNORECASE)
 _ANEW = re.compile(
     r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"

@@ -47,8 +47,8 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
     Raises
     ------
     TypeError
-        If the function is not a generated one, or calls an elementary function, or an argument is not real, or has an integer that
-        is no machine number, such as ``2**53 + 1``.
+        If the function is not a generated one, or calls an elementary function, or an argument is not real, or has an
+        integer that is no machine number, such as ``2**53 + 1``.
 
     Examples
     --------
@@ -65,7 +65,7 @@ def rounded(function: Callable[..., Any]) -> Callable[..., Any]:
         numbers = placed(signature, arguments, named)
         given = reals(signature, numbers)
         for (name, _), number, head in zip(signature.arguments, numbers, given, strict=True):
-            if np.any(lost_digits(number, head)):
+            if np.asarray(number).dtype.kind in "iu" and np.any(lost_digits(number, head)):
                 raise TypeError(f"{signature.name}: expected machine numbers for {name}, got {number}, which is none")
         batch = batch_of(signature, [array.shape for array in given])
         rows = [

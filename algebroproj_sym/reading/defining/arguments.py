@@ -1,7 +1,5 @@
 """Functions that are written with and without their argument: x is x(t)."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace

@@ -3,8 +3,6 @@ r"""Expected values: which letters are those of the operator, and which ones do 
 ``\mathbb{E}`` is one in each document.  A plain E is one where words speak of expected values, and of no energy.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass

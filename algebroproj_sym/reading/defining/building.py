@@ -1,7 +1,5 @@
 """Formulas of vectors and matrices as letters, built from the leaves up."""
 
-from __future__ import annotations
-
 import re
 from functools import reduce
 from typing import Any

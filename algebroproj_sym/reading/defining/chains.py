@@ -1,7 +1,5 @@
 r"""Derivatives by the chain rule, as ``\frac{\partial L}{\partial w}`` where y gives L, and w gives y."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from lark import Token, Tree

@@ -1,7 +1,5 @@
 r"""Columns of which a document names the components: x in ``x^T Q x``, beside ``x_1`` to ``x_3``, if Q is printed."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import count, pairwise
 

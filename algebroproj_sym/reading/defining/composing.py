@@ -1,7 +1,5 @@
 r"""Letters that keep their order: they are composed, as in ``R_{13} = R_{12} R_{23}`` and ``B = S A S^{-1}``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise

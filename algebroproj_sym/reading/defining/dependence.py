@@ -4,8 +4,6 @@ A letter that is alone on the left depends on what stands on the right.  Where n
 each letter of the equation may depend on each other one: ``c - k = 1`` gives c by k as well as k by c.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 r"""What derivatives of what is defined are, such as ``\dot V``, ``f'(x)`` and ``\frac{\partial f}{\partial x}``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 r"""Sums whose ends differ by a few terms: ``\sum_{k=1}^{n-1} x_k`` is ``\sum_{k=1}^n x_k - x_n``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The letters of which a formula is made: those of its terms and factors."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from typing import Any

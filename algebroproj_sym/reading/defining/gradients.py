@@ -5,8 +5,6 @@ sides are taken along d.  A gradient may be a column or a row; the derivative of
 components.  Of a function that nothing gives it is the derivative that the document writes.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import replace

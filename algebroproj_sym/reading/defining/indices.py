@@ -3,8 +3,6 @@ r"""Equations at another index: ``x_{k+1} = a x_k`` gives ``x_{k+2} = a x_{k+1}`
 A letter is an index only where the document counts with it: in ``x_{k+1}``, a sum over k, or ``k = 0, 1, \dots``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 r"""Inner products ``\langle f, g \rangle``: which letters are vectors, and whether a document gives them itself."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 

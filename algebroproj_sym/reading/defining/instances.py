@@ -1,7 +1,5 @@
 r"""Formulas that repeat another one: with numbers put in for letters, as in ``m a = 2 \cdot 3``, or as its power."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

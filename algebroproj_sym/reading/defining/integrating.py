@@ -1,7 +1,5 @@
 r"""What integrals between bounds are, such as ``\int_0^L k x \, dx``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping
 from typing import Any

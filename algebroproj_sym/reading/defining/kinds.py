@@ -7,8 +7,6 @@ of c, y, z are vectors if one is.  A thin capital beside a vector may be a matri
 An accent is that of vectors if letters that have it are multiplied with a cross, as in ``\bar\omega \times \bar r``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field

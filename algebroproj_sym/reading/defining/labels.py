@@ -1,7 +1,5 @@
 r"""What stands above a letter and is no power: a label, as in ``p^h``, and the number of a step, as in ``x^{k+1}``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise

@@ -4,8 +4,6 @@ A bold small letter is a column.  A size that nothing says is a letter, so that 
 The value of a function, a sum or an integral is a letter of its own, the same for the same text.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Sequence
 from contextlib import suppress

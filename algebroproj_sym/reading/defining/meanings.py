@@ -4,8 +4,6 @@ r"""What words say of letters and signs by which an equation says something else
 everything is modulo 4.  Such an equation is read, but not decided.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass

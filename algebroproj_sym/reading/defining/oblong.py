@@ -1,7 +1,5 @@
 r"""Matrices that may have no inverse: by words, by their sizes, or by the normal equations in which they stand."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import dropwhile

@@ -5,8 +5,6 @@ what follows from it follows.  It is a *premise* of the equations behind it.  On
 letter in which it is linear.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

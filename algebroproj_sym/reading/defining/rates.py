@@ -3,8 +3,6 @@ r"""The rate at which a formula changes, factor by factor, as ``\dot a \times b 
 No factor changes its place, so this holds of vectors and matrices as well.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any

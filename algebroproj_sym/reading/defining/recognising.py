@@ -1,7 +1,5 @@
 """Which equations define a letter, and of which letter an equation speaks."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 

@@ -3,8 +3,6 @@ r"""An equation of vectors and matrices solved for a letter that is in it once i
 No factor changes its side: what stands before the letter is inverted before it, and what stands behind it, behind it.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from typing import Any

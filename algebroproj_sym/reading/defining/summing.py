@@ -4,8 +4,6 @@ A product of a row and a column is a number, which may be turned round: ``a_i^T 
 of ``(a_i^T x)^2`` is ``x^T``, the sum of ``a_i a_i^T``, and ``x``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import reduce

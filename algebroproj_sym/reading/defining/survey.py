@@ -1,7 +1,5 @@
 """What is known of a whole document before its equations are read in order."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

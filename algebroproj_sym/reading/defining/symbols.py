@@ -18,8 +18,6 @@ r"""What the symbols of a paper stand for: the reviewed tables in its file ``sym
 A symbol that no table has is named by rule: letter, a p for each prime, subscript.  Later tables come first.
 """
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Mapping, Sequence

@@ -4,8 +4,6 @@ r"""Derivatives of functions that nothing computes, through their arguments.
 derivative is the sum of such products.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from lark import Token, Tree

@@ -1,7 +1,5 @@
 """What is asked of the prover: whether two sides are equal, with all definitions put in."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress

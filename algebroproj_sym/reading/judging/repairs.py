@@ -1,7 +1,5 @@
 """Single changes of a formula, of the sort that a misprint makes: by which of them an equation would follow."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass

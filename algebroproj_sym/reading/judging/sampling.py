@@ -1,7 +1,5 @@
 """Whether the sides of a relation agree where letters are numbers: a sieve before the prover is asked."""
 
-from __future__ import annotations
-
 from cmath import isnan
 from collections.abc import Iterable, Mapping
 from contextlib import suppress

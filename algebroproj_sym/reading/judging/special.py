@@ -5,8 +5,6 @@ refutes that.  So sides that have the same factors, but for their order, contrad
 has no powers.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass

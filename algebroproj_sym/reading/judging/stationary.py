@@ -4,8 +4,6 @@ The derivative is the one that is given last above it.  Where it is zero, the le
 accent or a star, as in ``\hat\mu``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace

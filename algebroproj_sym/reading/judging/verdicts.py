@@ -1,7 +1,5 @@
 """What a verdict says: of a relation, and of an equation of a document."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args

@@ -1,7 +1,5 @@
 """The ways in which a relation may be meant, and on what of the document it may rest in each."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """What the words beside an equation say of it: that it follows, or that it may be of a case or of another thing."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ What LaTeX leaves to the eye is decided in this folder: how far an argument goes
 a value or a product.  What only concerns the looks is dropped.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace

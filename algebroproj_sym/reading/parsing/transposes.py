@@ -1,7 +1,5 @@
 r"""Primes that transpose, as in ``(X'X)^{-1} X'y``: where a document has such a product, or says so."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import replace

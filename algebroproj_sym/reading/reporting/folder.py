@@ -1,7 +1,5 @@
 """A document as a derivation folder: its words as cells, its equations as quotes, and what was found as claims."""
 
-from __future__ import annotations
-
 import json
 import re
 import textwrap

@@ -1,7 +1,5 @@
 """The words of a document for readers: without the commands of LaTeX, and with its formulas."""
 
-from __future__ import annotations
-
 import re
 
 from algebroproj_sym.reading.documents.displays import HEADING, MAX_WORDS, Display

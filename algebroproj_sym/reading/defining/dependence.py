@@ -12,10 +12,10 @@ from itertools import pairwise
 
 from lark import Tree
 
-from algebroproj_sym.reading.defining.factors import lone, terms_of
+from algebroproj_sym.reading.defining.factors import terms_of
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in
 
 ANY = "any"
 """What stands for all letters on which a symbol may depend that is more than a letter with scripts."""

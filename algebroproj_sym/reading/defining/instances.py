@@ -5,7 +5,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in, without_brackets
 
 _PRODUCTS = ("run", "product")
 MOST_DEGREE = 6
@@ -105,8 +105,7 @@ def _degree(tree: Formula) -> int:
 
 
 def _of_exponent(exponent: Any) -> int:
-    while isinstance(exponent, Tree) and exponent.data in IN_BRACKETS and len(exponent.children) == 1:
-        (exponent,) = exponent.children
+    exponent = without_brackets(exponent)
     is_part = isinstance(exponent, Tree) and exponent.data in ("fraction", "quotient") and len(exponent.children) == 2
     return _whole(exponent.children[1]) if is_part and _whole(exponent.children[0]) == 1 else 1
 

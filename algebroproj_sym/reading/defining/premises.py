@@ -20,7 +20,7 @@ from algebroproj_sym.reading.defining.recognising import defined_by, is_one_valu
 from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions
 
 MOST_PREMISES = 300
@@ -125,7 +125,9 @@ class Premise:
             linear = {each: slope for each, slope in slopes.items() if slope is not None}
             simple = lambda each: (len(free_symbols(linear[each])), each not in wanted, each)  # noqa: E731
             for symbol in sorted(linear, key=simple)[:1]:
-                zero, one = (_with_number(difference, symbol, number) for number in "01")
+                zero, one = (
+                    put_in(difference, {letter_of(symbol): Tree("number", [Token("NUMBER", each)])}) for each in "01"
+                )
                 below: Formula = Tree("sum", [one, Token("SIGN", "-"), zero])
                 return self._of(symbol, (), Tree("fraction", [Tree("sum", [Token("SIGN", "-"), zero]), below]))
         except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
@@ -142,14 +144,6 @@ def _slope_of(value: Any, letter: Any) -> Any:
         return None
     point = {each: sympy.Integer(3) ** place + 1 for place, each in enumerate(sorted(free_symbols(slope), key=str), 1)}
     return slope if any(evaluate(slope, point)) else None
-
-
-def _with_number(tree: Formula, symbol: str, number: str) -> Formula:
-    """Return a formula with a number for a letter."""
-    if tree.data == "symbol" and tree.children[0] == symbol:
-        return Tree("number", [Token("NUMBER", number)])
-    parts = [_with_number(each, symbol, number) if isinstance(each, Tree) else each for each in tree.children]
-    return Tree(tree.data, parts)
 
 
 def applicable(premises: Sequence[Premise], part: int, cited: frozenset[str]) -> list[Premise]:

@@ -26,7 +26,7 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
 from algebroproj_sym.replaying.reals.terms import written
 
 Sides = tuple[Formula, Formula]
@@ -268,7 +268,7 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
             each.children[0] in operators for each in definition.tree.find_data("call")
         ):
             continue
-        letters = [_lone(each) for items in call.children[1:] if isinstance(items, Tree) for each in items.children]
+        letters = [lone(without_brackets(each)) for items in trees_in(call) for each in items.children]
         others = [split_symbol(each)[0] for each in letters if each]
         if letters and len(others) == len(letters) and not {*others, *letters} & {*definition.parameters}:
             return definition.symbol
@@ -320,13 +320,6 @@ def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str]
         if inner := _called_outside(vocabulary, function.tree, own, left):
             return inner
     return ""
-
-
-def _lone(tree: object) -> str:
-    """Return the symbol that a formula is; empty if it is more."""
-    while isinstance(tree, Tree) and tree.data in ("group", "items", "bracket", "cell") and len(tree.children) == 1:
-        tree = tree.children[0]
-    return str(tree.children[0]) if isinstance(tree, Tree) and tree.data == "symbol" else ""
 
 
 def _with_values(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:

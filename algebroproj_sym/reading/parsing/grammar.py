@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
@@ -162,16 +162,30 @@ def with_divided_angles(tree: Formula) -> Formula:
 
 _WAVES = ("sin", "cos", "tan", "cot")
 
-IN_BRACKETS = ("group", "bracket", "items")
+UNSEEN = ("group", "items")
+"""What has unseen brackets round it, as an exponent in braces."""
+IN_BRACKETS = (*UNSEEN, "bracket")
 """What has brackets, seen or unseen, round it."""
 _OF_SYMBOLS = ("SYMBOL", "CALLEE", "OPAQUE")
 
 
-def without_brackets(tree: Formula) -> Formula:
-    """Return what stands in the brackets round a whole side."""
-    while tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
-        tree = tree.children[0]
+def without_brackets(tree: Any, brackets: Collection[str] = IN_BRACKETS) -> Any:
+    """Return what stands in the brackets round a whole formula."""
+    while isinstance(tree, Tree) and tree.data in brackets and len(tree.children) == 1:
+        (tree,) = tree.children
     return tree
+
+
+def put_in(tree: Formula, values: Mapping[Formula, Formula]) -> Formula:
+    """Return a formula with others for some of its parts."""
+    if tree in values:
+        return values[tree]
+    return Tree(tree.data, [put_in(each, values) if isinstance(each, Tree) else each for each in tree.children])
+
+
+def lone(tree: Any) -> str:
+    """Return the symbol that a formula is; empty if it is more."""
+    return str(tree.children[0]) if isinstance(tree, Tree) and tree.data == "symbol" else ""
 
 
 def symbols_in(tree: Formula) -> list[str]:

@@ -1,7 +1,5 @@
 """Files: all of them are written whole, or none of them at all, and JSON is read that says each thing once."""
 
-from __future__ import annotations
-
 import json
 import signal
 import threading

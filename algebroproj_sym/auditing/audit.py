@@ -1,7 +1,5 @@
 """The audit of one claim: its quote is read symbol by symbol and must be what the claim says is printed."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

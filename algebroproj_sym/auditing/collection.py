@@ -1,7 +1,5 @@
 """The audit of many claims, each against the quotes and tables of its folder."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The outline of a paper, read from its text: ``python -m algebroproj_sym.auditing.outline FILE > outline.toml``."""
 
-from __future__ import annotations
-
 import json
 import re
 import sys

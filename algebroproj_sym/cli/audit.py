@@ -1,7 +1,5 @@
 """algebroproj audit: compare the claims with the LaTeX of the papers."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """algebroproj export: write theorems for a proof assistant."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any

@@ -30,8 +30,6 @@ number quotes.  A claim with ``/beyond/`` in its number has no quote; where a wh
 ``beyond = true``.
 """
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections import Counter

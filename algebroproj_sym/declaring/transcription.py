@@ -1,7 +1,5 @@
 """Transcription: what a paper prints, read from its quote with the paper's tables of symbols."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

@@ -4,8 +4,6 @@
 function of the statement, the name of the form, and the certificate, and returns theorems by what they show.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction

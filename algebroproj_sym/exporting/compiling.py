@@ -1,7 +1,5 @@
 """Compiling: coqc and coqchk accept the exported files, and what these assume is compared with what may be."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """Theorems: a statement that can be read, and a proof that names the trees and certificates behind it."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace

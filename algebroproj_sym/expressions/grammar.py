@@ -1,7 +1,5 @@
 """Which SymPy expressions the project reasons about: rational expressions over Q, and matrices of them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache

@@ -18,8 +18,6 @@ Divisions are kept as `over`, and where one occurs sums and products are not eva
 still has the pole it was written with.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Expressions as text: as `str` of SymPy writes them, or such that every division that was made is seen."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import Any
 

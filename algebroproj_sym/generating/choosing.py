@@ -7,8 +7,6 @@ proved equal to the derivation.  On stratified samples they differ: their errors
 numbers against its value on fractions.  Where a factor of a result is zero, a product is zero, and a sum may not be.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

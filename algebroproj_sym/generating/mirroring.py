@@ -1,7 +1,5 @@
 """Symmetric and skew results: each pair of entries is computed once, so that both are exactly equal or opposite."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import combinations
 

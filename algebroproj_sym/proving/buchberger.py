@@ -4,8 +4,6 @@ The polynomials are FLINT's, in degree reverse lexicographic order; steps are co
 does not depend on the machine.  What is found here is only a suggestion: whoever uses it multiplies it out again.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from operator import le

@@ -1,7 +1,5 @@
 """What becomes of a statement: a decision, and the evidence for it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """The public way to decide: expressions or text, of bounded size."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 

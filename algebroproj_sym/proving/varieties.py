@@ -5,8 +5,6 @@ that is affine with a constant slope is solved, resultants are taken where neith
 proves nothing.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction

@@ -3,8 +3,6 @@
 A question that takes too long is open, and says so; a worker that fails or dies is an error, never a verdict.
 """
 
-from __future__ import annotations
-
 import queue
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor

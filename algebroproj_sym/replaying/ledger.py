@@ -1,7 +1,5 @@
 """From records to results: whether each verdict follows from the evidence that the ledger keeps."""
 
-from __future__ import annotations
-
 import dataclasses
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence

@@ -13,8 +13,6 @@ Certificates are polynomials with integer coefficients: there is no ``/``, and a
 A form is an expression, a matrix ``Matrix([[..., ...], ...])`` or factors ``(..., ...)``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Writing a derivation folder: a package with one module that has a claim of each common kind, and a kernel."""
 
-from __future__ import annotations
-
 import re
 import sys
 from importlib.util import find_spec

@@ -1,7 +1,5 @@
 """Labelled results: xarray datasets with units and provenance, in netCDF or Zarr files, without loss of digits."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

@@ -1,7 +1,5 @@
 """Whether the compiled version of a function gives, bit by bit, what its NumPy source gives."""
 
-from __future__ import annotations
-
 from types import ModuleType
 from typing import Any
 

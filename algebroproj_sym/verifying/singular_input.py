@@ -1,7 +1,5 @@
 """What the generated functions do where a factor that must not vanish is exactly zero."""
 
-from __future__ import annotations
-
 from types import ModuleType
 
 import numpy as np

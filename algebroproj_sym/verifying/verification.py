@@ -1,7 +1,5 @@
 """All that is asked of a generated function."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType

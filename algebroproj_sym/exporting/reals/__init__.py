@@ -1,7 +1,5 @@
 """Theorems about real functions, from the proofs of the ledger: each law is a lemma of ``Functions.v``."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

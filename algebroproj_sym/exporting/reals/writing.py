@@ -4,8 +4,6 @@ The replay's theory finds what is asked and added, in its order; each fact becom
 inequality of a polynomial in symbols and in the values of functions, which are names here.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Arguments for which the hypotheses of a theorem hold: small integers, which Coq evaluates again."""
 
-from __future__ import annotations
-
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """A file for each function: its lines of C, a certificate, and the bounds that the checker accepts."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass

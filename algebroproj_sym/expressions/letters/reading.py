@@ -1,7 +1,5 @@
 """From SymPy's expressions to terms."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any

@@ -4,8 +4,6 @@ An engine makes polynomial rings over Q.  A polynomial supports ``+ - *`` and no
 knows its generators and how to embed a constant, factor, and list the terms of a polynomial.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Protocol

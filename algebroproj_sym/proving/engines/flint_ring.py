@@ -1,7 +1,5 @@
 """Polynomials over Q by FLINT's `fmpq_mpoly`."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import gcd, lcm

@@ -1,7 +1,5 @@
 """Polynomials over Q by SymPy's sparse polynomial rings."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """Deciding statements about vectors and matrices as letters: in words, which hold for every size, or by entries."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction

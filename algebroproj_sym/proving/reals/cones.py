@@ -1,7 +1,5 @@
 """Polynomials that are not negative on a cone: none of their coefficients is, in what is known not to be negative."""
 
-from __future__ import annotations
-
 from itertools import combinations
 from typing import Any
 

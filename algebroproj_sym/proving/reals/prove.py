@@ -1,7 +1,5 @@
 """Decide statements with real functions: a rational point refutes them, or laws prove them, and the replay agrees."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice

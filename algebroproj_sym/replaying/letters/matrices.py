@@ -1,7 +1,5 @@
 """Matrices entry by entry in any algebra: of fractions, of rational functions, of residues."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations

@@ -5,8 +5,6 @@ rational function of it that is not zero at some rational number is not zero the
 zero at such a number, not zero itself, is zero there too.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from fractions import Fraction

@@ -4,8 +4,6 @@ An atom is a text, entered with its shape and with what it becomes when it is tr
 numbers are taken out of it, as texts of their own.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import pairwise

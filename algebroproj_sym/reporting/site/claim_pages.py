@@ -1,7 +1,5 @@
 """The page of a claim, and the pages that list claims: papers and errata."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any
 

@@ -3,8 +3,6 @@
 The layout is the one of Sugiyama: columns by the longest path, order in a column by the mean of the neighbours.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise

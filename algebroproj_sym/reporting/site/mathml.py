@@ -1,7 +1,5 @@
 """LaTeX as presentation MathML, of the core that browsers draw without a script."""
 
-from __future__ import annotations
-
 import re
 from functools import lru_cache
 from typing import Literal, TypeAlias

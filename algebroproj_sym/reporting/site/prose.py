@@ -1,7 +1,5 @@
 """Notes and consequences as HTML: numbers of claims become links."""
 
-from __future__ import annotations
-
 import re
 
 from markupsafe import Markup, escape

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from algebroproj_sym.auditing.collection import audit, stale
+from algebroproj_sym.auditing.audit import audit, stale
 from algebroproj_sym.auditing.coverage import coverage
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show

@@ -20,8 +20,7 @@ from hypothesis import strategies as st
 
 import algebroproj
 from algebroproj_sym.declaring import judge, kernels, select
-from algebroproj_sym.exporting import assumptions, compiled
-from algebroproj_sym.exporting.compiling import CLASSICAL
+from algebroproj_sym.exporting.compiling import CLASSICAL, assumptions, compiled
 from algebroproj_sym.exporting.files import LIBRARY
 from algebroproj_sym.exporting.rounding import CHECKER, accuracy_of, render
 from algebroproj_sym.exporting.rounding.theorems import definitions, instance

@@ -1,13 +1,11 @@
 """Formulas in LaTeX are parsed to trees.  The grammar is in ``latex.lark``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, Self
 
 from lark import Lark, Token, Tree
 from lark.exceptions import UnexpectedInput, UnexpectedToken
@@ -37,7 +35,7 @@ class Parsed:
     chose: str = ""
     """What LaTeX leaves open, and the reader chose; empty for nothing."""
 
-    def without_set(self) -> Parsed:
+    def without_set(self) -> Self:
         r"""Return the formula without the set to which its sides belong, as in ``q = a/b \in [0, 1]``."""
         is_member = len(self.relations) > 1 and self.relations[-1] == "∈"
         return replace(self, sides=self.sides[:-1], relations=self.relations[:-1]) if is_member else self

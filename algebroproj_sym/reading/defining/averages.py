@@ -33,27 +33,18 @@ _FIXED = re.compile(
 
 @dataclass(frozen=True)
 class Averages:
-    """What a document says of expected values.
-
-    Attributes
-    ----------
-    operators : frozenset of str
-        The symbols that stand for the expected value of what is in the bracket behind them.
-    letters : frozenset of (str, str)
-        The letters that are expected values themselves, each behind its operator.
-    random : frozenset of str
-        The letters that words call random.
-    within : frozenset of str
-        The letters that stand in an expected value.
-    fixed : frozenset of str
-        The letters that words call deterministic, and those up to which sums go.
-    """
+    """What a document says of expected values."""
 
     operators: frozenset[str] = frozenset()
+    """The symbols that stand for the expected value of what is in the bracket behind them."""
     letters: frozenset[tuple[str, str]] = frozenset()
+    """The letters that are expected values themselves, each behind its operator."""
     random: frozenset[str] = frozenset()
+    """The letters that words call random."""
     within: frozenset[str] = frozenset()
+    """The letters that stand in an expected value."""
     fixed: frozenset[str] = frozenset()
+    """The letters that words call deterministic, and those up to which sums go."""
 
     def is_fixed(self, operator: str, symbols: Iterable[str], constants: Collection[str]) -> bool:
         """Whether all of some letters are the same whatever is random, as constants and expected values are."""

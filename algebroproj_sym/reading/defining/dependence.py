@@ -26,49 +26,32 @@ _BEGINNING = -1
 
 @dataclass(frozen=True)
 class Tie:
-    """An equation, as far as it says on what letters may depend.
-
-    Attributes
-    ----------
-    given : str
-        The letter that is alone on the left; empty for none.
-    others : frozenset of str
-        The other symbols, without those that are indices of sums in it.
-    is_first : bool
-        Whether no equation before it has the letter on the left.
-    is_condition : bool
-        Whether it is a whole equation with no letter alone on the left.
-    hiding : frozenset of str
-        The letters of such an equation that may depend on an index of the other ones.
-    """
+    """An equation, as far as it says on what letters may depend."""
 
     given: str
+    """The letter that is alone on the left; empty for none."""
     others: frozenset[str]
+    """The other symbols, without those that are indices of sums in it."""
     is_first: bool
+    """Whether no equation before it has the letter on the left."""
     is_condition: bool = False
+    """Whether it is a whole equation with no letter alone on the left."""
     hiding: frozenset[str] = frozenset()
+    """The letters of such an equation that may depend on an index of the other ones."""
 
 
 @dataclass(frozen=True)
 class Dependence:
-    """What a document says of the letters that may depend on each other.
-
-    Attributes
-    ----------
-    ties : tuple of Tie
-        What its equations say.
-    by_time : bool
-        Whether t is the time: a dot above a letter is the derivative by t.
-    constant : frozenset of str
-        The letters that words call constant.
-    arguments : mapping of str to tuple of str
-        The functions that are taken at the same letters in the whole document, with these.
-    """
+    """What a document says of the letters that may depend on each other."""
 
     ties: tuple[Tie, ...] = ()
+    """What its equations say."""
     by_time: bool = False
+    """Whether t is the time: a dot above a letter is the derivative by t."""
     constant: frozenset[str] = frozenset()
+    """The letters that words call constant."""
     arguments: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """The functions that are taken at the same letters in the whole document, with these."""
     _related: dict[str, frozenset[str]] = field(default_factory=dict, compare=False)
 
     @cached_property

@@ -52,18 +52,12 @@ _EXCLUDES = re.compile(
 
 @dataclass(frozen=True)
 class Indices:
-    """What a document says of its indices.
-
-    Attributes
-    ----------
-    text : str
-        The whole document.
-    symbols : frozenset of str
-        All symbols of its formulas.
-    """
+    """What a document says of its indices."""
 
     text: str
+    """The whole document."""
     symbols: frozenset[str]
+    """All symbols of its formulas."""
 
     @cached_property
     def counted(self) -> frozenset[str]:

@@ -47,22 +47,15 @@ def _match(one: Any, other: Any, found: dict[str, str]) -> bool:
 
 @dataclass(frozen=True)
 class Powers:
-    r"""The powers of both sides of an equation of a letter and a root.
-
-    Attributes
-    ----------
-    left, right : Tree
-        The powers.
-    degree : int
-        Of which degree they are.
-    is_open : bool
-        Whether the sign of the root is open, as in ``\pm\sqrt{a}``.
-    """
+    r"""The powers of both sides of an equation of a letter and a root."""
 
     left: Formula
     right: Formula
+    """The powers."""
     degree: int
+    """Of which degree they are."""
     is_open: bool
+    r"""Whether the sign of the root is open, as in ``\pm\sqrt{a}``."""
 
 
 def powers_of(left: Formula, right: Formula) -> Powers | None:

@@ -42,33 +42,22 @@ _SPOKEN = re.compile(r"\b(?:vectors?|vectorial|cross[- ]products?)\b", re.IGNORE
 
 @dataclass(frozen=True)
 class Kinds:
-    """What the letters of a document are.
-
-    Attributes
-    ----------
-    no_numbers : frozenset of str
-        The symbols that are vectors or matrices.
-    columns : frozenset of str
-        Those of them that have the accent of vectors, or that words call vectors.
-    open : frozenset of str
-        The symbols that may be matrices, or numbers.
-    named : frozenset of str
-        The letters I that words may call another thing than the identity.
-    oblong : frozenset of str
-        Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
-    inverted : frozenset of str
-        The capitals that are no numbers, and have an inverse or a determinant somewhere: they are no vectors.
-    averages : Averages
-        What stands for expected values.
-    """
+    """What the letters of a document are."""
 
     no_numbers: frozenset[str] = frozenset()
+    """The symbols that are vectors or matrices."""
     columns: frozenset[str] = frozenset()
+    """Those of them that have the accent of vectors, or that words call vectors."""
     open: frozenset[str] = frozenset()
+    """The symbols that may be matrices, or numbers."""
     named: frozenset[str] = frozenset()
+    """The letters I that words may call another thing than the identity."""
     oblong: frozenset[str] = frozenset()
+    """Those of matrices that may have no inverse: a document inverts their product with what they are transposed."""
     inverted: frozenset[str] = frozenset()
+    """The capitals that are no numbers, and have an inverse or a determinant somewhere: they are no vectors."""
     averages: Averages = field(default_factory=Averages)
+    """What stands for expected values."""
 
 
 def kinds_of(

@@ -39,43 +39,29 @@ _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-
 
 @dataclass(frozen=True)
 class Premise:
-    """An equation that a document asserts.
-
-    Attributes
-    ----------
-    left, right : Tree
-        Its sides.
-    where : str
-        Where it stands.
-    part : int
-        How many headings come before it.
-    place : int
-        Where its display begins, in characters.
-    names : frozenset of str
-        Its label and its number.
-    special : bool
-        Whether words beside it speak of a case.
-    words : frozenset of str
-        The words beside it.
-    chained : bool
-        Whether it is part of a chain.
-    context : Context
-        Where it holds.
-    ranges : tuple of Parsed
-        What is said beside it of the ranges of letters.
-    """
+    """An equation that a document asserts."""
 
     left: Formula
     right: Formula
+    """Its sides."""
     where: str
+    """Where it stands."""
     part: int
+    """How many headings come before it."""
     place: int
+    """Where its display begins, in characters."""
     names: frozenset[str]
+    """Its label and its number."""
     special: bool
+    """Whether words beside it speak of a case."""
     words: frozenset[str]
+    """The words beside it."""
     chained: bool
+    """Whether it is part of a chain."""
     context: Context
+    """Where it holds."""
     ranges: tuple[Parsed, ...] = ()
+    """What is said beside it of the ranges of letters."""
 
     @cached_property
     def symbols(self) -> frozenset[str]:

@@ -15,20 +15,14 @@ Depends = Callable[[Part], bool]
 
 @dataclass(frozen=True)
 class Arranged:
-    """The factors of a product in a sum.
-
-    Attributes
-    ----------
-    numbers : list of Part
-        The numbers.
-    before, within, behind : list of Part
-        The rows, columns and matrices that stand before the sum, in it, and behind it.
-    """
+    """The factors of a product in a sum."""
 
     numbers: list[Part]
+    """The numbers."""
     before: list[Part]
     within: list[Part]
     behind: list[Part]
+    """The rows, columns and matrices that stand before the sum, in it, and behind it."""
 
 
 def arranged(factors: Sequence[Part], depends: Depends) -> Arranged:

@@ -53,18 +53,12 @@ from algebroproj_sym.reading.parsing.transposes import are_transposes, with_tran
 
 @dataclass(frozen=True)
 class Survey:
-    """A document, and what the user says of its letters.
-
-    Attributes
-    ----------
-    document : Document
-        What was read from a file.
-    given : SymbolsFile
-        What the user says.
-    """
+    """A document, and what the user says of its letters."""
 
     document: Document
+    """What was read from a file."""
     given: SymbolsFile
+    """What the user says."""
 
     @cached_property
     def statements(self) -> tuple[Statement, ...]:

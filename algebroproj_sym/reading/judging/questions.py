@@ -37,28 +37,19 @@ MOST_CALLS = 200
 
 @dataclass(frozen=True)
 class Way:
-    """A way to take a link.
-
-    Attributes
-    ----------
-    left, right : Tree
-        Its sides.
-    vocabulary : Vocabulary
-        What its letters stand for.
-    doubt : str
-        Why it may not be meant if it fails so.
-    reads : str
-        How it is read otherwise than it stands.
-    under : tuple of Premise
-        The equations under which it is to hold.
-    """
+    """A way to take a link."""
 
     left: Formula
     right: Formula
+    """Its sides."""
     vocabulary: Vocabulary
+    """What its letters stand for."""
     doubt: str = ""
+    """Why it may not be meant if it fails so."""
     reads: str = ""
+    """How it is read otherwise than it stands."""
     under: tuple[Premise, ...] = ()
+    """The equations under which it is to hold."""
 
     @property
     def sides(self) -> Sides:

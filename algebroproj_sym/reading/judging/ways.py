@@ -62,36 +62,24 @@ _CHANGES = frozenset(
 
 @dataclass(frozen=True)
 class Standing:
-    """Where an equation stands: what is known there, and what it may rest on.
-
-    Attributes
-    ----------
-    survey : Survey
-        What is known of the whole document.
-    vocabulary : Vocabulary
-        What letters stand for there.
-    beside : Beside
-        The words beside it.
-    part : int
-        How many headings come before it.
-    premises : sequence of Premise
-        The equations above it that hold there.
-    cited : frozenset of str
-        The labels and numbers that words before it name.
-    given_at : mapping of str to int
-        Where each letter was alone on a side for the last time.
-    own : sequence of Premise
-        The equations within the text that its own sentence supposes.
-    """
+    """Where an equation stands: what is known there, and what it may rest on."""
 
     survey: Survey
+    """What is known of the whole document."""
     vocabulary: Vocabulary
+    """What letters stand for there."""
     beside: Beside
+    """The words beside it."""
     part: int
+    """How many headings come before it."""
     premises: Sequence[Premise]
+    """The equations above it that hold there."""
     cited: frozenset[str]
+    """The labels and numbers that words before it name."""
     given_at: Mapping[str, int]
+    """Where each letter was alone on a side for the last time."""
     own: Sequence[Premise] = ()
+    """The equations within the text that its own sentence supposes."""
 
     @property
     def follows(self) -> bool:

@@ -45,19 +45,8 @@ class Work:
 class GroebnerBasis:
     """A Groebner basis of some polynomials, with the combinations of the generators that its elements are.
 
-    Parameters
-    ----------
-    generators : sequence of flint.fmpq_mpoly
-        In a context with degree reverse lexicographic order.
-    steps : int
-        How many reductions may be made.
-    work : Work, optional
-        What all bases of a question may cost together.
-
-    Raises
-    ------
-    EffortExceededError
-        If there is no end within the bounds.
+    The generators are in a context with degree reverse lexicographic order.  All bases of a question share some `work`.
+    It raises `EffortExceededError` if there is no end within so many reductions, or that work.
 
     Examples
     --------

@@ -72,23 +72,7 @@ class Outcome:
 def outcomes(
     questions: Sequence[Question], *, seconds: float, engine: str = "flint", jobs: int = 1
 ) -> Iterator[Outcome]:
-    """Decide questions, in order, each within a time limit.
-
-    Parameters
-    ----------
-    questions : sequence of Question
-        As text.
-    seconds : float
-        How long each may take.
-    engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
-    jobs : int
-        How many worker processes.
-
-    Yields
-    ------
-    Outcome
-    """
+    """Decide questions in some worker processes, and yield what became of each in order; each may take so many seconds."""
     workers = [_Worker(engine) for _ in range(jobs)]
     free: queue.Queue[_Worker] = queue.Queue()
     for worker in workers:

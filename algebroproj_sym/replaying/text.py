@@ -56,12 +56,7 @@ class Form:
 
 
 def parse(text: Any) -> Form:
-    """Read an expression or a matrix.
-
-    Raises
-    ------
-    Rejected
-        If the text is not of the grammar.
+    """Read an expression or a matrix; it raises `Rejected` if the text is not of the grammar.
 
     Examples
     --------

@@ -39,10 +39,7 @@ class _Atom(NamedTuple):
 class Words:
     """The algebra of the words in some letters.
 
-    Attributes
-    ----------
-    is_sized : bool
-        Whether something was used that holds for the given sizes alone.
+    `is_sized` says whether something was used that holds for the given sizes alone.
 
     Examples
     --------

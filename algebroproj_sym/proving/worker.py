@@ -72,7 +72,7 @@ class Outcome:
 def outcomes(
     questions: Sequence[Question], *, seconds: float, engine: str = "flint", jobs: int = 1
 ) -> Iterator[Outcome]:
-    """Decide questions in some worker processes, and yield what became of each in order; each may take so many seconds."""
+    """Decide questions in worker processes, each within some seconds, and yield what became of each, in order."""
     workers = [_Worker(engine) for _ in range(jobs)]
     free: queue.Queue[_Worker] = queue.Queue()
     for worker in workers:

@@ -108,16 +108,7 @@ class Dependence:
 def ties_of(letter: str, parameters: Sequence[str], sides: Sequence[Formula], before: set[str]) -> Iterator[Tie]:
     """Yield what an equation or a chain says, with a letter or a function of parameters on its left, or with none.
 
-    Parameters
-    ----------
-    letter : str
-        The letter that is its first side; empty for none.
-    parameters : sequence of str
-        The letters that it is a function of.
-    sides : sequence of Tree
-        All sides.
-    before : set of str
-        The symbols of the equations before it; those of this one are added.
+    Before are the symbols of the equations before it; those of this one are added.
     """
     symbols = [free_symbols(each) - {letter, *parameters} for each in sides]
     is_condition = not letter and not any(map(_rates, sides))

@@ -65,16 +65,7 @@ def kinds_of(
 ) -> Kinds:
     """Return what letters are by all equations of a document, and by what its words say of some.
 
-    Parameters
-    ----------
-    formulas : iterable of Parsed
-        What was read of the equations.
-    said : frozenset of str
-        The symbols that words call vectors or matrices.
-    words : str
-        The words of the document.
-    columns : frozenset of str
-        The symbols that words call vectors.
+    Words call some symbols vectors or matrices, and some of these columns.
     """
     equations = [sides for formula in formulas for sides in _equal_in(formula)]
     sides = [side for each in equations for side in each]

@@ -38,12 +38,8 @@ def lettered(
     """Return the question whether two sides are equal, with vectors and matrices as letters; of blocks, one for each.
 
     What is given are the sides of equations that hold, and that have no blocks.  Bold Greek letters are tensors if they
-    cannot be columns.  A rotation has three dimensions if blocks need a size.
-
-    Raises
-    ------
-    UnreadableError
-        If shapes do not fit, or something is read and not computed.
+    cannot be columns.  A rotation has three dimensions if blocks need a size.  It raises `UnreadableError` if shapes do
+    not fit, or something is read and not computed.
     """
     return _first_read(vocabulary, lambda reader: _asked(reader, left, right, given))
 

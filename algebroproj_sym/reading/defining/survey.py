@@ -203,13 +203,7 @@ class Survey:
     def parsed(
         self, statement: Statement, labels: frozenset[str] | None = None, *, wide: bool = True, plain: bool = False
     ) -> Parsed:
-        """Parse a statement; a plain one keeps primes that transpose.
-
-        Raises
-        ------
-        UnreadableError
-            If it is no formula.
-        """
+        """Parse a statement; a plain one keeps primes that transpose.  What is no formula is an `UnreadableError`."""
         own = self.labels if labels is None else labels
         known = self.given.whole.symbols
         named = self._has_superscripts

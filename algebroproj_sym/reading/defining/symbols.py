@@ -148,13 +148,7 @@ def letters_of(name: str, size: Size) -> Matrix:
 
 
 def tables_in(folder: Path) -> tuple[Table, ...]:
-    """Return the tables of a folder of derivations.
-
-    Raises
-    ------
-    UnreadableDocumentError
-        If the file cannot be read.
-    """
+    """Return the tables of a folder of derivations; it raises `UnreadableDocumentError` if the file cannot be read."""
     path = folder / FILE
     return _read(path, path.stat().st_mtime_ns).tables if path.is_file() else ()
 
@@ -170,13 +164,7 @@ def _read(path: Path, stamp: int) -> SymbolsFile:
 
 
 def symbols_file(path: Path) -> SymbolsFile:
-    """Read a file of symbols.
-
-    Raises
-    ------
-    UnreadableDocumentError
-        Naming the key, what was expected and what came.
-    """
+    """Read a file of symbols; the error for a wrong one names the key, what was expected and what came."""
     try:
         content = tomllib.loads(path.read_text(encoding="utf-8"))
         _require_keys(content, _KEYS)

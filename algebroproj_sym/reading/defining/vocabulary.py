@@ -302,10 +302,7 @@ class Vocabulary:
     def plain(self, symbol: str) -> Any:
         """Return what a symbol stands for without any definition: letters, or a matrix of them.
 
-        Raises
-        ------
-        UnreadableError
-            If it is a vector or matrix of unknown size.
+        It raises `UnreadableError` if it is a vector or matrix of unknown size.
         """
         if symbol in self.given.symbols:
             return self.given.symbols[symbol]
@@ -404,11 +401,8 @@ class Vocabulary:
     def value(self, tree: Formula) -> Any:
         """Return the expression that a formula stands for, with all definitions put in.
 
-        Raises
-        ------
-        UnreadableError
-            If shapes do not fit, a size is not known, or something is read and not computed; or if there is too much
-            to put in.
+        It raises `UnreadableError` if shapes do not fit, a size is not known, or something is read and not computed; or
+        if there is too much to put in.
         """
         values, self._parts = self._values, 0
         for definition in self.used_in(tree):

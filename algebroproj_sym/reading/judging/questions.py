@@ -83,12 +83,8 @@ def rests_of(vocabulary: Vocabulary, *trees: Formula) -> tuple[str, ...]:
 def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_entries: bool = False) -> list[Question]:
     """Return the question whether two sides are equal; of matrices with real functions, one for each entry.
 
-    Where a sign is ± or ∓, both statements are asked.
-
-    Raises
-    ------
-    UnreadableError
-        If a side is no expression, or their shapes differ.
+    Where a sign is ± or ∓, both statements are asked.  It raises `UnreadableError` if a side is no expression, or their
+    shapes differ.
     """
     if any(_has_two_signs(tree) for tree in (left, right)):
         both = [[_with_signs(tree, upper) for tree in (left, right)] for upper in (True, False)]

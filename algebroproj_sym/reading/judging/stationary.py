@@ -48,16 +48,7 @@ _ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
 def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection[str], above: int) -> list[Premise]:
     """Return that the derivatives above an equation are zero, if its sentence says so.
 
-    Parameters
-    ----------
-    beside : Beside
-        The words beside the equation.
-    premises : sequence of Premise
-        The equations above it.
-    letters : collection of str
-        The letters of the equation that nothing gives.
-    above : int
-        Where the display just above it begins, in characters.
+    The letters are those of the equation that nothing gives, and above is where the display just above it begins.
     """
     match = _TO_ZERO.search(beside.sentence)
     if match is None or _OTHERWISE.search(beside.sentence):

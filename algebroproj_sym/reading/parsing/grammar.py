@@ -47,16 +47,9 @@ def parsed(
     functions: Collection[str] | None = None,
     wide_arguments: bool = True,
 ) -> Parsed:
-    """Parse a formula.
+    """Parse a formula: one expression, or several joined by relations.  The other arguments are as for `tokens_of`.
 
     It raises `UnreadableError` if the text is no formula of the grammar; it says where reading stopped.
-
-    Parameters
-    ----------
-    latex : str or sequence of Piece
-        One expression, or several joined by relations.
-    known, functions, wide_arguments
-        As for `tokens_of`.
     """
     pieces = _without_end(pieces_of(latex) if isinstance(latex, str) else list(latex))
     if functions is not None and (sides := split_pieces(pieces, MAPS))[1:] and _is_map(sides[0]):

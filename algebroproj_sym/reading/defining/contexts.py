@@ -142,7 +142,6 @@ class Context:
     kind: str = ""
     """What its words speak of, such as a place; empty for none."""
     words: str = ""
-    """The words."""
 
     @property
     def fixed(self) -> str:

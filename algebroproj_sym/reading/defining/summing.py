@@ -18,7 +18,6 @@ class Arranged:
     """The factors of a product in a sum."""
 
     numbers: list[Part]
-    """The numbers."""
     before: list[Part]
     within: list[Part]
     behind: list[Part]

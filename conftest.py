@@ -194,12 +194,12 @@ def built(request, made_once):
 @pytest.fixture(scope="session")
 def lemmas(made_once, tmp_path_factory):
     """Return a folder, for one worker, with the lemmas of all theorems, compiled by Coq."""
-    from algebroproj_sym.exporting import compiled_lemmas, render
+    from algebroproj_sym.exporting import compiling, files
     from algebroproj_sym.files import write_texts
 
     def compiled(folder):
-        write_texts(render([]), folder)
-        assert not any(lemma.error for lemma in compiled_lemmas(folder))
+        write_texts(files.render([]), folder)
+        assert not any(lemma.error for lemma in compiling.compiled(folder, files.lemmas()))
 
     return shutil.copytree(made_once("lemmas", compiled), tmp_path_factory.mktemp("own") / "lemmas")
 

@@ -1,7 +1,5 @@
 """Files: all of them are written whole, or none of them at all, and JSON is read that says each thing once."""
 
-from __future__ import annotations
-
 import json
 import signal
 import threading
@@ -20,12 +18,8 @@ class AmbiguousError(ValueError):
 def strict_json(text: str) -> Any:
     """Return what JSON text stands for.
 
-    Raises
-    ------
-    AmbiguousError
-        If an object has a key twice, or a number is none of JSON, such as NaN.
-    ValueError
-        If it is no JSON.
+    It raises `AmbiguousError` if an object has a key twice, or a number is none of JSON, such as NaN.  It raises
+    `ValueError` if it is no JSON.
 
     Examples
     --------
@@ -50,16 +44,9 @@ def _no_number(text: str) -> Any:
 
 
 def write_texts(files: Mapping[str, str], folder: Path) -> None:
-    """Write text files.
+    """Write text files, given by their paths in a folder; it, and folders in it, are made if they do not exist.
 
     Whatever goes wrong, an interruption too, the folder has either all files as they were or all new ones.
-
-    Parameters
-    ----------
-    files : mapping of str to str
-        The text of each file by its path in the folder.
-    folder : Path
-        Where to write them; it, and folders in it, are made if they do not exist.
 
     Examples
     --------

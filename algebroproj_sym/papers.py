@@ -1,7 +1,5 @@
 """Derivation modules as text: which there are, and which sections and numbers they declare, without running them."""
 
-from __future__ import annotations
-
 import ast
 import importlib
 import re

@@ -3,8 +3,6 @@
 Each step takes what the one before it gave; `jobs` worker processes change the time a step takes, never its result.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Work in several processes.  Their number changes the time that work takes, never its results."""
 
-from __future__ import annotations
-
 import os
 import signal
 import sys

@@ -13,8 +13,8 @@ import algebroproj
 from algebroproj_sym.declaring import Kernel, kernels
 from algebroproj_sym.generating.backends.c import is_compiled
 from algebroproj_sym.generating.choosing import lower
-from algebroproj_sym.verifying.identity import SPECIAL, same_bits
 from algebroproj_sym.verifying.shipped import function_of, without_twin
+from algebroproj_sym.verifying.verification import SPECIAL, same_bits
 
 POINTS = 1_000_000
 BATCH = 50_000

@@ -20,12 +20,10 @@ from hypothesis import strategies as st
 
 import algebroproj
 from algebroproj_sym.declaring import judge, kernels, select
-from algebroproj_sym.exporting import assumptions, compiled
-from algebroproj_sym.exporting.compiling import CLASSICAL
+from algebroproj_sym.exporting.compiling import CLASSICAL, assumptions, compiled
 from algebroproj_sym.exporting.files import LIBRARY
 from algebroproj_sym.exporting.rounding import CHECKER, accuracy_of, render
-from algebroproj_sym.exporting.rounding.instances import instance
-from algebroproj_sym.exporting.rounding.theorems import definitions
+from algebroproj_sym.exporting.rounding.theorems import definitions, instance
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.generating.backends.c import is_compiled
 from algebroproj_sym.generating.choosing import lower

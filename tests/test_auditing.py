@@ -13,8 +13,7 @@ import sympy
 from click.testing import CliRunner
 
 from algebroproj_sym import Section
-from algebroproj_sym.auditing.audit import audited
-from algebroproj_sym.auditing.collection import audit, stale
+from algebroproj_sym.auditing.audit import audit, audited, stale
 from algebroproj_sym.auditing.scans import lines_of, misplaced
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import DeclarationError, Quotations, Quote, located, quotations, select

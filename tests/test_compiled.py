@@ -12,8 +12,8 @@ import pytest
 import algebroproj
 from algebroproj._runtime.backend import calls
 from algebroproj_sym.declaring import kernels
-from algebroproj_sym.verifying.identity import SPECIAL, same_bits
 from algebroproj_sym.verifying.shipped import function_of, without_twin
+from algebroproj_sym.verifying.verification import SPECIAL, same_bits
 
 pytestmark = pytest.mark.skipif(
     algebroproj.backend() != "compiled", reason="the package was built without a C compiler"

@@ -18,9 +18,9 @@ from algebroproj_sym.generating.backends.cpp import declaration, is_written, ren
 from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.generating.writing import write
 from algebroproj_sym.verifying.c_execution import NotUnderstoodError
-from algebroproj_sym.verifying.identity import SPECIAL, same_bits
 from algebroproj_sym.verifying.proof_of_cpp_source import cpp_source_is_proved, function_is_proved, header_of
 from algebroproj_sym.verifying.shipped import call, function_of, without_twin
+from algebroproj_sym.verifying.verification import SPECIAL, same_bits
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 COMPILER = shutil.which("g++")

@@ -19,9 +19,8 @@ from hypothesis import strategies as st
 from algebroproj_sym import Section
 from algebroproj_sym.cli import main
 from algebroproj_sym.declaring import judge
-from algebroproj_sym.exporting import assumptions, checked, compiled, export, exported, render
-from algebroproj_sym.exporting.compiling import ALLOWED, assumed, axioms
-from algebroproj_sym.exporting.files import translated, word
+from algebroproj_sym.exporting.compiling import ALLOWED, assumed, assumptions, axioms, checked, compiled
+from algebroproj_sym.exporting.files import export, exported, render, translated, word
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed, rational, reserved
 from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.exporting.objects import _determinant

@@ -14,9 +14,9 @@ from sympy import cos, sin, sqrt, symbols
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import judge
-from algebroproj_sym.exporting import assumptions, compiled, exported, files, render
-from algebroproj_sym.exporting.compiling import ALLOWED, CLASSICAL
-from algebroproj_sym.exporting.files import FUNCTIONS, HEADER
+from algebroproj_sym.exporting import files
+from algebroproj_sym.exporting.compiling import ALLOWED, CLASSICAL, assumptions, compiled
+from algebroproj_sym.exporting.files import FUNCTIONS, HEADER, exported, render
 from algebroproj_sym.exporting.reals import real_theorems
 from algebroproj_sym.exporting.refusal import NotExportable, Silent
 from algebroproj_sym.expressions import Matrix

@@ -18,8 +18,7 @@ from algebroproj_sym.declaring import DeclarationError
 from algebroproj_sym.expressions.letters import Adjugate, Dot, Norm
 from algebroproj_sym.generating.backends import BACKENDS
 from algebroproj_sym.generating.backends.numpy import render
-from algebroproj_sym.generating.choosing import lower
-from algebroproj_sym.generating.mirroring import mirrored
+from algebroproj_sym.generating.choosing import lower, mirrored
 from algebroproj_sym.generating.writing import PACKAGE, write
 from algebroproj_sym.verifying.proof_of_cpp_source import cpp_source_is_proved
 from algebroproj_sym.verifying.shipped import function_of, load_package

@@ -22,10 +22,10 @@ from algebroproj_sym.generating.samples import stratified
 from algebroproj_sym.generating.writing import PACKAGE
 from algebroproj_sym.verifying.accuracy import truths
 from algebroproj_sym.verifying.c_execution import Meaning, NotUnderstoodError, plain_outputs, source_of
-from algebroproj_sym.verifying.identity import SPECIAL, same_bits
 from algebroproj_sym.verifying.proof_of_c_source import plain_kernel_is_proved, solver_is_proved
 from algebroproj_sym.verifying.proof_of_source import source_is_proved
 from algebroproj_sym.verifying.shipped import call, function_of, without_twin
+from algebroproj_sym.verifying.verification import SPECIAL, same_bits
 
 KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 RATIONAL = [name for name, kernel in KERNELS.items() if {s.primitive for s in kernel.stages} <= {"let"}]

@@ -10,7 +10,7 @@ import sympy
 
 from algebroproj_sym.expressions import Matrix, determinant, over
 from algebroproj_sym.proving import UndefinedError, constrained, prove
-from algebroproj_sym.proving.engines import FlintRing, SympyRing
+from algebroproj_sym.proving.engines import ENGINES, ring
 
 proving_module = import_module("algebroproj_sym.proving.prove")
 field_module = import_module("algebroproj_sym.proving.rational_function")
@@ -285,25 +285,25 @@ def test_an_engine_that_does_not_load_gives_no_verdict(monkeypatch, engine, lhs,
         prove(lhs, rhs, constraints=constraints, engine=engine)
 
 
-@pytest.mark.parametrize(("engine", "ring"), [("flint", FlintRing), ("sympy", SympyRing)])
+@pytest.mark.parametrize(("engine", "of_engine"), [(engine, type(ring(engine, []))) for engine in ENGINES])
 @pytest.mark.parametrize("method", ["__init__", "constant", "terms", "factor"])
-def test_an_engine_that_fails_midway_gives_no_verdict(monkeypatch, engine, ring, method):
-    monkeypatch.setattr(ring, method, failing)
+def test_an_engine_that_fails_midway_gives_no_verdict(monkeypatch, engine, of_engine, method):
+    monkeypatch.setattr(of_engine, method, failing)
     with pytest.raises(EngineError):
         prove(over(x, y) + 1, over(x + y, y), engine=engine)
 
 
-@pytest.mark.parametrize(("engine", "ring"), [("flint", FlintRing), ("sympy", SympyRing)])
-def test_an_engine_that_fails_while_looking_for_cofactors_gives_no_verdict(monkeypatch, engine, ring):
-    monkeypatch.setattr(ring, "polynomial", failing)
+@pytest.mark.parametrize(("engine", "of_engine"), [(engine, type(ring(engine, []))) for engine in ENGINES])
+def test_an_engine_that_fails_while_looking_for_cofactors_gives_no_verdict(monkeypatch, engine, of_engine):
+    monkeypatch.setattr(of_engine, "polynomial", failing)
     with pytest.raises(EngineError):
         prove(x**2, y**2, constraints=[x - y], engine=engine)
 
 
-@pytest.mark.parametrize(("engine", "ring"), [("flint", FlintRing), ("sympy", SympyRing)])
-def test_cofactors_that_do_not_multiply_out_are_not_believed(monkeypatch, engine, ring):
-    honest = ring.polynomial
-    monkeypatch.setattr(ring, "polynomial", lambda self, terms: honest(self, {p: v + 1 for p, v in terms.items()}))
+@pytest.mark.parametrize(("engine", "of_engine"), [(engine, type(ring(engine, []))) for engine in ENGINES])
+def test_cofactors_that_do_not_multiply_out_are_not_believed(monkeypatch, engine, of_engine):
+    honest = of_engine.polynomial
+    monkeypatch.setattr(of_engine, "polynomial", lambda self, terms: honest(self, {p: v + 1 for p, v in terms.items()}))
     assert unproved(prove(x**2, y**2, constraints=[x - y], engine=engine))
 
 

@@ -34,8 +34,7 @@ from algebroproj_sym.verifying.accuracy import measured
 from algebroproj_sym.verifying.oracle import oracle
 from algebroproj_sym.verifying.proof_of_source import in_general, source_is_proved
 from algebroproj_sym.verifying.shipped import call, function_of, load_package
-from algebroproj_sym.verifying.singular_input import silent_factors
-from algebroproj_sym.verifying.verification import verify
+from algebroproj_sym.verifying.verification import silent_factors, verify
 
 p0, p1, q0, q1, angle = sympy.symbols("p0 p1 q0 q1 angle")
 a00, a01, a10, a11, b0, b1 = sympy.symbols("a00 a01 a10 a11 b0 b1")

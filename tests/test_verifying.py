@@ -21,8 +21,7 @@ from algebroproj_sym.verifying.accuracy import BOUND, measured, truths
 from algebroproj_sym.verifying.oracle import NoAgreementError
 from algebroproj_sym.verifying.proof_of_source import in_general, source_is_proved
 from algebroproj_sym.verifying.shipped import NotShippedError, function_of, load_package, without_twin
-from algebroproj_sym.verifying.singular_input import silent_factors
-from algebroproj_sym.verifying.verification import verify
+from algebroproj_sym.verifying.verification import silent_factors, verify
 
 
 def size_of(kernel):

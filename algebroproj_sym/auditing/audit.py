@@ -1,16 +1,16 @@
-"""The audit of one claim: its quote is read symbol by symbol and must be what the claim says is printed."""
-
-from __future__ import annotations
+"""The audit of claims: the quote of each is read symbol by symbol, and must be what the claim says is printed."""
 
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from pathlib import Path
 from typing import Any, Literal, get_args
 
 import sympy
 
-from algebroproj_sym.declaring import Claim, Quotations, Quote
+from algebroproj_sym.auditing.scans import misplaced
+from algebroproj_sym.declaring import Claim, Derivation, Quotations, Quote, derivation_at, quotations
 from algebroproj_sym.declaring.claim import as_stated
 from algebroproj_sym.declaring.transcription import beside, counts_in, numbers_in, readings
 from algebroproj_sym.expressions import NotRationalError, TextForm, entries, shape, vector
@@ -18,7 +18,7 @@ from algebroproj_sym.expressions.letters import Reading, letters_text
 from algebroproj_sym.proving import prove
 from algebroproj_sym.proving.reals.matrices import real_text
 from algebroproj_sym.proving.statements import prove as prove_any
-from algebroproj_sym.reading import Symbols, UnreadableError, in_letters
+from algebroproj_sym.reading import Symbols, UnreadableError, in_letters, symbols_for, tables_in
 
 Status = Literal["equal", "number", "quoted", "unquoted", "failed"]
 STATUSES: tuple[Status, ...] = get_args(Status)
@@ -135,3 +135,36 @@ def _layouts(read: Sequence[Any], printed: Sequence[Any], quote: Quote) -> Itera
             yield theirs, ours
             if quote.equation:
                 yield theirs, [-entry for entry in ours]
+
+
+def audit(located: Sequence[tuple[Derivation, Claim]], papers: Path | None = None) -> Iterator[Finding]:
+    """Audit claims, in order.
+
+    Without the folder of the papers' files, it is not checked that the quotes occur there.
+    """
+    by_folder = {folder: _claims_in(folder) for folder in _folders(located)}
+    for derivation, claim in located:
+        folder = derivation.path.parent
+        found = quotations(folder)
+        quote = found.quotes.get(claim.number)
+        sharing = [by_folder[folder][number] for number in quote.claims if number in by_folder[folder]] if quote else []
+        finding = audited(claim, found, symbols_for(claim.section, claim.number, tables_in(folder)), sharing)
+        wrong = misplaced(quote, papers / found.source) if quote and papers else ""
+        yield replace(finding, status="failed", reason=wrong) if wrong else finding
+
+
+def stale(located: Sequence[tuple[Derivation, Claim]]) -> list[str]:
+    """Return the numbers that are quoted, or said to have no quote, and that no claim beside the quotes has."""
+    numbers = []
+    for folder in _folders(located):
+        found, claims = quotations(folder), _claims_in(folder)
+        numbers += [number for number in (*found.quotes, *found.unquoted) if number not in claims]
+    return numbers
+
+
+def _folders(located: Sequence[tuple[Derivation, Claim]]) -> list[Path]:
+    return list(dict.fromkeys(derivation.path.parent for derivation, _ in located))
+
+
+def _claims_in(folder: Path) -> dict[str, Claim]:
+    return {claim.number: claim for derivation in derivation_at(folder) for claim in derivation.section.claims}

@@ -1,7 +1,5 @@
 """Coverage: which claims quote which line of a paper, and which lines none does."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The papers' files, if a run has them: a quote must begin where it says, word for word but for white space."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 from pathlib import Path

@@ -1,13 +1,11 @@
 """algebroproj audit: compare the claims with the LaTeX of the papers."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
-from algebroproj_sym.auditing.collection import audit, stale
+from algebroproj_sym.auditing.audit import audit, stale
 from algebroproj_sym.auditing.coverage import coverage
 from algebroproj_sym.cli import options
 from algebroproj_sym.cli.terminal import console, echo, echo_json, progressing, show

@@ -1,7 +1,5 @@
 """algebroproj build: the whole pipeline."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -1,7 +1,5 @@
 """algebroproj check: judge claims."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -3,8 +3,6 @@
 The modules are parsed, not run.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -4,8 +4,6 @@ Text from files and derivations may have characters that a terminal obeys or hid
 change the direction of writing.  Every output passes through `visible`, which writes them as JSON does.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from typing import Any, Literal

@@ -1,7 +1,5 @@
 """algebroproj explain: everything about a claim."""
 
-from __future__ import annotations
-
 import click
 
 from algebroproj_sym.cli import options

@@ -1,8 +1,6 @@
 """algebroproj export: write theorems for a proof assistant."""
 
-from __future__ import annotations
-
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,22 +12,26 @@ from algebroproj_sym.cli.replay import ledger_at
 from algebroproj_sym.cli.steps import lowered_kernels
 from algebroproj_sym.cli.terminal import console, echo, progressing, show
 from algebroproj_sym.declaring import installed_papers, kernels
-from algebroproj_sym.exporting import (
-    ASSUMPTIONS,
-    UNEXPORTED,
+from algebroproj_sym.exporting.compiling import (
+    ALLOWED,
+    CLASSICAL,
     Compiled,
-    Exported,
     NoCompilerError,
     assumptions,
     checked,
     compiled,
-    compiled_lemmas,
-    export,
-    render,
     require_compiler,
 )
-from algebroproj_sym.exporting.compiling import ALLOWED, CLASSICAL
-from algebroproj_sym.exporting.files import CONVENTIONS, plain
+from algebroproj_sym.exporting.files import (
+    ASSUMPTIONS,
+    CONVENTIONS,
+    UNEXPORTED,
+    Exported,
+    export,
+    lemmas,
+    plain,
+    render,
+)
 from algebroproj_sym.exporting.making import made_by_derivations
 from algebroproj_sym.exporting.rounding import CHECKER, accuracy_of
 from algebroproj_sym.exporting.rounding import render as render_bounds
@@ -94,7 +96,7 @@ def coq(selectors: tuple[str, ...], out: Path, path: Path | None, compiling: boo
         echo(f"{plain(f'{claim.paper}:{claim.number}')} is not exported: {plain(claim.reason)}", err=True)
     if compiling:
         allowed = CLASSICAL if any(claim.functions for claim in claims) else ALLOWED
-        _compile(out, [name.removesuffix(".v") for name in files if name.endswith(".v")], jobs, allowed)
+        _compile(out, files, [*lemmas()], jobs, allowed)
     if refused:
         raise SystemExit(1)
 
@@ -133,10 +135,7 @@ def bounds(functions: tuple[str, ...], out: Path, compiling: bool, jobs: int) ->
     whole, some = sum(each.analysis.is_complete for each in found), sum(bool(each.bounds) for each in found)
     console().print(f"written to {out}: theorems for {some} of {len(lowered)} functions, for all results of {whole}")
     if compiling:
-        names = [name.removesuffix(".v") for name in files if name.endswith(".v")]
-        theorems = [name for name in names if name not in (*CHECKER, ASSUMPTIONS)]
-        checker = [*compiled(out, CHECKER)]
-        _compile_theorems(out, checker, theorems, jobs, CLASSICAL)
+        _compile(out, files, CHECKER, jobs, CLASSICAL)
 
 
 def _replayed(found: dict[str, Any], jobs: int, path: Path) -> list[Replayed]:
@@ -146,18 +145,14 @@ def _replayed(found: dict[str, Any], jobs: int, path: Path) -> list[Replayed]:
         raise click.ClickException(f"{path}: {error}") from error
 
 
-def _compile(folder: Path, files: Sequence[str], jobs: int, allowed: frozenset[str]) -> None:
-    lemmas = compiled_lemmas(folder)
-    theorems = [name for name in files if name != ASSUMPTIONS and name not in {lemma.name for lemma in lemmas}]
-    _compile_theorems(folder, lemmas, theorems, jobs, allowed)
-
-
-def _compile_theorems(
-    folder: Path, lemmas: list[Compiled], theorems: Sequence[str], jobs: int, allowed: frozenset[str]
-) -> None:
-    if any(lemma.error for lemma in lemmas):
-        _require_accepted("coqc", lemmas)
-    built = [*lemmas, *progressing(compiled(folder, theorems, jobs), len(theorems), "compiling")]
+def _compile(folder: Path, files: Iterable[str], first: Sequence[str], jobs: int, allowed: frozenset[str]) -> None:
+    """Compile and check the files of a folder: what all theorems need first, and then the theorems."""
+    names = [name.removesuffix(".v") for name in files if name.endswith(".v")]
+    theorems = [name for name in names if name not in (*first, ASSUMPTIONS)]
+    needed = [*compiled(folder, first)]
+    if any(each.error for each in needed):
+        _require_accepted("coqc", needed)
+    built = [*needed, *progressing(compiled(folder, theorems, jobs), len(theorems), "compiling")]
     _require_accepted("coqc", built)
     assumed = assumptions(folder, allowed)
     _require_accepted("coqc", [assumed])

@@ -1,7 +1,5 @@
 """algebroproj generate: write the functions in a language."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

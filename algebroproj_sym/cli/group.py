@@ -1,7 +1,5 @@
 """The group of commands: their order, and the messages of their errors."""
 
-from __future__ import annotations
-
 import atexit
 import gc
 import importlib

@@ -1,7 +1,5 @@
 """algebroproj mutate: test whether the checks notice single changes."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict

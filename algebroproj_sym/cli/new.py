@@ -1,7 +1,5 @@
 """algebroproj new: a derivation folder to start from."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -1,7 +1,5 @@
 """algebroproj read: a document in, verdicts out."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

@@ -1,7 +1,5 @@
 """algebroproj replay: check every certificate of a ledger again."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace

@@ -1,7 +1,5 @@
 """algebroproj report: the static site."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from tempfile import TemporaryDirectory
 

@@ -1,7 +1,5 @@
 """The steps of the pipeline as commands take them: with progress, and with errors of the command line."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Results on standard output, as tables and lines, and progress on standard error, but no progress in a pipe."""
 
-from __future__ import annotations
-
 import sys
 import time
 from collections.abc import Iterable, Iterator

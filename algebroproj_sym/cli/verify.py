@@ -1,7 +1,5 @@
 """algebroproj verify: compare the generated functions with the derivations."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

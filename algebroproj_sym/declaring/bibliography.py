@@ -1,7 +1,5 @@
 """What is known of the papers: author, title and year, from a file beside the derivations."""
 
-from __future__ import annotations
-
 import tomllib
 from dataclasses import dataclass
 from functools import cache

@@ -4,8 +4,6 @@ A *source* is the key of an installed paper, or the path of a derivation module 
 numbered together, an installed paper or the modules of one folder, is imported and held against itself as a whole.
 """
 
-from __future__ import annotations
-
 import importlib
 from collections import Counter
 from collections.abc import Collection, Iterable, Sequence

@@ -1,7 +1,5 @@
 """Drivers: hand-written functions that call generated ones, and travel with the generated package."""
 
-from __future__ import annotations
-
 import ast
 import inspect
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Identities from elsewhere: files of statements as text, with the verdicts that are expected of them."""
 
-from __future__ import annotations
-
 import difflib
 from collections.abc import Mapping
 from dataclasses import dataclass, fields

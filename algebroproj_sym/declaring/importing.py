@@ -4,8 +4,6 @@ A module in a package (a folder with ``__init__.py``) is imported by its full na
 neighbours: ``from mypaper.notation import x``.  A module in any other folder stands alone, as a script does.
 """
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 import sys

@@ -4,8 +4,6 @@ What the other kernel computes on the way is differentiated on the way: an abbre
 derivatives, and a linear system A x = b gives A dx = db - dA x.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

@@ -6,8 +6,6 @@
 A_11*(A_11*S_11 + A_12*S_12) + A_12*(A_11*S_12 + A_12*S_22)
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise

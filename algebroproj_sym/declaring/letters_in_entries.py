@@ -10,8 +10,6 @@ The letters are kept beside the entries, for those who read the claim.
 ('t[0, 0]*R.T', (('R', '2x2 symmetric'), ('t', '3x1')))
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from typing import Any
 

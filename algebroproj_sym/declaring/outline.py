@@ -8,11 +8,8 @@
         { line = 195, kind = "to formula", number = "1.3.4", words = "is solving the system (1.3.4)" },
     ]
 
-`algebroproj_sym.auditing.outline` reads the marks from the paper's text.  Which number a mark should have follows from
-where it stands.
+Which number a mark should have follows from where it stands.
 """
-
-from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator, Sequence

@@ -3,8 +3,6 @@
 What the generated functions call is a module of the same name in `algebroproj_sym.generating.runtime`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias

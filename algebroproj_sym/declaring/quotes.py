@@ -30,8 +30,6 @@ number quotes.  A claim with ``/beyond/`` in its number has no quote; where a wh
 ``beyond = true``.
 """
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections import Counter
@@ -67,21 +65,14 @@ FILE, SECTIONS = "quotes.toml", "quotes"
 
 @dataclass(frozen=True)
 class Edit:
-    """How a damaged place of a quote is read.
-
-    Attributes
-    ----------
-    scan : str
-        What the scan shows, a part of one of the pieces of the quote.
-    read : str
-        What it is read as, everywhere in the quote.
-    why : str
-        The reason.
-    """
+    """How a damaged place of a quote is read."""
 
     scan: str
+    """What the scan shows, a part of one of the pieces of the quote."""
     read: str
+    """What it is read as, everywhere in the quote."""
     why: str
+    """The reason."""
 
     @property
     def text(self) -> str:
@@ -91,45 +82,30 @@ class Edit:
 
 @dataclass(frozen=True)
 class Quote:
-    """What a paper prints about some claims, and how the parts that a claim is about are taken from it.
-
-    Attributes
-    ----------
-    claims : tuple of str
-        The numbers of the claims.
-    line : int
-        The line of the paper's file on which the quote begins.
-    pieces : tuple of str
-        The quote; several pieces where something else stands between them.
-    sides : tuple of int
-        Which sides of each piece the claims are about, counted as in a Python sequence.
-    equation : bool
-        Whether the claims are about the difference of the first and the last side.
-    coefficients : tuple of str
-        Then: the unknowns whose coefficients the claims list, "1" for the constant, "-1" for it on the right side.
-    indices : mapping of str to tuple of str
-        Letters that stand for indices, and the values for which the quote is read.
-    beside : {"rows", "columns"} or ""
-        Whether the expressions of the quote are the rows or the columns of one matrix.
-    unparsed : str
-        Why the quote is not read as a formula; empty if it is.
-    why : str
-        What prevents that, in a few words: each quote that is ``unread`` says it.
-    edits : tuple of Edit
-        How damaged places are read.
-    """
+    """What a paper prints about some claims, and how the parts that a claim is about are taken from it."""
 
     claims: tuple[str, ...]
+    """The numbers of the claims."""
     line: int
+    """The line of the paper's file on which the quote begins."""
     pieces: tuple[str, ...]
+    """The quote; several pieces where something else stands between them."""
     sides: tuple[int, ...] = (-1,)
+    """Which sides of each piece the claims are about, counted as in a Python sequence."""
     equation: bool = False
+    """Whether the claims are about the difference of the first and the last side."""
     coefficients: tuple[str, ...] = ()
+    """Then: the unknowns whose coefficients the claims list, "1" for the constant, "-1" for it on the right side."""
     indices: Mapping[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
+    """Letters that stand for indices, and the values for which the quote is read."""
     beside: Beside | Literal[""] = ""
+    """Whether the expressions of the quote are the rows or the columns of one matrix."""
     unparsed: Unparsed | Literal[""] = ""
+    """Why the quote is not read as a formula; empty if it is."""
     why: str = ""
+    """What prevents that, in a few words: each quote that is ``unread`` says it."""
     edits: tuple[Edit, ...] = ()
+    """How damaged places are read."""
 
     @property
     def text(self) -> str:
@@ -147,27 +123,18 @@ class Quote:
 
 @dataclass(frozen=True)
 class Quotations:
-    """The quotes of the claims of one folder of derivations.
-
-    Attributes
-    ----------
-    source : str
-        The name of the paper's file; empty if the folder has no quotes.
-    quotes : mapping of str to Quote
-        By the number of the claim.
-    unquoted : mapping of str to str
-        Why a claim has no quote, by its number.
-    beyond : bool
-        Whether all claims of the folder go beyond the papers.
-    tables : mapping of str to mapping of str to mapping of str to str
-        The cells of each table, by row and column; those that are empty are left out.
-    """
+    """The quotes of the claims of one folder of derivations."""
 
     source: str = ""
+    """The name of the paper's file; empty if the folder has no quotes."""
     quotes: Mapping[str, Quote] = field(default_factory=dict)
+    """By the number of the claim."""
     unquoted: Mapping[str, Unquoted] = field(default_factory=dict)
+    """Why a claim has no quote, by its number."""
     beyond: bool = False
+    """Whether all claims of the folder go beyond the papers."""
     tables: Mapping[str, Cells] = field(default_factory=dict)
+    """The cells of each table, by row and column; those that are empty are left out."""
 
     def numbers(self, claim: str) -> tuple[str, ...]:
         """Return the numbers in the quote of a claim, as they are printed."""
@@ -199,10 +166,7 @@ class Quotations:
 def quotations(folder: Path) -> Quotations:
     """Return the quotes of a folder of derivations; none if it has no files of quotes.
 
-    Raises
-    ------
-    DeclarationError
-        If a file cannot be read, or a claim has two quotes.
+    It raises `DeclarationError` if a file cannot be read, or a claim has two quotes.
     """
     return _read(folder, tuple((path, path.stat().st_mtime_ns) for path in quote_files(folder)))
 

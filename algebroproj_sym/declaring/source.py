@@ -1,7 +1,5 @@
 """Where a claim is declared: its forms as they are written there, with the order and the names of the author."""
 
-from __future__ import annotations
-
 import ast
 import linecache
 import sys

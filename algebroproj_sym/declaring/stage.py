@@ -4,8 +4,6 @@ Each stage gives symbols that later stages and the results may use.  Proofs trea
 the right values go in, and that what comes out is used rightly.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

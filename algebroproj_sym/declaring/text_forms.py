@@ -1,7 +1,5 @@
 """Declaring a claim with real functions, or in letters: its forms become text that the prover and the replay read."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

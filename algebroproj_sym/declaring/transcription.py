@@ -1,7 +1,5 @@
 """Transcription: what a paper prints, read from its quote with the paper's tables of symbols."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -45,20 +43,12 @@ BROKEN_LINE = re.compile(r"\\n(?!eq|u(?![a-z]))")
 def transcribed(folder: Path, section: str, number: str, derived: Any, build: Builder | None = None) -> Any:
     """Return what is printed, as the quote of a claim has it.
 
-    It raises `DeclarationError` if there is no quote, or it cannot be read: with its line, the place and the reason.
+    The numbers of a quote fill the shape of what is derived by rows, and a zero stands for a column of zeros.  A row is
+    read as a column where the formula begins with what is transposed, as in x^T = (1, y).  If what is derived is in
+    letters, the quote is read in letters, several forms side by side.  So is a definition with a matrix of the tables.
+    `build` makes expressions: without it the one that is claimed, with `in_order` the one that is shown.
 
-    Parameters
-    ----------
-    folder : Path
-        Where the quotes and the tables of symbols are.
-    section, number : str
-        Where the claim stands.
-    derived : Expression or None
-        What is derived: the numbers of a quote fill its shape by rows, and a zero stands for a column of zeros.  A row
-        is read as a column where the formula begins with what is transposed, as in x^T = (1, y).  If it is in letters,
-        the quote is read in letters, several forms side by side.  So is a definition with a matrix of the tables.
-    build : callable, optional
-        What makes expressions; without it the one that is claimed, with `in_order` the one that is shown.
+    It raises `DeclarationError` if there is no quote, or it cannot be read: with its line, the place and the reason.
     """
     is_notation, joined = derived is None, bool(_quote_of(folder, number).beside)
     letters = not joined and (_names_matrices(section, number, folder) if is_notation else speaks_of_letters([derived]))
@@ -112,10 +102,7 @@ def transcribed_number(folder: Path, section: str, number: str, derived: Any) ->
 def transcribed_count(folder: Path, section: str, number: str, derived: Any) -> int:
     """Return the one whole number that a quote has, in digits or as a word.
 
-    Raises
-    ------
-    DeclarationError
-        If the quote has no such number, or several ones.
+    It raises `DeclarationError` if the quote has no such number, or several ones.
     """
     quote = _quote_of(folder, number)
     return _only(counts_in(quote.text), "whole number", quote)
@@ -124,10 +111,7 @@ def transcribed_count(folder: Path, section: str, number: str, derived: Any) -> 
 def transcribed_reference(folder: Path, number: str) -> str:
     """Return the one number that a quote refers to, such as "1.3.8".
 
-    Raises
-    ------
-    DeclarationError
-        If the quote has no such number, or several ones.
+    It raises `DeclarationError` if the quote has no such number, or several ones.
     """
     quote = _quote_of(folder, number)
     return _only([found[0] for found in _REFERENCE.finditer(quote.text)], "reference", quote)

@@ -6,30 +6,3 @@ follows from hypotheses and what holds at a point; `claims` does so for each kin
 files; `compiling` has them checked.  The replay comes first.  `letters` and `reals` take from it how statements are
 read, `reals` also in which order facts are found; all else has code of its own.
 """
-
-from algebroproj_sym.exporting.compiling import (
-    Compiled,
-    NoCompilerError,
-    assumptions,
-    checked,
-    compiled,
-    compiled_lemmas,
-    require_compiler,
-)
-from algebroproj_sym.exporting.files import ASSUMPTIONS, UNEXPORTED, Exported, export, exported, render
-
-__all__ = [
-    "ASSUMPTIONS",
-    "UNEXPORTED",
-    "Compiled",
-    "Exported",
-    "NoCompilerError",
-    "assumptions",
-    "checked",
-    "compiled",
-    "compiled_lemmas",
-    "export",
-    "exported",
-    "render",
-    "require_compiler",
-]

@@ -4,8 +4,6 @@
 function of the statement, the name of the form, and the certificate, and returns theorems by what they show.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -306,11 +304,16 @@ def vanishing(statement: Statement, form: str, certificate: Certificate) -> Prov
 
 
 def rank(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show a regular minor at a point, and independent vectors that the matrix takes to zero."""
+    """Show a regular minor at a point, and independent vectors that the matrix takes to zero.
+
+    The matrix is the given one or, to count independent functions, that of their derivatives.
+    """
     return {"minor": _minor(statement, certificate, certificate["point"])} | _kernel(statement, certificate)
 
 
 def _minor(statement: Statement, certificate: Certificate, exact: Any) -> tuple[str, str]:
+    if statement.kind == "count":
+        return _derivatives(statement, certificate, exact)
     derived, point = statement.written("derived"), statement.point(exact)
     rows, columns = certificate["rows"], certificate["columns"]
     matrix = in_rows(derived.entries, statement.form("derived").shape[1])
@@ -334,15 +337,15 @@ def _kernel(statement: Statement, certificate: Certificate) -> Proved:
         return {}
     derived = statement.written("derived")
     vectors = [read(text).entries for text in certificate["kernel"]]
+    independent = {"independent": _independent(statement, certificate, vectors)}
+    if statement.kind == "count":
+        return {"kernel": _unchanged(statement, vectors)} | independent
     given = Hypotheses(tuple(sorted(statement.symbols)), (), derived.definitions)
     matrix = in_rows(derived.entries, statement.form("derived").shape[1])
     rows = [[Goal(dot(row, vector), integer(0)) for vector in vectors] for row in matrix]
     given = with_divisors(given, [goal.left for row in rows for goal in row])
     shown = f"times\n {matrix_of(matrix)}\n {matrix_of(vectors)}"
-    return {
-        "kernel": universal_of_matrix(given, rows, shown),
-        "independent": _independent(statement, certificate, vectors),
-    }
+    return {"kernel": universal_of_matrix(given, rows, shown)} | independent
 
 
 def _independent(statement: Statement, certificate: Certificate, vectors: Sequence[Sequence[Term]]) -> tuple[str, str]:
@@ -350,11 +353,6 @@ def _independent(statement: Statement, certificate: Certificate, vectors: Sequen
     minor = tuple(tuple(vector[natural(i)] for vector in vectors) for i in certificate["kernel rows"])
     literal = _regular(point, {}, minor)
     return points.at_point(point, {}, [*divisors_nonzero([t for row in minor for t in row], {}), literal])
-
-
-def count(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show derivatives that are a regular matrix at a point, and independent directions of no change."""
-    return {"minor": _derivatives(statement, certificate, certificate["point"])} | _unchanged(statement, certificate)
 
 
 def _functions(statement: Statement) -> Functions:
@@ -370,15 +368,11 @@ def _derivatives(statement: Statement, certificate: Certificate, exact: Any) -> 
     return independent_at(chosen, point, places)
 
 
-def _unchanged(statement: Statement, certificate: Certificate) -> Proved:
-    if not certificate.get("kernel"):
-        return {}
+def _unchanged(statement: Statement, vectors: Sequence[Sequence[Term]]) -> tuple[str, str]:
     functions, variables = _functions(statement), [*map(symbol, statement.setting["variables"])]
-    vectors = [read(text).entries for text in certificate["kernel"]]
     components = [dict(zip(variables, vector, strict=True)) for vector in vectors]
     directions = [[part.get(symbol, integer(0)) for symbol in functions.variables] for part in components]
-    found = {"kernel": unchanged_along(functions, directions)}
-    return found | {"independent": _independent(statement, certificate, vectors)}
+    return unchanged_along(functions, directions)
 
 
 def limit(statement: Statement, form: str, certificate: Certificate) -> Proved:
@@ -486,13 +480,6 @@ def not_rank(statement: Statement, form: str, certificate: Certificate) -> Prove
     return _kernel(statement, certificate)
 
 
-def not_count(statement: Statement, form: str, certificate: Certificate) -> Proved:
-    """Show derivatives that are a regular matrix which is too large, or too many directions of no change."""
-    if certificate["method"] == "counterexample":
-        return {"refuted": _derivatives(statement, certificate, statement.record["counterexample"])}
-    return _unchanged(statement, certificate)
-
-
 Export: TypeAlias = Callable[[Statement, str, Certificate], Proved]
 PROOFS: Mapping[str, Export] = {
     "identity": identity,
@@ -501,7 +488,7 @@ PROOFS: Mapping[str, Export] = {
     "structure": structure,
     "vanishing": vanishing,
     "rank": rank,
-    "count": count,
+    "count": rank,
     "limit": limit,
     "numeric": numeric,
 }
@@ -512,7 +499,7 @@ REFUTATIONS: Mapping[str, Export] = {
     "structure": not_structure,
     "vanishing": not_vanishing,
     "rank": not_rank,
-    "count": not_count,
+    "count": not_rank,
     "numeric": not_numeric,
 }
 REASONS: Mapping[str, str] = {

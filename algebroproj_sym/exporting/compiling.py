@@ -1,7 +1,5 @@
 """Compiling: coqc and coqchk accept the exported files, and what these assume is compared with what may be."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import subprocess
@@ -11,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from algebroproj_sym.exporting.files import ASSUMPTIONS, CHECKING, LIBRARY, lemmas
+from algebroproj_sym.exporting.files import ASSUMPTIONS, CHECKING, LIBRARY
 
 ALLOWED = frozenset(
     {
@@ -65,11 +63,6 @@ def _path(program: str) -> str:
     if path is None:
         raise NoCompilerError(f"{program} is not installed")
     return path
-
-
-def compiled_lemmas(folder: Path) -> list[Compiled]:
-    """Compile the lemmas that all files of theorems need."""
-    return [_compiled(folder, name) for name in lemmas()]
 
 
 def compiled(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Compiled]:

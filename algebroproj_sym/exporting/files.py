@@ -1,7 +1,5 @@
 """The exported files: one a section of a paper, what they all need, and what could not be exported."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass

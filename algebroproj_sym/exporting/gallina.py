@@ -1,7 +1,5 @@
 """Printing terms in Coq's language: as formulas for the reader, and as trees for the lemmas."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Limits: an expression is a quotient of polynomials, whose denominator is not zero where the variable is."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

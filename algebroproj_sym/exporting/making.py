@@ -1,7 +1,5 @@
 """How derivations make what they derive, for the claims of installed papers."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from algebroproj_sym.declaring import Claim, located

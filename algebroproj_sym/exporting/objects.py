@@ -4,8 +4,6 @@ Each operation occurs twice: as the call of a function of ``Linear.v``, and as w
 part by part in the same order.  Coq compares the two; if they differ, it rejects the theorem.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace

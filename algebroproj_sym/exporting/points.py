@@ -1,7 +1,5 @@
 """Theorems at rational points: formulas have certain values, or differ, where nothing is divided by zero."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

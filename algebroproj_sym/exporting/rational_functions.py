@@ -4,8 +4,6 @@ The replay computes the same of the same texts with other code.  Neither needs t
 divisors, and Coq's kernel multiplies them out.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction

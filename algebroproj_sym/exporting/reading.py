@@ -4,8 +4,6 @@ A form is an expression, a matrix ``Matrix([[..., ...], ...])`` or factors ``(..
 until one that binds less tightly comes; nothing is evaluated, and no division is lost.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass

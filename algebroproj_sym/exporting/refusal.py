@@ -1,7 +1,5 @@
 """Why a claim cannot be exported."""
 
-from __future__ import annotations
-
 
 class NotExportable(ValueError):  # noqa: N818 - a finding, not a malfunction
     """A claim has no theorem, for a reason."""

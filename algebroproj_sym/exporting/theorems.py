@@ -1,7 +1,5 @@
 """Theorems: a statement that can be read, and a proof that names the trees and certificates behind it."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -173,28 +171,12 @@ def universal_of_matrix(
     lemma: str = "",
     sides: int = 0,
 ) -> tuple[str, str]:
-    """Return statement and proof that matrices are equal.
+    """Return statement and proof that matrices are equal, by the equations between their entries.
 
-    Parameters
-    ----------
-    given : Hypotheses
-    rows : sequence of sequence of Goal
-        The equations between entries; the left sides are what Coq computes of `left`.
-    left : str
-        The left side, if it is not the matrix of the left sides.
-    scalar : bool
-        Whether the only entry is meant.
-    pattern : sequence of sequence of Term
-        The right side, if it is not the matrix of the right sides.
-    marks : mapping of str to Term
-        Names that occur in the pattern, and values for which it holds.
-    first : str
-        A tactic that makes of `left` what Coq shall compute.
-    required : sequence of Term
-        What must not be zero for the lemmas that this tactic uses.
-    lemma : str
-        Another lemma to be used after it, which assumes as many of the first of these.
-    sides : int
+    The left side may be another text `left`, of which Coq computes the left sides of the equations.  The tactic `first`
+    makes of it what Coq shall compute, and `required` must not be zero for the lemmas that it uses.  Another `lemma` is
+    used after it, which assumes as many of the first of these as it has `sides`.  The right side may be a `pattern`, in
+    which names occur: `marks` are values for which it holds.  Of a `scalar` the only entry is meant.
     """
     goals = [goal for row in rows for goal in row]
     named = [*(marks or {}).values()]

@@ -1,7 +1,5 @@
 """An expression is zero exactly where a product of factors is: each is divided by a power of the other."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -4,8 +4,6 @@ SymPy has an order of its own and multiplies numbers out: ``3*(y - x)`` becomes 
 stays as it is.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any

@@ -119,19 +119,8 @@ def power(base: Extent, exponent: int, names: int) -> Extent:
 def require_bounded(value: Any, argument: str, times: int = 1) -> None:
     """Refuse an expression or exact number that is larger than a text may be; what is neither is left to others.
 
-    Parameters
-    ----------
-    value : sympy.Expr, sympy matrix, int or fractions.Fraction
-        What may be too large; each part that it shares is looked at once.
-    argument : str
-        What to call it in an error message.
-    times : int
-        How many times as many terms, bits, symbols and numbers as in a text there may be.
-
-    Raises
-    ------
-    TooLargeError
-        Naming the argument, what was expected and what came.
+    Each part that it shares is looked at once.  There may be so many times as many terms, bits, symbols and numbers as
+    in a text.  It raises `TooLargeError`, which names the argument, what was expected and what came.
 
     Examples
     --------

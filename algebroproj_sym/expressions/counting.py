@@ -1,7 +1,5 @@
 """Comparing, rounding and choosing exact numbers, so that an export can say of which numbers a result was found."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy

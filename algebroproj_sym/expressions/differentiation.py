@@ -1,7 +1,5 @@
 """Derivatives of rational expressions, as expressions and at points; what is shared is differentiated once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """One evaluator for every field: exact fractions, mpmath numbers, rational functions, and whatever has + - * /."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Rational numbers of FLINT, in which long computations are made, and of the standard library."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The terms of a function up to a degree in what is small, for statements such as "for small angles"."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy

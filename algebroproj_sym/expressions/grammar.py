@@ -1,7 +1,5 @@
 """Which SymPy expressions the project reasons about: rational expressions over Q, and matrices of them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
@@ -33,23 +31,11 @@ class NotRationalError(TypeError):
 
 
 def rational(value: Any, argument: str, *, assuming: bool = False) -> Expression:
-    """Return `value` as a SymPy expression or immutable matrix, if it is rational over Q.
+    """Return a value as a SymPy expression or immutable matrix, if it is rational over Q.
 
-    It raises `NotRationalError` if the value contains a float, another kind of number, another function, or a symbol
-    that is not a plain number.
-
-    Parameters
-    ----------
-    value : sympy.Expr, sympy matrix, int or fractions.Fraction
-        Built from symbols, rational numbers, ``+ - * /``, integer powers and `over`.
-    argument : str
-        The name of the value in error messages.
-    assuming : bool
-        Whether symbols may have assumptions beyond that they are real.
-
-    Returns
-    -------
-    sympy.Expr or sympy.ImmutableDenseMatrix
+    It is built from symbols, rational numbers, ``+ - * /``, integer powers and `over`.  It raises `NotRationalError`,
+    which names the argument, if it contains a float, another kind of number, another function, or a symbol that is not
+    a plain number; with `assuming`, symbols may have assumptions beyond that they are real.
 
     Examples
     --------

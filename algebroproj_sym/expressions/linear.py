@@ -1,7 +1,5 @@
 """Linear algebra for derivations: adjugate over determinant, Cramer's rule; every division is an `over`."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache

@@ -18,8 +18,6 @@ Divisions are kept as `over`, and where one occurs sums and products are not eva
 still has the pole it was written with.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 
@@ -145,15 +143,7 @@ def parse(text: str, argument: str = "text") -> Expression:
 def parse_zero(text: str, argument: str = "text") -> sympy.Expr:
     """Return the scalar expression that a text says is zero: an expression, or left minus right of an equation.
 
-    Parameters
-    ----------
-    text, argument
-        As for `parse`; the text may contain one ``=``.
-
-    Raises
-    ------
-    ParseError
-        As `parse` does.
+    The arguments and the errors are those of `parse`; the text may contain one ``=``.
 
     Examples
     --------

@@ -5,8 +5,6 @@ number carry their provenance; any other scalar, of which SymPy keeps one copy, 
 last.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """Divisions that are remembered: SymPy turns x/x into 1 before anyone sees the pole, `over(x, x)` stays."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy

@@ -1,7 +1,5 @@
 """Rounding: the decimal number that is printed for an exact one."""
 
-from __future__ import annotations
-
 from decimal import Decimal
 from fractions import Fraction
 from math import floor

@@ -4,8 +4,6 @@ An assumption is never used in a proof, except that a symbol which is not zero d
 more numbers than were asked for.  A point, whether witness or counterexample, must satisfy every assumption.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Forms that are not rational expressions, with real functions or in letters: text, which has readers of its own."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Expressions as text: as `str` of SymPy writes them, or such that every division that was made is seen."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import Any
 
@@ -51,14 +49,8 @@ class _WithFractions(StrPrinter):  # type: ignore[misc]
 def written(expression: Any, *, ordered: bool = True, fractions: bool = False) -> str:
     """Return an expression, a matrix or a tuple of expressions as SymPy writes it.
 
-    Parameters
-    ----------
-    expression : sympy.Basic or sympy matrix
-        What to write.
-    ordered : bool
-        Whether to put terms and factors in order, as `str` does, or to leave them as they are stored.
-    fractions : bool
-        Whether to write a remembered quotient as a fraction, so that the text shows every division that was made.
+    Terms and factors are put in order, as `str` does, or left as they are stored.  With `fractions` a remembered
+    quotient is written as a fraction, so that the text shows every division that was made.
 
     Examples
     --------

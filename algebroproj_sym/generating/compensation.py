@@ -8,8 +8,6 @@ and quotients enlarge no relative error, and take ``rounded`` operands.  In real
 last.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from algebroproj_sym.declaring import LINEAR

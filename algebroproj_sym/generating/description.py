@@ -1,7 +1,5 @@
 """What the documentation of a function says in every language: its formula, and where it has no finite result."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import groupby, product
 

@@ -3,8 +3,6 @@
 The program is run on recorded numbers: what compensated arithmetic does with them is written down as steps.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import Any
 

@@ -3,8 +3,6 @@
 A derivative, for one, is a difference of quotients by the quotient rule, where factors may cancel between the two.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace

@@ -3,8 +3,6 @@
 Signs are kept apart from the nodes, so that a - b and b - a are one node with two signs.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias

@@ -6,8 +6,6 @@ for a regular one.  Where the program divides by a sum of squares, which overflo
 adds 0*sum, which is not a number where the sum has overflowed: the quotient would be zero there.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import reduce

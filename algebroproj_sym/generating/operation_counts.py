@@ -1,7 +1,5 @@
 """Counting the operations of an expression as it is written."""
 
-from __future__ import annotations
-
 import sympy
 
 from algebroproj_sym.declaring import Kernel

@@ -6,8 +6,6 @@ follow from operation to operation.  Rounding leaves a multiple of a power of tw
 cancels cannot be arbitrarily small.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import inf

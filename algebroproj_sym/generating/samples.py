@@ -3,8 +3,6 @@
 Where a result is near zero, sums cancel that enter no divisor.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace

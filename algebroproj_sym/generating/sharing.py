@@ -4,8 +4,6 @@ The most frequent pair becomes a node of its own, again and again, until no pair
 divisor can be made products with its reciprocal.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from functools import lru_cache

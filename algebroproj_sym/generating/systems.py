@@ -1,7 +1,5 @@
 """Linear systems of a fixed size as programs, for languages in which elimination is to be unrolled."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any

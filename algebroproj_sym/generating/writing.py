@@ -1,7 +1,5 @@
 """Writing a generated package, and comparing one with what the derivations generate."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

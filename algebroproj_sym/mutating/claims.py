@@ -1,7 +1,5 @@
 """Mutation of claims: a printed form with a single change must be refuted, or be the same statement."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 

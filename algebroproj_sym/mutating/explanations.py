@@ -1,7 +1,5 @@
 """Changes that survive for a reason: each is listed beside the derivations, with the reason, and with nothing else."""
 
-from __future__ import annotations
-
 import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Single changes of a printed form, of the sort that a misprint makes."""
 
-from __future__ import annotations
-
 import random
 import re
 from collections.abc import Iterator, Sequence

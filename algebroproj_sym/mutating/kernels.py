@@ -1,7 +1,5 @@
 """Mutation of generated functions: each changed source must be caught, by the proof of the source and by numbers."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Single changes of a form in letters: what slips in print where matrices are multiplied."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Single changes of the source of a generated function."""
 
-from __future__ import annotations
-
 import ast
 import copy
 import inspect

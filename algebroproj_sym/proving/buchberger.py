@@ -4,8 +4,6 @@ The polynomials are FLINT's, in degree reverse lexicographic order; steps are co
 does not depend on the machine.  What is found here is only a suggestion: whoever uses it multiplies it out again.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from operator import le
@@ -47,19 +45,8 @@ class Work:
 class GroebnerBasis:
     """A Groebner basis of some polynomials, with the combinations of the generators that its elements are.
 
-    Parameters
-    ----------
-    generators : sequence of flint.fmpq_mpoly
-        In a context with degree reverse lexicographic order.
-    steps : int
-        How many reductions may be made.
-    work : Work, optional
-        What all bases of a question may cost together.
-
-    Raises
-    ------
-    EffortExceededError
-        If there is no end within the bounds.
+    The generators are in a context with degree reverse lexicographic order.  All bases of a question share some `work`.
+    It raises `EffortExceededError` if there is no end within so many reductions, or that work.
 
     Examples
     --------

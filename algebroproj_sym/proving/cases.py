@@ -4,12 +4,10 @@ A system that is affine in a variable, or two equations in two variables, are so
 vanish; where they do, they are a further constraint.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields
 from itertools import count, islice
-from typing import Any, Literal
+from typing import Any, Literal, Self
 
 from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.consequences import Case, Cofactors, End
@@ -112,7 +110,7 @@ class _Branch(Elimination):
         second = equal.case(("zero", polynomial))
         return None if second is None else (first, second)
 
-    def _deeper(self) -> _Branch:
+    def _deeper(self) -> Self:
         found = self.copy(steps=[], depth=self.depth - 1)
         assert isinstance(found, _Branch)
         return found

@@ -5,8 +5,6 @@ A claim n = 0 follows from g_i = 0 and s != 0 over every field of characteristic
 with memory find the cofactors: of the ideal, of its saturation by s, and last of its radical.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cached_property
 from typing import Any

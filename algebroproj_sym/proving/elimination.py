@@ -6,12 +6,10 @@ the reals a zero that is a sum of squares, or the opposite of one, makes way for
 step of a proof.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
-from typing import Any
+from typing import Any, Self
 
 from algebroproj_sym.proving.buchberger import GroebnerBasis, Work
 from algebroproj_sym.proving.consequences import Cofactors, End, Positive, Step, Zeros
@@ -100,12 +98,12 @@ class Elimination:
         """The zeros that are left."""
         return [self.zeros[place] for place in self.live]
 
-    def copy(self, **changes: Any) -> Elimination:
+    def copy(self, **changes: Any) -> Self:
         """Return the same knowledge, to be worked on by itself."""
         lists = {name: list(getattr(self, name)) for name in ("zeros", "live", "units", "steps", "solved")}
         return replace(self, **{**lists, "refused": set(self.refused), **changes})
 
-    def advanced(self) -> Elimination:
+    def advanced(self) -> Self:
         """Go on as far as this goes, also with what never vanishes by consequence, and return this."""
         while self.is_empty is None and (self.advance() or self._derive_unit()):
             pass
@@ -115,7 +113,7 @@ class Elimination:
         """Take a variable out, or prepare it; False if there is nothing left to do."""
         return self._strip() or self._take_out() or self._solve_pair() or (self.real and self._take_apart())
 
-    def asked(self, goal: Any) -> Elimination:
+    def asked(self, goal: Any) -> Self:
         """Return this with a goal, written in the variables that are left."""
         found = self.copy(goal=goal, steps=[])
         for step in self.solved:

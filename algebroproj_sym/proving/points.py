@@ -1,7 +1,5 @@
 """Exact rational points: where to look for counterexamples and witnesses."""
 
-from __future__ import annotations
-
 import hashlib
 import random
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """Polynomials of FLINT: contents, divisions by what does not vanish, substitutions, and linear systems."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import gcd, lcm
 from typing import Any

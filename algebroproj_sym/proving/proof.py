@@ -1,11 +1,9 @@
 """What becomes of a statement: a decision, and the evidence for it."""
 
-from __future__ import annotations
-
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import sympy
 
@@ -14,6 +12,16 @@ Decision = Literal["proved", "refuted", "open"]
 
 class UndefinedError(ValueError):
     """An expression has a denominator that is identically zero."""
+
+
+class Conditions(NamedTuple):
+    """What a statement with real functions is to hold under, and how its sides are related."""
+
+    constraints: Sequence[Any]
+    nonzero: Sequence[Any]
+    assumptions: Sequence[Any]
+    witness: Mapping[Any, Any] | None
+    relation: str
 
 
 @dataclass(frozen=True)

@@ -55,22 +55,11 @@ def prove(
     engine: str = "flint",
     assumptions: Sequence[sympy.Symbol] = (),
 ) -> Proof:
-    """Decide whether two rational expressions are equal; `algebroproj_sym.prove` says what the arguments are.
+    """Decide whether two rational expressions are equal, with the arguments and errors of `algebroproj_sym.prove`.
 
     They are not text here, and symbols that are listed as assumptions stand for the plain ones of their names.  With
     constraints the verdict may be ``"open"``; without them it never is for lack of a method.  It is open where no point
     satisfies constraints, hypotheses and assumptions: anything is true there.
-
-    Raises
-    ------
-    NotRationalError
-        If an argument is not a rational expression over Q (floats are not).
-    UndefinedError
-        If a denominator is identically zero.
-    SymbolError
-        If a symbol cannot be written, stands for no rational number, or is another one of the same name.
-    ValueError
-        If the shapes differ, the engine is unknown, a constraint is a matrix or the witness violates a constraint.
 
     Examples
     --------

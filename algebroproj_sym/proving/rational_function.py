@@ -24,14 +24,7 @@ Exponents = tuple[tuple[int, int], ...]
 class RationalFunctionField:
     """The field of rational functions in some symbols.
 
-    Parameters
-    ----------
-    symbols : sequence of sympy.Symbol
-        The variables.
-    engine : {"flint", "sympy"}
-        Which polynomial arithmetic.
-    spend : callable, optional
-        It is told how many products of terms come next, before they are computed, and may raise an error.
+    `spend` is told how many products of terms come next, before they are computed, and may raise an error.
 
     Examples
     --------

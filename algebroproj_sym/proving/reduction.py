@@ -1,7 +1,5 @@
 """The shortest way to write a rational function: cancelled, numerator and denominator factored."""
 
-from __future__ import annotations
-
 import sympy
 
 from algebroproj_sym.expressions import Expression, divided, entries, evaluate, symbols_of, written

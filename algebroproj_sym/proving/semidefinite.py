@@ -5,8 +5,6 @@ Squares of polynomials b_i that vanish at all known real points of an ideal add 
 An interior point method suggests a solution, which is rounded; only an exact decomposition of G counts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement

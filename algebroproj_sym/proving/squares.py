@@ -1,7 +1,5 @@
 """What holds over the reals alone: a sum of squares is zero only where all of them are; with a constant it never is."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import islice
 from typing import Any

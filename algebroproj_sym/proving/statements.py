@@ -1,7 +1,5 @@
 """The public way to decide: expressions or text, of bounded size."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -17,7 +15,7 @@ from algebroproj_sym.expressions import (
     parse_zero,
     require_bounded,
 )
-from algebroproj_sym.proving.proof import Proof
+from algebroproj_sym.proving.proof import Conditions, Proof
 from algebroproj_sym.proving.prove import Witness
 from algebroproj_sym.proving.prove import prove as decided
 
@@ -148,20 +146,17 @@ def prove(
             raise UnsupportedError(f"relation: expected '=' for a statement in letters, got {relation!r}")
         return _of_letters(lhs, rhs, constraints, nonzero, properties, letters, engine)
     names = _complex_names(forms, complex)
-    if names is not None:
-        return _complex(lhs, rhs, relation, constraints, nonzero, assumptions, witness, names)
-    if (
-        relation != "="
-        or assumptions
-        or any(isinstance(form, str) and "pi" in form and "pi" in names_in(form) for form in forms)
-    ):
-        return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
-    try:
-        return _rational(lhs, rhs, constraints, nonzero, witness, engine)
-    except (ParseError, NotRationalError):
-        if not any(map(has_functions, forms)):
-            raise
-    return _real(lhs, rhs, relation, constraints, nonzero, assumptions, witness)
+    if names is None and relation == "=" and not assumptions and not any(map(_has_pi, forms)):
+        try:
+            return _rational(lhs, rhs, constraints, nonzero, witness, engine)
+        except (ParseError, NotRationalError):
+            if not any(map(has_functions, forms)):
+                raise
+    return _real(lhs, rhs, Conditions(constraints, nonzero, assumptions, witness, relation), names)
+
+
+def _has_pi(form: Any) -> bool:
+    return isinstance(form, str) and "pi" in form and "pi" in names_in(form)
 
 
 def _difference(constraint: Any) -> Any:
@@ -214,23 +209,6 @@ def _distinct(values: Iterable[Any]) -> Iterator[Any]:
             yield node
 
 
-def _complex(
-    lhs: Any,
-    rhs: Any,
-    relation: str,
-    constraints: Sequence[Any],
-    nonzero: Sequence[Any],
-    assumptions: Sequence[Any],
-    witness: Witness | None,
-    names: frozenset[str],
-) -> Proof:
-    from algebroproj_sym.proving.reals.prove import proof_of_complex
-
-    if any(isinstance(side, sympy.MatrixBase) for side in (lhs, rhs)):
-        raise UnsupportedError("prove: expected scalars in a statement about complex numbers, got a matrix")
-    return proof_of_complex(lhs, rhs, constraints, nonzero, assumptions, witness, relation, names)
-
-
 def has_functions(form: Any) -> bool:
     """Whether a form that is not rational has functions, roots or powers."""
     from algebroproj_sym.replaying.reals import terms
@@ -242,26 +220,22 @@ def has_functions(form: Any) -> bool:
     return form.has(sympy.pi, sympy.E) or any(map(_is_function, _distinct([form])))
 
 
-def _real(
-    lhs: Any,
-    rhs: Any,
-    relation: str,
-    constraints: Sequence[Any],
-    nonzero: Sequence[Any],
-    assumptions: Sequence[Any],
-    witness: Witness | None,
-) -> Proof:
+def _real(lhs: Any, rhs: Any, given: Conditions, complex_names: frozenset[str] | None) -> Proof:
     from algebroproj_sym.proving.reals.matrices import proof_of_matrix
-    from algebroproj_sym.proving.reals.prove import proof_of
+    from algebroproj_sym.proving.reals.prove import proof_of, proof_of_complex
     from algebroproj_sym.proving.reals.reading import assumed_of, symbols_in
     from algebroproj_sym.replaying.reals.matrices import is_matrix
 
+    if complex_names is not None:
+        if any(isinstance(side, sympy.MatrixBase) for side in (lhs, rhs)):
+            raise UnsupportedError("prove: expected scalars in a statement about complex numbers, got a matrix")
+        return proof_of_complex(lhs, rhs, given, complex_names)
     if not any(isinstance(side, sympy.MatrixBase) or is_matrix(side) for side in (lhs, rhs)):
-        return proof_of(lhs, rhs, constraints, nonzero, assumptions, witness, relation)
-    if relation != "=":
-        raise UnsupportedError(f"relation: expected '=' between matrices, got {relation!r}")
-    conditions = [*assumptions, *assumed_of(symbols_in([lhs, rhs]))]
-    return proof_of_matrix(lhs, rhs, lambda a, b: proof_of(a, b, constraints, nonzero, conditions, witness))
+        return proof_of(lhs, rhs, given)
+    if given.relation != "=":
+        raise UnsupportedError(f"relation: expected '=' between matrices, got {given.relation!r}")
+    given = given._replace(assumptions=[*given.assumptions, *assumed_of(symbols_in([lhs, rhs]))])
+    return proof_of_matrix(lhs, rhs, lambda a, b: proof_of(a, b, given))
 
 
 def _rational(

@@ -4,8 +4,6 @@ If ``sum(d_i * dP/dx_i)`` is the zero polynomial for every polynomial P of a que
 a variable with ``d_i != 0`` may be put to zero.  What is then found holds everywhere, after ``x - (x_i/d_i) d`` for x.
 """
 
-from __future__ import annotations
-
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -5,8 +5,6 @@ that is affine with a constant slope is solved, resultants are taken where neith
 proves nothing.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
@@ -50,30 +48,12 @@ def real_points(
     further: bool = False,
     work: Work | None = None,
 ) -> Iterator[list[Value]]:
-    """Yield points with real coordinates on which the constraints vanish.
+    """Yield points with real coordinates on which the constraints vanish, all coordinates of one in one field.
 
-    Parameters
-    ----------
-    constraints : sequence of flint.fmpq_mpoly
-        What is zero.
-    context : flint.fmpq_mpoly_ctx
-        Its variables are the coordinates.
-    seed : int
-        Which random values are tried.
-    tries : int
-        How many starts are made.
-    extension : bool
-        Whether one irrational root may be taken.
-    further : bool
-        Whether smaller values are tried, and systems with finitely many solutions are solved as a whole; the last
-        variable must occur in no constraint.
-    work : Work, optional
-        What all searches of a question may cost together; where it is used up, no more points come.
-
-    Yields
-    ------
-    list of Fraction or Algebraic
-        All in one field.
+    The coordinates are the variables of the context.  So many starts are made, with random values that the seed gives.
+    With `extension` one irrational root may be taken.  With `further` smaller values are tried, and systems with
+    finitely many solutions are solved as a whole; the last variable must then occur in no constraint.  Where the `work`
+    of all searches of a question is used up, no more points come.
 
     Examples
     --------

@@ -3,8 +3,6 @@
 A question that takes too long is open, and says so; a worker that fails or dies is an error, never a verdict.
 """
 
-from __future__ import annotations
-
 import queue
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -20,38 +18,26 @@ MEMORY_BYTES = 4 * 2**30
 
 @dataclass(frozen=True)
 class Question:
-    """An identity as text.
-
-    Attributes
-    ----------
-    lhs, rhs : str
-        The two sides.
-    constraints, nonzero : tuple of str
-        What is zero, and what is not.
-    witness : mapping of name to text of a rational number, or None
-        A point at which they hold.
-    variables : tuple of str, or None
-        The names that may occur; None for any.
-    assumptions : tuple of str
-        Comparisons that hold.
-    letters : mapping of name to text, or None
-        The vectors and matrices among the names, such as ``3x3 rotation``.
-    relation : str
-        Between the two sides.
-    complex : tuple of str, or None
-        The complex variables of a statement about complex numbers.
-    """
+    """An identity as text."""
 
     lhs: str
     rhs: str
+    """The two sides."""
     constraints: tuple[str, ...] = ()
     nonzero: tuple[str, ...] = ()
+    """What is zero, and what is not."""
     witness: Mapping[str, str] | None = None
+    """A point at which they hold."""
     variables: tuple[str, ...] | None = None
+    """The names that may occur; None for any."""
     assumptions: tuple[str, ...] = ()
+    """Comparisons that hold."""
     letters: Mapping[str, str] | None = None
+    """The vectors and matrices among the names, such as ``3x3 rotation``."""
     relation: str = "="
+    """Between the two sides."""
     complex: tuple[str, ...] | None = None
+    """The complex variables of a statement about complex numbers."""
 
     @property
     def named_texts(self) -> Iterator[tuple[str, str]]:
@@ -63,58 +49,30 @@ class Question:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a question.
-
-    Attributes
-    ----------
-    verdict : {"proved", "refuted", "open", "error"}
-        ``"error"`` if there is no decision because something failed.
-    method : str
-        How it was decided, ``"none"`` if it was not.
-    seconds : float
-        How long it took.
-    reason : str
-        Why it is open or an error, else empty.
-    hypotheses : tuple of str
-        What must not vanish, for a proof.
-    counterexample : mapping of name to text, or None
-        For a refutation.
-    certificate : mapping or None
-        The evidence.
-    unreadable : bool
-        Whether the error is one of the text: the reason names what cannot be read.
-    """
+    """What became of a question."""
 
     verdict: str
+    """``"error"`` if there is no decision because something failed."""
     method: str
+    """How it was decided, ``"none"`` if it was not."""
     seconds: float
+    """How long it took."""
     reason: str = ""
+    """Why it is open or an error, else empty."""
     hypotheses: tuple[str, ...] = ()
+    """What must not vanish, for a proof."""
     counterexample: Mapping[str, Any] | None = None
+    """For a refutation."""
     certificate: Mapping[str, Any] | None = field(default=None, repr=False)
+    """The evidence."""
     unreadable: bool = False
+    """Whether the error is one of the text: the reason names what cannot be read."""
 
 
 def outcomes(
     questions: Sequence[Question], *, seconds: float, engine: str = "flint", jobs: int = 1
 ) -> Iterator[Outcome]:
-    """Decide questions, in order, each within a time limit.
-
-    Parameters
-    ----------
-    questions : sequence of Question
-        As text.
-    seconds : float
-        How long each may take.
-    engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
-    jobs : int
-        How many worker processes.
-
-    Yields
-    ------
-    Outcome
-    """
+    """Decide questions in worker processes, each within some seconds, and yield what became of each, in order."""
     workers = [_Worker(engine) for _ in range(jobs)]
     free: queue.Queue[_Worker] = queue.Queue()
     for worker in workers:

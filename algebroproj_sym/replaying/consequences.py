@@ -7,12 +7,10 @@ those before all entries, and those of an entry.  At the end a power of the clai
 is zero, directly or in each of two cases, in one of which something is zero that is not zero in the other.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any, Self, TypeAlias
 
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, derivatives, evaluate
 from algebroproj_sym.replaying.field import Element, Field
@@ -116,10 +114,10 @@ class _Known:
         require(_is_product(value, self.units), "a multiplier is not a product of forms that are known not to be zero")
         return value
 
-    def with_zero(self, zero: Element) -> _Known:
+    def with_zero(self, zero: Element) -> Self:
         return replace(self, zeros=(*self.zeros, zero))
 
-    def with_unit(self, unit: Element) -> _Known:
+    def with_unit(self, unit: Element) -> Self:
         return replace(self, units=(*self.units, unit))
 
 

@@ -1,7 +1,5 @@
 """What an entry of the ledger consists of: nothing is missing, nothing is beside it, and the declaration is bound."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping

@@ -54,13 +54,7 @@ def substituting(algebra: Algebra, where: Mapping[str, Form]) -> Algebra:
 
 
 def evaluate(form: Form, algebra: Algebra) -> list[Any]:
-    """Return the entries of a form.
-
-    Raises
-    ------
-    Rejected
-        If a divisor is zero.
-    """
+    """Return the entries of a form; it raises `Rejected` if a divisor is zero."""
     values: list[Any] = []
     try:
         for kind, value, operands in form.operations:

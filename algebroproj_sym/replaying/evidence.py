@@ -4,8 +4,6 @@
 the name of the form, the certificate and the other parts of the evidence; it returns nothing, or raises `Rejected`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations

@@ -19,23 +19,10 @@ from algebroproj_sym.replaying.text import Form, parse_polynomial, texts
 
 
 class Field:
-    """The field of rational functions in some symbols.
+    """The field of rational functions in some symbols, over listed divisors.
 
-    Parameters
-    ----------
-    names : iterable of str
-        The symbols.
-    divisors : list of str
-        The listed divisors.
-
-    Attributes
-    ----------
-    factors : list of Polynomial
-        The listed divisors, and those that were met without being listed.
-    listed : int
-        How many of them are listed.
-    used : set of int
-        The places of the factors that a division met.
+    `factors` are these, and those that were met without being listed.  `listed` is how many of them are listed, and
+    `used` has the places of those that a division met.
 
     Examples
     --------

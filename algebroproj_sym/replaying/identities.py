@@ -1,7 +1,5 @@
 """Identities from elsewhere: whether the verdict on a statement follows from the evidence beside it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

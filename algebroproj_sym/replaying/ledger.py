@@ -1,7 +1,5 @@
 """From records to results: whether each verdict follows from the evidence that the ledger keeps."""
 
-from __future__ import annotations
-
 import dataclasses
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -44,16 +42,7 @@ class Replayed:
 
 
 def replay_claim(record: Mapping[str, Any]) -> Replayed:
-    """Check whether the verdict of a claim follows from its evidence.
-
-    Parameters
-    ----------
-    record : mapping
-        A claim of the ledger.
-
-    Returns
-    -------
-    Replayed
+    """Check whether the verdict of a claim of the ledger follows from its evidence.
 
     Examples
     --------
@@ -81,14 +70,7 @@ def replay_claim(record: Mapping[str, Any]) -> Replayed:
 def replay_identity(record: Mapping[str, Any]) -> Replayed:
     """Check whether the verdict on an identity from elsewhere follows from its evidence.
 
-    Parameters
-    ----------
-    record : mapping
-        An identity as ``algebroproj check FILE.json --format json`` writes it.
-
-    Returns
-    -------
-    Replayed
+    It is as ``algebroproj check FILE.json --format json`` writes it.
 
     Examples
     --------

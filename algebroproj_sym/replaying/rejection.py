@@ -1,7 +1,5 @@
 """Why a certificate is rejected."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Set
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What a record of the ledger states: its forms, what its symbols stand for, and its setting."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import cached_property

@@ -13,8 +13,6 @@ Certificates are polynomials with integer coefficients: there is no ``/``, and a
 A form is an expression, a matrix ``Matrix([[..., ...], ...])`` or factors ``(..., ...)``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -58,12 +56,7 @@ class Form:
 
 
 def parse(text: Any) -> Form:
-    """Read an expression or a matrix.
-
-    Raises
-    ------
-    Rejected
-        If the text is not of the grammar.
+    """Read an expression or a matrix; it raises `Rejected` if the text is not of the grammar.
 
     Examples
     --------

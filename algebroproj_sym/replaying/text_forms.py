@@ -1,7 +1,5 @@
 """Claims with real functions, or in letters: their evidence is that of the same statements from elsewhere."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Identities from elsewhere: their verdicts as a table and as plain data."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from typing import Any

@@ -3,8 +3,6 @@
 It is noted while the derivations are imported.  So it is not what a text says, but what was computed from what.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

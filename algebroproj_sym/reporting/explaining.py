@@ -1,7 +1,5 @@
 """Everything about a claim as lines of text; what is long is folded, with its size and its beginning."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction

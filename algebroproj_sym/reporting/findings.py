@@ -1,7 +1,5 @@
 """Findings: what does not hold as printed or cannot be read, the grave ones first, each once."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 

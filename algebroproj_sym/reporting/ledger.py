@@ -1,7 +1,5 @@
 """The ledger: every claim with its verdict and evidence, as plain data."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Mapping, Sequence

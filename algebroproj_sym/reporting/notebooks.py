@@ -1,7 +1,5 @@
 """Derivation modules as notebooks that have been run from top to bottom, each in a kernel of its own."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass

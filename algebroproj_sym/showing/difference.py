@@ -1,7 +1,5 @@
 """Where a printed matrix differs from the derived one."""
 
-from __future__ import annotations
-
 from decimal import Decimal
 
 from algebroproj_sym.declaring.claim import Claim, in_derived_terms

@@ -4,8 +4,6 @@ SymPy's own printers rearrange what they are given (``3*(x + y)/z`` loses its br
 declared.
 """
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -4,8 +4,6 @@ In the derivations a symbol is spelled in ASCII: ``up31`` is u'_31, ``upp31`` is
 p*_00.  Everything that shows mathematics asks here.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from functools import cache

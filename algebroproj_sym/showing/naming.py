@@ -1,7 +1,5 @@
 """Long forms by the names of what they are made of, as papers write: ``A_v * M * inverse(A_X) * X``."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Mapping
 from dataclasses import dataclass

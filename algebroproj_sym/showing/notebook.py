@@ -3,8 +3,6 @@
 A form at the end of a cell is shown as the claims show theirs.
 """
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Sequence
 from typing import Any

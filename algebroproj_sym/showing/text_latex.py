@@ -1,7 +1,5 @@
 r"""Text with real functions, or in letters, as LaTeX: with the parts in the order in which they are written."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace

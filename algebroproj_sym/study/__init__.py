@@ -11,8 +11,6 @@ Numbers come from `precision` (any generated function in any arithmetic), `ladde
 The core of the package needs none of this: what is here needs the extra `study`.
 """
 
-from __future__ import annotations
-
 from algebroproj_sym.study.declaration import MEMBER, Option, Study
 
 __all__ = ["MEMBER", "Option", "Study"]

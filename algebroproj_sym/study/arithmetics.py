@@ -1,7 +1,5 @@
 """The arithmetics that there are: float64, double-double, mpmath, exact rationals, and enclosures of three kinds."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cache
 from math import inf, isfinite, nextafter

@@ -4,8 +4,6 @@ A condition number is the factor from relative errors of the input to relative e
 norm by norm, entry by entry, or on average over independent errors of all entries.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import prod

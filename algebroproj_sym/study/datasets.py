@@ -1,7 +1,5 @@
 """Labelled results: xarray datasets with units and provenance, in netCDF or Zarr files, without loss of digits."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -28,18 +26,7 @@ DIMENSIONLESS = "1"
 
 
 def variable(dimensions: Sequence[str], values: ArrayLike, units: str = DIMENSIONLESS, about: str = "") -> Any:
-    """Return a variable with its units.
-
-    Parameters
-    ----------
-    dimensions : sequence of str
-        A name for each dimension of the values.
-    values : array_like
-        The values.
-    units : str, optional
-        As UDUNITS writes them; "1" if dimensionless.
-    about : str, optional
-        What it is, in a few words, for axes and tables.
+    """Return a variable with a name for each dimension, with units as UDUNITS writes them, and what it is about.
 
     Examples
     --------

@@ -3,8 +3,6 @@
 A module declares a study by the assignment ``STUDY = Study(...)``.
 """
 
-from __future__ import annotations
-
 import importlib
 import re
 import sys

@@ -4,8 +4,6 @@ A system that cannot be solved (singular, or not provably regular) has solutions
 the batch.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 

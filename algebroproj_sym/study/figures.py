@@ -1,7 +1,5 @@
 """The one style of all figures: for print, in colours that the colour-blind can tell apart, with lines that differ."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path

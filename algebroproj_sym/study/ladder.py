@@ -6,8 +6,6 @@ A member stays on the rung whose enclosure proves the wanted accuracy; the rest 
 computed exactly: there a division by zero proves that the member is singular.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any

@@ -6,8 +6,6 @@ functions in the body mean for them.  A batch of numbers is one array whose firs
 the core dimensions: it is sliced from the right as any array of coordinates is.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field

@@ -6,8 +6,6 @@ quadratic, third derivatives add to the covariance as much as that, so that its 
 linear one holds, rather than what is true where it does not.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -4,8 +4,6 @@ The generator Philox encrypts a counter: each member has blocks of the counter o
 number of workers, member i gets the same numbers; uniform ones are bit by bit the same on every machine.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

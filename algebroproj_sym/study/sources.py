@@ -1,7 +1,5 @@
 """The sources of a study: what its numbers depend on, and nothing that merely lies beside it."""
 
-from __future__ import annotations
-
 import ast
 import hashlib
 import importlib.util

@@ -10,8 +10,6 @@ does not match its seal is computed again; a result that does not is refused.  W
 one is refused.
 """
 
-from __future__ import annotations
-
 import fcntl
 import hashlib
 import json

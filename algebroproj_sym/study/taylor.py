@@ -125,10 +125,7 @@ def _add_to_second(parts: Any, count: int, more: Callable[[], Any]) -> None:
 def taylor(count: int, order: int = 1) -> Arithmetic:
     """Return the arithmetic of float64 numbers with derivatives by so many variables.
 
-    Raises
-    ------
-    ValueError
-        If there is no variable, or the order is neither 1 nor 2.
+    It raises `ValueError` if there is no variable, or the order is neither 1 nor 2.
     """
     if count < 1 or order not in (1, 2):
         raise ValueError(f"taylor: expected at least one variable and order 1 or 2, got {count} and {order}")
@@ -180,10 +177,7 @@ def gradient(numbers: Numbers, count: int) -> Array:
 def hessian(numbers: Numbers, count: int) -> Array:
     """Return the second derivatives of numbers by so many variables as the last two axes: shape (..., count, count).
 
-    Raises
-    ------
-    ValueError
-        If the numbers have other derivatives.
+    It raises `ValueError` if the numbers have other derivatives.
     """
     second = _second(numbers, count)
     if second is None or len(numbers) != 1 + count + count * count:

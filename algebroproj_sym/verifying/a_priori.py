@@ -92,16 +92,7 @@ class Analysis:
 
 
 def analysis(line: StraightLine) -> Analysis:
-    """Find the bounds of a function.
-
-    Parameters
-    ----------
-    line : StraightLine
-        What it computes.
-
-    Returns
-    -------
-    Analysis
+    """Find the bounds of a function from what it computes.
 
     Examples
     --------

@@ -12,8 +12,6 @@ An input so close to a singularity that rounding it once more could put it there
 of f is determined by the rounded input.  Such entries are counted, and do not enter the figures.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isfinite

@@ -7,8 +7,6 @@ of what it was.  So what it finds can be compared with the samples of the same s
 While it climbs, the function with twice the digits tells the error.  What is reported is measured by the oracle.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from time import perf_counter

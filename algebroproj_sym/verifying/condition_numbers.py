@@ -1,7 +1,5 @@
 """The condition numbers of a-priori error bounds, written as expressions in the arguments."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -3,8 +3,6 @@
 It shares nothing with the generated code: neither the lowered form, nor the common subexpressions, nor NumPy.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

@@ -5,8 +5,6 @@ primitive functions of the NumPy source are.  What is proved is what the source 
 sums and products are then zero.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod

@@ -3,8 +3,6 @@
 The body of a function is C but for its head, the list that it returns and the array it lets a solution be written to.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The functions that are shipped: loaded from the installed package, or from a folder that was just generated."""
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 import sys

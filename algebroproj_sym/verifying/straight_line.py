@@ -1,7 +1,5 @@
 """What a function computes in binary64, operation by operation: the lines of its C source, numbered."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path

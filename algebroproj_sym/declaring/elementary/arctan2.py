@@ -1,7 +1,5 @@
 """The angle of a direction."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import flint

@@ -1,7 +1,5 @@
 """Cosine and sine."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

@@ -1,7 +1,5 @@
 """The length of a vector of the plane."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

@@ -1,7 +1,5 @@
 """The square root."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mpmath

@@ -1,7 +1,5 @@
 """The kinds of claims, each a module of this folder, which nothing else has to name."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from pkgutil import iter_modules
 

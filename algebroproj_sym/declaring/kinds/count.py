@@ -4,8 +4,6 @@ From below by the Jacobian at a rational point; from above by independent direct
 functions stay what they are.  The derivatives are taken over fractions and over rational functions.
 """
 
-from __future__ import annotations
-
 from typing import Any, Unpack
 
 import sympy

@@ -1,7 +1,5 @@
 """A definition: well-formed, with one exact instance."""
 
-from __future__ import annotations
-
 from itertools import islice
 from typing import Any, Unpack
 

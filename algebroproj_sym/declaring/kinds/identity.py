@@ -1,7 +1,5 @@
 """Equality of scalars, vectors or matrices, and inequality of scalars, wherever the constraints hold."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction

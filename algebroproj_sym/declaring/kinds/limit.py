@@ -1,7 +1,5 @@
 """The limit of an expression where a variable goes to zero, by leading coefficients."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any, Unpack
 

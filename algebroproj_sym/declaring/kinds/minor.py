@@ -1,7 +1,5 @@
 """A minor that is not zero: evidence that a matrix of fractions has at least a certain rank."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple

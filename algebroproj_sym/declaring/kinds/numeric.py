@@ -1,7 +1,5 @@
 """A printed number: the one number that the declared rounding makes of the exact one, with as many decimals."""
 
-from __future__ import annotations
-
 import re
 from decimal import Decimal
 from typing import Any, Unpack

@@ -1,7 +1,5 @@
 """Equality of homogeneous vectors or matrices: equality up to a common factor."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations, takewhile

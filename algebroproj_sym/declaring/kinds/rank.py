@@ -4,8 +4,6 @@ From below by the rank at a rational point, which is the rank of a matrix of fra
 vectors that the matrix takes to zero identically.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import islice

@@ -1,7 +1,5 @@
 """A reference within a paper: the number that is printed against the number of what is meant."""
 
-from __future__ import annotations
-
 import re
 from typing import Any, Unpack
 

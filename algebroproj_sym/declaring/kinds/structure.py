@@ -1,7 +1,5 @@
 """The structure of a matrix: where it has zeros, and which entries are equal or opposite."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, Unpack

@@ -5,8 +5,6 @@ A factor of the numerator that is also a divisor, or a hypothesis, does not coun
 not defined, or nothing is claimed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice

@@ -1,7 +1,5 @@
 """Theorems about real functions, from the proofs of the ledger: each law is a lemma of ``Functions.v``."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 
@@ -23,13 +21,8 @@ KINDS = ("identity", "identity under constraints", "inequality")
 def real_theorems(record: Mapping[str, Any]) -> Proved:
     """Return statements and proofs of what a proved statement with real functions says, by what they show.
 
-    It raises `Silent` if it is refuted, or has derivatives, integrals or expansions, or its proof uses a law without a
-    lemma.
-
-    Parameters
-    ----------
-    record : mapping
-        ``lhs``, ``rhs``, ``relation``, ``assumptions``, ``constraints``, ``nonzero``, ``verdict`` and ``certificate``.
+    A record has what is stated, the verdict and the certificate.  It raises `Silent` if it is refuted, or has
+    derivatives, integrals or expansions, or its proof uses a law without a lemma.
 
     Examples
     --------

@@ -4,8 +4,6 @@ A sine is between two parts of its series at the ends of its angle; an arc is be
 quotients of sine and cosine, are on both sides of what it is the arc of.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from functools import reduce

@@ -1,7 +1,5 @@
 """Terms with real functions as formulas of Coq, and relations between them."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from algebroproj_sym.exporting.gallina import digits, identifier

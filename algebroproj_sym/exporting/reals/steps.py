@@ -1,7 +1,5 @@
 """The steps of a proof, each by its law: the lemma that shows what the replay's law adds."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any

@@ -4,8 +4,6 @@ The replay's theory finds what is asked and added, in its order; each fact becom
 inequality of a polynomial in symbols and in the values of functions, which are names here.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
@@ -54,18 +52,8 @@ class Enclosed(NamedTuple):
 class Written(Theory):
     """A theory with the tactics that prove its facts.
 
-    Parameters
-    ----------
-    symbols : iterable of str
-    premises : sequence of (relation, Term, str, str)
-        What a theorem assumes, the name of each, and how a proof of the relation to zero is made of that name.
-
-    Attributes
-    ----------
-    lines : list of str
-        The tactics.
-    enclosed : dict of str to Enclosed
-        The numbers whose bounds are written down.
+    The premises are what a theorem assumes, each with how a proof of the relation to zero is made.  `lines` are the
+    tactics, and `enclosed` are the numbers whose bounds are written down.
     """
 
     def __init__(self, symbols: Iterable[str], premises: Sequence[tuple[Condition, str]]) -> None:

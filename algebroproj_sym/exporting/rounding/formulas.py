@@ -1,7 +1,5 @@
 """The formula of a derivation beside the lines of C: their exact values are equal, by multiplying out."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from algebroproj_sym.exporting.gallina import exponent_list, formula, listed, rational, tree

@@ -1,24 +1,24 @@
 """A file for each function: its lines of C, a certificate, and the bounds that the checker accepts."""
 
-from __future__ import annotations
-
+import operator
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from importlib.resources import files as resources
 from itertools import count
+from random import Random
 from types import ModuleType
 from typing import Any
 
 from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY, assumptions_of, comment
 from algebroproj_sym.exporting.gallina import LEMMAS, formula, identifier, listed
 from algebroproj_sym.exporting.rounding.formulas import Derived, derived
-from algebroproj_sym.exporting.rounding.instances import instance
 from algebroproj_sym.generating.backends.c import c_name
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.generating.ranges import DIGITS, reach
 from algebroproj_sym.verifying.a_priori import Analysis, Bound, Fact, PairFact, Terms, analysis
-from algebroproj_sym.verifying.straight_line import straight_line_of_c
+from algebroproj_sym.verifying.straight_line import StraightLine, straight_line_of_c
 
 CHECKER = ("Rounding", "Pairs", "Checker", "Ranges", "Machine", "Elimination", "Formulas", "Instances", "Exact")
 """The files that all others require, each after those that it requires itself."""
@@ -300,3 +300,58 @@ def _argument(rule: str, place: int, argument: Any, numbers: Mapping[Fact, int])
     if rule == "Mean" and place == 1:
         return f"{argument}%N"
     return _terms(argument) if isinstance(argument, tuple) else str(argument)
+
+
+_TRIES = 10_000
+"""How many integers are tried."""
+
+_MEANING: Mapping[str, Callable[..., Any]] = {
+    "+": operator.add,
+    "join": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "neg": operator.neg,
+    "product_error": lambda a, b, product: a * b - product,
+}
+
+
+def instance(found: Analysis, most: int, is_regular: Callable[[tuple[int, ...]], bool]) -> tuple[int, ...]:
+    """Return integers of bounded size for which no divisor is zero, and no sum whose condition number a bound mentions.
+
+    They are regular in the sense of the caller.  It raises `ValueError` if none is found: then the hypotheses may
+    contradict each other.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.generating.program import recorded
+    >>> from algebroproj_sym.verifying.a_priori import analysis
+    >>> from algebroproj_sym.verifying.straight_line import numbered
+    >>> x, y = instance(analysis(numbered(recorded("xy", lambda x, y: (1 / (x - y),)))), 2, lambda point: True)
+    >>> x == y, max(abs(x), abs(y)) <= 2
+    (False, True)
+    """
+    required = [place for bound in (*found.bounds, *found.divisors) if bound is not None for place, _ in bound.terms]
+    required += [bound.result for bound in found.divisors if bound is not None]
+    for seed in range(_TRIES):
+        generator = Random(seed)
+        chosen = tuple(generator.choice((-1, 1)) * generator.randint(1, most) for _ in found.line.inputs)
+        try:
+            values = _values(found.line, chosen)
+        except ZeroDivisionError:
+            continue
+        if all(values[place] for place in required) and is_regular(chosen):
+            return chosen
+    raise ValueError(f"expected integers up to {most} for which no divisor is zero, found none in {_TRIES} tries")
+
+
+def _values(line: StraightLine, chosen: Sequence[int]) -> dict[int, Fraction]:
+    values: dict[int, Fraction] = {}
+    for number, (operation, operands) in line.operations.items():
+        if operation == "constant":
+            values[number] = Fraction(operands[0])
+        elif operation == "input":
+            values[number] = Fraction(chosen[operands[0]])
+        else:
+            values[number] = _MEANING[operation](*(values[operand] for operand in operands))
+    return values

@@ -4,8 +4,6 @@ A vector is an n x 1 matrix.  A quaternion is a vector (w, x, y, z) with Hamilto
 components, first a translation and then a rotation vector.
 """
 
-from __future__ import annotations
-
 from typing import Any, ClassVar
 
 import sympy

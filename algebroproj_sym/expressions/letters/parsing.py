@@ -14,8 +14,6 @@
 Which names are letters, with their shapes, is given; other names are numbers.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """From SymPy's expressions to terms."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
@@ -19,22 +17,7 @@ MOST_PARTS = 10_000
 
 
 class Reading:
-    """Terms that were read from SymPy, with the symbols in them.
-
-    Attributes
-    ----------
-    letters : dict of str to MatrixSymbol
-        The matrices, by name.
-    scalars : dict of str to Symbol
-        The numbers, by name.
-
-    Examples
-    --------
-    >>> reading = Reading()
-    >>> R = sympy.MatrixSymbol("R", 3, 3)
-    >>> reading.term(R.T * R, "lhs").kind, list(reading.letters)
-    ('product', ['R'])
-    """
+    """Terms that were read from SymPy, with the matrices and the numbers in them by name."""
 
     def __init__(self) -> None:
         self.letters: dict[str, sympy.MatrixSymbol] = {}

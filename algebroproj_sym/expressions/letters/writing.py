@@ -1,7 +1,5 @@
 """Terms as text, which `parse_letters` reads."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from algebroproj_sym.expressions.letters.terms import FUNCTIONS, Term

@@ -5,8 +5,6 @@ To add one, write the folder and name it in `BACKENDS`.  What it is given are ke
 straight-line program; it has nothing to decide about formulas.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Protocol
 

@@ -1,7 +1,5 @@
 """Deciding statements about vectors and matrices as letters: in words, which hold for every size, or by entries."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -55,21 +53,10 @@ def prove_letters(
 ) -> Proof:
     """Decide whether two sides are equal wherever both are defined and all letters have their properties.
 
-    It raises `LetterError` if shapes do not fit, a property is unknown, or a name is not declared.  It raises
-    `UndefinedError` if what is inverted has no inverse anywhere.  It raises `ValueError` if the engine is unknown.
-
-    Parameters
-    ----------
-    lhs, rhs : SymPy matrix expression, or number made of such
-        Of one shape; a number 0 stands for a zero matrix.
-    constraints : sequence of SymPy expressions
-        Numbers or matrices that are zero.
-    nonzero : sequence of SymPy expressions
-        Numbers that are not zero.
-    properties : mapping of MatrixSymbol, or name, to str or tuple of str
-        What letters are, see `PROPERTIES`.
-    engine : {"flint", "sympy"}
-        Which polynomial arithmetic to use.
+    The arguments are those of `algebroproj_sym.prove`; a number 0 stands for a zero matrix, and `PROPERTIES` are what
+    letters may be.  It raises `LetterError` if shapes do not fit, a property is unknown, or a name is not declared.  It
+    raises `UndefinedError` if what is inverted has no inverse anywhere.  It raises `ValueError` if the engine is
+    unknown.
 
     Examples
     --------

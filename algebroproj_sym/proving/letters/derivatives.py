@@ -4,8 +4,6 @@
 ``rdiff(f, R, d)`` that at ``R*exp(skew(e*d))``, each where e is zero.  Other letters are held fixed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from algebroproj_sym.expressions.letters import ONE, LetterError, Term, factors_of, letters_text, made, number

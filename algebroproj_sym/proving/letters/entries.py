@@ -1,7 +1,5 @@
 """Terms entry by entry, in any field: the numbers are fractions, rational functions or expressions."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

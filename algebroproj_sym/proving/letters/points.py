@@ -1,7 +1,5 @@
 """Exact matrices with properties: where counterexamples are looked for, and how they are checked."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Mapping
 from fractions import Fraction

@@ -6,8 +6,6 @@ Only those of a matrix of given rank also reach lower ranks, near which there ar
 What coordinates do not say is left as equations.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

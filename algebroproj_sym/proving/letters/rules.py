@@ -3,8 +3,6 @@
 Each rule is a text in A, B, C, D, with n rows of A.  Inverses are those of the statement.
 """
 
-from __future__ import annotations
-
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -6,8 +6,6 @@ so nothing is divided by an angle.  Two neighbours among them give all others be
 one equation, the sum of the squares of sine and cosine, is all that holds between these two and N.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

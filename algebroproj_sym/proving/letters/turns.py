@@ -6,8 +6,6 @@ function is not zero, and then it is not zero at the angle either.  What must be
 angle, so that its value does not matter.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

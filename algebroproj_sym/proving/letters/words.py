@@ -142,14 +142,8 @@ def order(monomial: Monomial) -> tuple[object, ...]:
 class Algebra:
     """The words in some letters.
 
-    Attributes
-    ----------
-    letters : mapping of str to Letter
-        What is declared.
-    is_sized : bool
-        Whether something was computed that holds for the given sizes alone.
-    work : Work
-        How many words may be multiplied, or compared, before all is given up.
+    `is_sized` says whether something was computed that holds for the given sizes alone.  `work` is how many words may
+    be multiplied, or compared, before all is given up.
     """
 
     def __init__(self, letters: Mapping[str, Letter]) -> None:

@@ -3,8 +3,6 @@
 Values at points only guide the search; what counts are the steps that the theory of the replay takes.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass

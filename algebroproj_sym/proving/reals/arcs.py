@@ -1,7 +1,5 @@
 """Angles: the ranges that signs of sines and cosines give, and angles that are zero, or equal, by their sines."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from itertools import combinations

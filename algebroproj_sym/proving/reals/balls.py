@@ -1,7 +1,5 @@
 """Ball arithmetic of FLINT for the values of terms."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 

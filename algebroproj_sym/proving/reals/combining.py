@@ -1,7 +1,5 @@
 """Signs from combinations: a sum of facts, their products and squares, modulo zeros, by linear programs."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from itertools import combinations, combinations_with_replacement

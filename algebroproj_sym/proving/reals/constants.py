@@ -1,7 +1,5 @@
 """Algebraic numbers that are zero: by the least equation of the number, and an enclosure of the rest of it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from algebroproj_sym.proving.consequences import End

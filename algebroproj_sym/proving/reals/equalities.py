@@ -1,7 +1,5 @@
 """Equalities with functions: relate the functions, then compare polynomials, powers, angles and logarithms."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations

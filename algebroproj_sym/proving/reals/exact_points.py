@@ -1,7 +1,5 @@
 """Points of exact numbers at which a statement may say something: angles, solutions of equations, ends of ranges."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction

@@ -3,8 +3,6 @@
 A step is taken in the theory of the replay, which checks it, and kept for the certificate.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from math import lcm
 from typing import Any

@@ -1,7 +1,5 @@
 """What has the same sign as a polynomial: what it is equal to, and its quotient by something positive."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

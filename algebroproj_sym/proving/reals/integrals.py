@@ -1,7 +1,5 @@
 """Integrals from one number to another: SymPy proposes antiderivatives, and what is shown of them is what counts."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """Decide statements of several parts, entries of matrices or parts of complex numbers, each in the domain of all."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Any

@@ -4,8 +4,6 @@ Arguments are taken apart into monomials over a denominator.  What has the same 
 which the others are multiples.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any

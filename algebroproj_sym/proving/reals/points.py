@@ -1,7 +1,5 @@
 """Points at which a statement says something, and whether it fails there: rational ones, and those of exact numbers."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Decide statements with real functions: a rational point refutes them, or laws prove them, and the replay agrees."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
@@ -11,7 +9,7 @@ import sympy
 
 from algebroproj_sym.expressions import NotRationalError, SymbolError
 from algebroproj_sym.proving.polynomials import EffortExceededError
-from algebroproj_sym.proving.proof import Proof
+from algebroproj_sym.proving.proof import Conditions, Proof
 from algebroproj_sym.proving.reals.integrals import integrated
 from algebroproj_sym.proving.reals.matrices import in_part, together
 from algebroproj_sym.proving.reals.points import (
@@ -56,66 +54,47 @@ NOWHERE = "no point was found at which both sides are defined and real and the a
 UNDECIDED = "no proof was found, and no point at which it is shown to fail"
 
 
-def proof_of(
-    lhs: Any,
-    rhs: Any,
-    constraints: Sequence[Any],
-    nonzero: Sequence[Any],
-    assumptions: Sequence[Any],
-    witness: Mapping[Any, Any] | None = None,
-    relation: str = "=",
-) -> Proof:
+def proof_of(lhs: Any, rhs: Any, given: Conditions) -> Proof:
     """Decide a statement that is given as text or SymPy expressions."""
-    conditions = [condition_of(value, f"assumptions[{place}]") for place, value in enumerate(assumptions)]
-    record = {
-        "lhs": written(term_of(lhs, "lhs")),
-        "rhs": written(term_of(rhs, "rhs")),
-        "relation": relation,
-        "assumptions": [*conditions, *assumed_of(symbols_in([lhs, rhs, *constraints, *nonzero, *assumptions]))],
-        "constraints": [zero_of(value, f"constraints[{place}]") for place, value in enumerate(constraints)],
-        "nonzero": [written(term_of(value, f"nonzero[{place}]")) for place, value in enumerate(nonzero)],
+    return _proof(_record(lhs, rhs, given), given.witness)
+
+
+def _record(lhs: Any, rhs: Any, given: Conditions, variables: Collection[str] | None = None) -> dict[str, Any]:
+    """Return a statement as the replay has it; one about complex numbers has the names of those that may be complex."""
+
+    def text(value: Any, argument: str) -> str:
+        return written(term_of(value, argument, is_complex=variables is not None))
+
+    def zero(value: Any, argument: str) -> str:
+        if variables is None:
+            return zero_of(value, argument)
+        return value if isinstance(value, str) else f"{text(value, argument)} = 0"
+
+    symbols = symbols_in([lhs, rhs, *given.constraints, *given.nonzero, *given.assumptions])
+    conditions = [condition_of(value, f"assumptions[{place}]") for place, value in enumerate(given.assumptions)]
+    return {
+        "lhs": text(lhs, "lhs"),
+        "rhs": text(rhs, "rhs"),
+        "relation": given.relation,
+        "assumptions": [*conditions, *assumed_of(each for each in symbols if each.name not in (variables or ()))],
+        "constraints": [zero(value, f"constraints[{place}]") for place, value in enumerate(given.constraints)],
+        "nonzero": [text(value, f"nonzero[{place}]") for place, value in enumerate(given.nonzero)],
+        **({} if variables is None else {"complex": sorted(variables)}),
     }
-    return _proof(record, witness)
 
 
-def proof_of_complex(
-    lhs: Any,
-    rhs: Any,
-    constraints: Sequence[Any],
-    nonzero: Sequence[Any],
-    assumptions: Sequence[Any],
-    witness: Mapping[Any, Any] | None,
-    relation: str,
-    variables: Collection[str],
-) -> Proof:
+def proof_of_complex(lhs: Any, rhs: Any, given: Conditions, variables: Collection[str]) -> Proof:
     """Decide a statement about complex numbers, as statements about their parts.
 
     It raises `NotRationalError` if a function of complex numbers is not known here.
     """
-
-    def text(value: Any, argument: str) -> str:
-        return written(term_of(value, argument, is_complex=True))
-
-    symbols = symbols_in([lhs, rhs, *constraints, *nonzero, *assumptions])
-    conditions = [condition_of(value, f"assumptions[{place}]") for place, value in enumerate(assumptions)]
-    record = {
-        "lhs": text(lhs, "lhs"),
-        "rhs": text(rhs, "rhs"),
-        "relation": relation,
-        "assumptions": [*conditions, *assumed_of(symbol for symbol in symbols if symbol.name not in variables)],
-        "constraints": [
-            value if isinstance(value, str) else f"{text(value, f'constraints[{place}]')} = 0"
-            for place, value in enumerate(constraints)
-        ],
-        "nonzero": [text(value, f"nonzero[{place}]") for place, value in enumerate(nonzero)],
-        "complex": sorted(variables),
-    }
+    record = _record(lhs, rhs, given, variables)
     try:
         statements = real_statements(record)
         for place, statement in enumerate(statements):
             if cut := _on_a_cut(statement_of(statement), variables):
                 return in_part(_proof(statement, cut), place)
-        return together(_proof(each, witness) for each in statements)
+        return together(_proof(each, given.witness) for each in statements)
     except Rejected as error:
         raise NotRationalError(f"prove: {error}") from None
 

@@ -1,7 +1,5 @@
 """From SymPy's expressions, relations and assumed symbols to terms and to the text of conditions."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """Zeros as rules: a power of a variable gives way to the rest of a zero, and what was subtracted is kept."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -3,8 +3,6 @@
 Floating point finds which columns are of use, and exact arithmetic their weights.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 

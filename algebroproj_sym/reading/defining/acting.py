@@ -3,8 +3,6 @@
 The words that leave a letter as it is are listed.  Any other one changes it: what is not heard costs a derivation.
 """
 
-from __future__ import annotations
-
 import re
 
 from algebroproj_sym.reading.defining.phrases import symbols_in_list

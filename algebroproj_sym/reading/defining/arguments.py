@@ -1,7 +1,5 @@
 """Functions that are written with and without their argument: x is x(t)."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -38,15 +36,8 @@ def omits_arguments(prose: str) -> bool:
 def lone_arguments(formulas: Iterable[Sequence[Formula]], prose: str) -> dict[str, str]:
     """Return the functions that have the same letters as arguments everywhere, and stand elsewhere without them.
 
-    The letters are separated by spaces.  None stands beside itself without its arguments, nor beside one of them as a
-    factor, nor is it one value by words.
-
-    Parameters
-    ----------
-    formulas : iterable of sequence of Tree
-        The sides of each formula of a document.
-    prose : str
-        Its words.
+    The formulas of a document are given by their sides, and its words as prose.  The letters are separated by spaces.
+    None stands beside itself without its arguments, nor beside one of them as a factor, nor is it one value by words.
     """
     arguments: dict[str, set[str]] = {}
     alone, beside = set[str](), set[tuple[str, str]]()

@@ -3,17 +3,15 @@ r"""Expected values: which letters are those of the operator, and which ones do 
 ``\mathbb{E}`` is one in each document.  A plain E is one where words speak of expected values, and of no energy.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from algebroproj_sym.reading.defining.dependence import COUNTED, letters_in
-from algebroproj_sym.reading.defining.factors import MEAN, lone
+from algebroproj_sym.reading.defining.factors import MEAN
 from algebroproj_sym.reading.defining.phrases import symbols_in_list
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import Sides, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Sides, lone, symbols_in, trees_in
 
 _ALWAYS = re.compile(r"\\math(?:bb|ds)\{E\}")
 _EXPECTED = re.compile(r"\bexpected values?\b|\bexpectations?\b", re.IGNORECASE)
@@ -35,27 +33,18 @@ _FIXED = re.compile(
 
 @dataclass(frozen=True)
 class Averages:
-    """What a document says of expected values.
-
-    Attributes
-    ----------
-    operators : frozenset of str
-        The symbols that stand for the expected value of what is in the bracket behind them.
-    letters : frozenset of (str, str)
-        The letters that are expected values themselves, each behind its operator.
-    random : frozenset of str
-        The letters that words call random.
-    within : frozenset of str
-        The letters that stand in an expected value.
-    fixed : frozenset of str
-        The letters that words call deterministic, and those up to which sums go.
-    """
+    """What a document says of expected values."""
 
     operators: frozenset[str] = frozenset()
+    """The symbols that stand for the expected value of what is in the bracket behind them."""
     letters: frozenset[tuple[str, str]] = frozenset()
+    """The letters that are expected values themselves, each behind its operator."""
     random: frozenset[str] = frozenset()
+    """The letters that words call random."""
     within: frozenset[str] = frozenset()
+    """The letters that stand in an expected value."""
     fixed: frozenset[str] = frozenset()
+    """The letters that words call deterministic, and those up to which sums go."""
 
     def is_fixed(self, operator: str, symbols: Iterable[str], constants: Collection[str]) -> bool:
         """Whether all of some letters are the same whatever is random, as constants and expected values are."""

@@ -1,7 +1,5 @@
 """Formulas of vectors and matrices as letters, built from the leaves up."""
 
-from __future__ import annotations
-
 import re
 from functools import reduce
 from typing import Any
@@ -44,10 +42,7 @@ _OF_LETTERS = ("sin", "cos", "norm")
 def built(tree: Formula, reader: Reader) -> Part:
     """Return a formula as a part.
 
-    Raises
-    ------
-    UnreadableError
-        If shapes do not fit, or something is read and not computed.
+    It raises `UnreadableError` if shapes do not fit, or something is read and not computed.
     """
     found: Part = transformed(_Parts(reader), tree)
     return found

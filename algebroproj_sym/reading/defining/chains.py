@@ -1,7 +1,5 @@
 r"""Derivatives by the chain rule, as ``\frac{\partial L}{\partial w}`` where y gives L, and w gives y."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from lark import Token, Tree
@@ -17,29 +15,14 @@ _CLOSED = ("big", "call", "slope", "inner", "matrix")
 def chained(
     sign: str, function: str, below: str, names: Mapping[str, str], vocabulary: Vocabulary
 ) -> tuple[Formula, tuple[str, ...], Definition, Definition | None] | None:
-    r"""Return a derivative of what a letter stands for, through the letters that give it.
+    r"""Return a derivative of what a letter stands for, through the letters that give it; None if there is none.
 
-    A partial derivative by a letter that stands in the formula itself, and in what another letter of it stands for, may
-    mean two things: there is none.  By x it leaves ``\dot x`` as it is, if the document has one by ``\dot x`` as well.
+    The sign is ``d`` or ``\partial``, and names are the letters of the document by their bare names.  A partial
+    derivative by a letter that stands in the formula itself, and in what another letter of it stands for, may mean two
+    things: there is none.  By x it leaves ``\dot x`` as it is, if the document has one by ``\dot x`` as well.
 
-    Parameters
-    ----------
-    sign : str
-        ``d`` or ``\partial``.
-    function : str
-        The letter whose derivative it is.
-    below : str
-        The bare name of the letter by which it is taken.
-    names : mapping of str to str
-        The letters of the document by their bare names.
-    vocabulary : Vocabulary
-        The definitions.
-
-    Returns
-    -------
-    tuple
-        What it is, the letters that do not change, the definition of the function, and that of the derivative with the
-        letter free if it has a value itself; None if there is no derivative.
+    Beside the derivative are the letters that do not change, the definition of the function, and that of the derivative
+    with the letter free if it has a value itself.
     """
     definition = vocabulary.definitions.get(function)
     if definition is None or not definition.usable or definition.parameters or definition.role == "case":

@@ -1,7 +1,5 @@
 """The equations that words name: those on which one rests, and those from which it is set apart."""
 
-from __future__ import annotations
-
 import re
 
 _APART = re.compile(

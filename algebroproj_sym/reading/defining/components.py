@@ -1,8 +1,6 @@
 r"""Columns of which a document names the components: x in ``x^T Q x``, beside ``x_1`` to ``x_3``, if Q is printed."""
 
-from __future__ import annotations
-
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator
 from itertools import count, pairwise
 
 from lark import Token, Tree
@@ -56,13 +54,6 @@ def multiplies_columns(side: Formula) -> bool:
     runs = (each for each in terms_of(side) if each.data == "run")
     pairs = (pairwise(map(without_brackets, trees_in(run))) for run in runs)
     return any(_is_column(one) and _is_column(other) for each in pairs for one, other in each)
-
-
-def with_letters(tree: Formula, letters: Mapping[Formula, Formula]) -> Formula:
-    """Return a formula with letters for some of its parts."""
-    if tree in letters:
-        return letters[tree]
-    return Tree(tree.data, [with_letters(each, letters) if isinstance(each, Tree) else each for each in tree.children])
 
 
 def _multiplied(tree: Formula) -> Iterator[tuple[str, int]]:

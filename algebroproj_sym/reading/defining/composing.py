@@ -1,16 +1,14 @@
 r"""Letters that keep their order: they are composed, as in ``R_{13} = R_{12} R_{23}`` and ``B = S A S^{-1}``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, lone, terms_of
+from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, terms_of
 from algebroproj_sym.reading.defining.oblong import is_inverse
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, trees_in
 
 _THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
 _SMALL = re.compile(r"(?:\\(?:d?dot|hat|bar|tilde)\{)*[a-z]\}*(?:_(?:\{[^{}]*\}|\w))?'*")

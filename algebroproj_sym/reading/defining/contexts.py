@@ -170,17 +170,10 @@ _STEPS = re.compile(
 
 @dataclass(frozen=True)
 class Context:
-    """Where an equation holds.
-
-    Attributes
-    ----------
-    kind : str
-        What its words speak of, such as a place; empty for none.
-    words : str
-        The words.
-    """
+    """Where an equation holds."""
 
     kind: str = ""
+    """What its words speak of, such as a place; empty for none."""
     words: str = ""
 
     @property

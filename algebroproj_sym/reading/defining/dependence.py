@@ -4,8 +4,6 @@ A letter that is alone on the left depends on what stands on the right.  Where n
 each letter of the equation may depend on each other one: ``c - k = 1`` gives c by k as well as k by c.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -14,10 +12,10 @@ from itertools import pairwise
 
 from lark import Tree
 
-from algebroproj_sym.reading.defining.factors import lone, terms_of
+from algebroproj_sym.reading.defining.factors import terms_of
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in
 
 ANY = "any"
 """What stands for all letters on which a symbol may depend that is more than a letter with scripts."""
@@ -28,49 +26,32 @@ _BEGINNING = -1
 
 @dataclass(frozen=True)
 class Tie:
-    """An equation, as far as it says on what letters may depend.
-
-    Attributes
-    ----------
-    given : str
-        The letter that is alone on the left; empty for none.
-    others : frozenset of str
-        The other symbols, without those that are indices of sums in it.
-    is_first : bool
-        Whether no equation before it has the letter on the left.
-    is_condition : bool
-        Whether it is a whole equation with no letter alone on the left.
-    hiding : frozenset of str
-        The letters of such an equation that may depend on an index of the other ones.
-    """
+    """An equation, as far as it says on what letters may depend."""
 
     given: str
+    """The letter that is alone on the left; empty for none."""
     others: frozenset[str]
+    """The other symbols, without those that are indices of sums in it."""
     is_first: bool
+    """Whether no equation before it has the letter on the left."""
     is_condition: bool = False
+    """Whether it is a whole equation with no letter alone on the left."""
     hiding: frozenset[str] = frozenset()
+    """The letters of such an equation that may depend on an index of the other ones."""
 
 
 @dataclass(frozen=True)
 class Dependence:
-    """What a document says of the letters that may depend on each other.
-
-    Attributes
-    ----------
-    ties : tuple of Tie
-        What its equations say.
-    by_time : bool
-        Whether t is the time: a dot above a letter is the derivative by t.
-    constant : frozenset of str
-        The letters that words call constant.
-    arguments : mapping of str to tuple of str
-        The functions that are taken at the same letters in the whole document, with these.
-    """
+    """What a document says of the letters that may depend on each other."""
 
     ties: tuple[Tie, ...] = ()
+    """What its equations say."""
     by_time: bool = False
+    """Whether t is the time: a dot above a letter is the derivative by t."""
     constant: frozenset[str] = frozenset()
+    """The letters that words call constant."""
     arguments: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """The functions that are taken at the same letters in the whole document, with these."""
     _related: dict[str, frozenset[str]] = field(default_factory=dict, compare=False)
 
     @cached_property
@@ -127,16 +108,7 @@ class Dependence:
 def ties_of(letter: str, parameters: Sequence[str], sides: Sequence[Formula], before: set[str]) -> Iterator[Tie]:
     """Yield what an equation or a chain says, with a letter or a function of parameters on its left, or with none.
 
-    Parameters
-    ----------
-    letter : str
-        The letter that is its first side; empty for none.
-    parameters : sequence of str
-        The letters that it is a function of.
-    sides : sequence of Tree
-        All sides.
-    before : set of str
-        The symbols of the equations before it; those of this one are added.
+    Before are the symbols of the equations before it; those of this one are added.
     """
     symbols = [free_symbols(each) - {letter, *parameters} for each in sides]
     is_condition = not letter and not any(map(_rates, sides))

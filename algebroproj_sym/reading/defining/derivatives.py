@@ -1,7 +1,5 @@
 r"""What derivatives of what is defined are, such as ``\dot V``, ``f'(x)`` and ``\frac{\partial f}{\partial x}``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -32,14 +30,7 @@ _FIXED = re.compile(
 def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: frozenset[str]) -> list[Definition]:
     """Return what the derivatives in some formulas are, as far as the functions have definitions.
 
-    Parameters
-    ----------
-    trees : iterable of Tree
-        The formulas.
-    vocabulary : Vocabulary
-        The definitions.
-    occurring : frozenset of str
-        The symbols of the document: a letter changes with time if its derivative by time is one of them.
+    A letter changes with time if its derivative by time occurs in the document.
     """
     found: dict[str, Definition] = {}
     trees = [*trees]

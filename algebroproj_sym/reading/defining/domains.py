@@ -1,7 +1,5 @@
 r"""In what range an equation holds: ``q(x) = c x, 0 \le x \le L`` says nothing of ``q(2 L)``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress

@@ -1,7 +1,5 @@
 r"""Sums whose ends differ by a few terms: ``\sum_{k=1}^{n-1} x_k`` is ``\sum_{k=1}^n x_k - x_n``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -11,7 +9,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.indices import Indices
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, without_brackets
 
 MOST_APART = 3
 """How many terms are taken from an end of a sum."""
@@ -99,8 +97,7 @@ def _added(index: str, tree: Formula) -> Iterator[int]:
 def _terms(tree: Formula) -> Formula:
     """Return a sum over an index as one of its terms, each for itself, if it is none of infinitely many."""
     name, body = tree.children
-    while isinstance(body, Tree) and body.data in IN_BRACKETS and len(body.children) == 1:
-        (body,) = body.children
+    body = without_brackets(body)
     match = _COUNTED.fullmatch(str(name))
     if match is None or match[3] == r"\infty" or not isinstance(body, Tree) or body.data != "sum":
         return tree

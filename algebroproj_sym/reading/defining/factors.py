@@ -1,14 +1,12 @@
 """The letters of which a formula is made: those of its terms and factors."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from typing import Any
 
 from lark import Tree
 
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, lone, trees_in, without_brackets
 
 CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
@@ -22,12 +20,7 @@ def base_of(factor: Any) -> str:
     """Return the letter that a factor is, without its marks and powers; empty if it is more."""
     while isinstance(factor, Tree) and factor.data in ("marked", "power", "group"):
         factor = factor.children[0]
-    return str(factor.children[0]) if isinstance(factor, Tree) and factor.data == "symbol" else ""
-
-
-def lone(factor: Any) -> str:
-    """Return the letter that a factor is; empty if it is more."""
-    return str(factor.children[0]) if factor.data == "symbol" else ""
+    return lone(factor)
 
 
 def head_of(term: Any) -> str:
@@ -53,8 +46,7 @@ def is_mean(term: Formula) -> bool:
 
 def terms_of(side: Any) -> list[Any]:
     """Return the terms of a formula; itself if it is no sum."""
-    if side.data in IN_BRACKETS and len(side.children) == 1:
-        return terms_of(side.children[0])
+    side = without_brackets(side)
     return [term for each in trees_in(side) for term in terms_of(each)] if side.data == "sum" else [side]
 
 

@@ -5,8 +5,6 @@ sides are taken along d.  A gradient may be a column or a row; the derivative of
 components.  Of a function that nothing gives it is the derivative that the document writes.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import replace
@@ -19,7 +17,7 @@ from algebroproj_sym.reading.defining.rates import ZERO, copies_in, rate_of, wri
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, lone, symbols_in, without_brackets
 
 _QUOTIENT = re.compile(r"(d|\\partial)([^/^()]+)(?:\(([^/^()]+)\))?/\1([^/^()]+)")
 _OPERATOR = re.compile(r"(d|\\partial)/\1([^/^]+)")
@@ -191,6 +189,4 @@ def _arguments(call: Formula) -> tuple[str, ...]:
 
 
 def _lone(tree: Any) -> str:
-    while tree.data in IN_BRACKETS and len(tree.children) == 1:
-        (tree,) = tree.children
-    return str(tree.children[0]) if tree.data == "symbol" else ""
+    return lone(without_brackets(tree))

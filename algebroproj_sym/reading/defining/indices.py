@@ -3,8 +3,6 @@ r"""Equations at another index: ``x_{k+1} = a x_k`` gives ``x_{k+2} = a x_{k+1}`
 A letter is an index only where the document counts with it: in ``x_{k+1}``, a sum over k, or ``k = 0, 1, \dots``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -54,18 +52,12 @@ _EXCLUDES = re.compile(
 
 @dataclass(frozen=True)
 class Indices:
-    """What a document says of its indices.
-
-    Attributes
-    ----------
-    text : str
-        The whole document.
-    symbols : frozenset of str
-        All symbols of its formulas.
-    """
+    """What a document says of its indices."""
 
     text: str
+    """The whole document."""
     symbols: frozenset[str]
+    """All symbols of its formulas."""
 
     @cached_property
     def counted(self) -> frozenset[str]:

@@ -1,12 +1,10 @@
 r"""Inner products ``\langle f, g \rangle``: which letters are vectors, and whether a document gives them itself."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 
-from algebroproj_sym.reading.defining.factors import lone, terms_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, symbols_in, trees_in
+from algebroproj_sym.reading.defining.factors import terms_of
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, symbols_in, trees_in
 
 _NAMED = re.compile(r"\b(?:inner|scalar|dot)[- ]products?\b", re.IGNORECASE)
 

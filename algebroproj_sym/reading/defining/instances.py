@@ -1,13 +1,11 @@
 r"""Formulas that repeat another one: with numbers put in for letters, as in ``m a = 2 \cdot 3``, or as its power."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in, without_brackets
 
 _PRODUCTS = ("run", "product")
 MOST_DEGREE = 6
@@ -49,22 +47,15 @@ def _match(one: Any, other: Any, found: dict[str, str]) -> bool:
 
 @dataclass(frozen=True)
 class Powers:
-    r"""The powers of both sides of an equation of a letter and a root.
-
-    Attributes
-    ----------
-    left, right : Tree
-        The powers.
-    degree : int
-        Of which degree they are.
-    is_open : bool
-        Whether the sign of the root is open, as in ``\pm\sqrt{a}``.
-    """
+    r"""The powers of both sides of an equation of a letter and a root."""
 
     left: Formula
     right: Formula
+    """The powers."""
     degree: int
+    """Of which degree they are."""
     is_open: bool
+    r"""Whether the sign of the root is open, as in ``\pm\sqrt{a}``."""
 
 
 def powers_of(left: Formula, right: Formula) -> Powers | None:
@@ -107,8 +98,7 @@ def _degree(tree: Formula) -> int:
 
 
 def _of_exponent(exponent: Any) -> int:
-    while isinstance(exponent, Tree) and exponent.data in IN_BRACKETS and len(exponent.children) == 1:
-        (exponent,) = exponent.children
+    exponent = without_brackets(exponent)
     is_part = isinstance(exponent, Tree) and exponent.data in ("fraction", "quotient") and len(exponent.children) == 2
     return _whole(exponent.children[1]) if is_part and _whole(exponent.children[0]) == 1 else 1
 

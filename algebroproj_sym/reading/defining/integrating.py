@@ -1,7 +1,5 @@
 r"""What integrals between bounds are, such as ``\int_0^L k x \, dx``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -13,7 +11,7 @@ from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.commands import LETTERS
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, parsed, put_in, symbols_in
 from algebroproj_sym.reading.parsing.integrals import INFINITE, integral_of
 
 _BETWEEN = re.compile(r"\\int_\{(.+)\}\^\{(.+)\}")
@@ -63,13 +61,12 @@ def _over_another(integral: Formula, vocabulary: Vocabulary) -> Formula:
     ((letter,), (change,)) = (symbols_in(each) for each in (variable, step) if isinstance(each, Tree))
     bare = re.sub(r"\W", "", letter)
     others = {letter: rf"\bullet_{{{bare}}}", change: rf"d \bullet_{{{bare}}}"}
-    return Tree("integral", [_renamed(body, others), *ends, *map(letter_of, others.values())])
-
-
-def _renamed(tree: Formula, others: Mapping[str, str]) -> Formula:
-    if tree.data in ("symbol", "opaque") and str(tree.children[0]) in others:
-        return letter_of(others[str(tree.children[0])])
-    return Tree(tree.data, [_renamed(each, others) if isinstance(each, Tree) else each for each in tree.children])
+    renamed: dict[Formula, Formula] = {
+        Tree(kind, [Token(kind.upper(), one)]): letter_of(other)
+        for one, other in others.items()
+        for kind in ("symbol", "opaque")
+    }
+    return Tree("integral", [put_in(body, renamed), *ends, *map(letter_of, others.values())])
 
 
 def variables_of(sides: Iterable[Formula]) -> dict[tuple[str, str], str]:
@@ -94,7 +91,7 @@ def between_bounds(tree: Formula, variables: Mapping[tuple[str, str], str], voca
     hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(inside))
     if hidden or variable in vocabulary.definitions or len(ends) != 2 or any(isinstance(each, Token) for each in ends):
         return Tree(tree.data, parts)
-    low, high = (Tree("group", [_with(inside, variable, end)]) for end in ends)
+    low, high = (Tree("group", [put_in(inside, {letter_of(variable): Tree("group", [end])})]) for end in ends)
     return Tree("group", [Tree("sum", [high, Token("SIGN", "-"), low])])
 
 
@@ -112,12 +109,6 @@ def _bounds_of(tree: Formula) -> tuple[str, str] | None:
 
 _AT = re.compile(r"_at_([^^]+)\^([^^]+)")
 """The mark of a bar behind which bounds stand."""
-
-
-def _with(tree: Formula, symbol: str, value: Formula) -> Formula:
-    if tree.data == "symbol" and tree.children[0] == symbol:
-        return Tree("group", [value])
-    return Tree(tree.data, [_with(each, symbol, value) if isinstance(each, Tree) else each for each in tree.children])
 
 
 def _ends(name: str) -> list[Any]:

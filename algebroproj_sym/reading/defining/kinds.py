@@ -7,8 +7,6 @@ of c, y, z are vectors if one is.  A thin capital beside a vector may be a matri
 An accent is that of vectors if letters that have it are multiplied with a cross, as in ``\bar\omega \times \bar r``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -19,21 +17,12 @@ from lark import Token
 
 from algebroproj_sym.reading.defining.averages import Averages, averages_in
 from algebroproj_sym.reading.defining.composing import composed_in
-from algebroproj_sym.reading.defining.factors import (
-    CAPITAL,
-    base_of,
-    factors_of,
-    head_of,
-    inner_of,
-    is_mean,
-    lone,
-    terms_of,
-)
+from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, head_of, inner_of, is_mean, terms_of
 from algebroproj_sym.reading.defining.inner import vectors_in
 from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, Sides, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, Sides, lone, symbols_in, trees_in
 
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
 """A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
@@ -53,33 +42,22 @@ _SPOKEN = re.compile(r"\b(?:vectors?|vectorial|cross[- ]products?)\b", re.IGNORE
 
 @dataclass(frozen=True)
 class Kinds:
-    """What the letters of a document are.
-
-    Attributes
-    ----------
-    no_numbers : frozenset of str
-        The symbols that are vectors or matrices.
-    columns : frozenset of str
-        Those of them that have the accent of vectors, or that words call vectors.
-    open : frozenset of str
-        The symbols that may be matrices, or numbers.
-    named : frozenset of str
-        The letters I that words may call another thing than the identity.
-    oblong : frozenset of str
-        Those of matrices that may have no inverse: a document inverts their product with what they are transposed.
-    inverted : frozenset of str
-        The capitals that are no numbers, and have an inverse or a determinant somewhere: they are no vectors.
-    averages : Averages
-        What stands for expected values.
-    """
+    """What the letters of a document are."""
 
     no_numbers: frozenset[str] = frozenset()
+    """The symbols that are vectors or matrices."""
     columns: frozenset[str] = frozenset()
+    """Those of them that have the accent of vectors, or that words call vectors."""
     open: frozenset[str] = frozenset()
+    """The symbols that may be matrices, or numbers."""
     named: frozenset[str] = frozenset()
+    """The letters I that words may call another thing than the identity."""
     oblong: frozenset[str] = frozenset()
+    """Those of matrices that may have no inverse: a document inverts their product with what they are transposed."""
     inverted: frozenset[str] = frozenset()
+    """The capitals that are no numbers, and have an inverse or a determinant somewhere: they are no vectors."""
     averages: Averages = field(default_factory=Averages)
+    """What stands for expected values."""
 
 
 def kinds_of(
@@ -87,16 +65,7 @@ def kinds_of(
 ) -> Kinds:
     """Return what letters are by all equations of a document, and by what its words say of some.
 
-    Parameters
-    ----------
-    formulas : iterable of Parsed
-        What was read of the equations.
-    said : frozenset of str
-        The symbols that words call vectors or matrices.
-    words : str
-        The words of the document.
-    columns : frozenset of str
-        The symbols that words call vectors.
+    Words call some symbols vectors or matrices, and some of these columns.
     """
     equations = [sides for formula in formulas for sides in _equal_in(formula)]
     sides = [side for each in equations for side in each]

@@ -1,7 +1,5 @@
 r"""What stands above a letter and is no power: a label, as in ``p^h``, and the number of a step, as in ``x^{k+1}``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
@@ -11,7 +9,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol, written
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, Sides, lone, trees_in, without_brackets
 
 E = Tree("symbol", [Token("SYMBOL", "e")])
 
@@ -67,7 +65,7 @@ def _raised_in_brackets(equations: Sequence[Sides]) -> set[str]:
 
 
 def _is_letter(tree: Any) -> bool:
-    return isinstance(tree, Tree) and tree.data == "symbol" and tree != E
+    return lone(tree) != "" and tree != E
 
 
 def _text_of(tree: Any) -> str:
@@ -184,8 +182,7 @@ def _raised_in(tree: Formula) -> Iterator[_Raised]:
 def _raised(tree: Any) -> _Raised:
     """Return a letter with what stands above it; empty for another formula."""
     base, exponent = tree.children if tree.data in ("power", "marked") else (tree, tree)
-    while isinstance(exponent, Tree) and exponent.data in ("group", "items") and len(exponent.children) == 1:
-        (exponent,) = exponent.children
+    exponent = without_brackets(exponent, UNSEEN)
     if not (isinstance(base, Tree) and base.data == "symbol" and base != E):
         return _Raised("", "", "")
     if not isinstance(exponent, Tree):
@@ -208,10 +205,7 @@ def _beside_steps(tree: Formula) -> Iterator[str]:
 
 def lone_letter(tree: Any) -> str:
     """Return the Latin letter that an exponent is; empty if it is more or something else."""
-    while isinstance(tree, Tree) and tree.data in ("group", "items") and len(tree.children) == 1:
-        (tree,) = tree.children
-    alone = isinstance(tree, Tree) and tree.data == "symbol"
-    letter = str(tree.children[0]) if alone else ""
+    letter = lone(without_brackets(tree, UNSEEN))
     return letter if len(letter) == 1 and letter.isalpha() else ""
 
 

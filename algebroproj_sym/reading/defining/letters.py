@@ -4,8 +4,6 @@ A bold small letter is a column.  A size that nothing says is a letter, so that 
 The value of a function, a sum or an integral is a letter of its own, the same for the same text.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Sequence
 from contextlib import suppress
@@ -40,12 +38,8 @@ def lettered(
     """Return the question whether two sides are equal, with vectors and matrices as letters; of blocks, one for each.
 
     What is given are the sides of equations that hold, and that have no blocks.  Bold Greek letters are tensors if they
-    cannot be columns.  A rotation has three dimensions if blocks need a size.
-
-    Raises
-    ------
-    UnreadableError
-        If shapes do not fit, or something is read and not computed.
+    cannot be columns.  A rotation has three dimensions if blocks need a size.  It raises `UnreadableError` if shapes do
+    not fit, or something is read and not computed.
     """
     return _first_read(vocabulary, lambda reader: _asked(reader, left, right, given))
 

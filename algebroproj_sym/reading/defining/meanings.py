@@ -4,8 +4,6 @@ r"""What words say of letters and signs by which an equation says something else
 everything is modulo 4.  Such an equation is read, but not decided.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -237,30 +235,20 @@ def prose_of(statements: Iterable[Statement]) -> str:
 
 @dataclass(frozen=True)
 class Meanings:
-    """What the words of a document say of its letters and signs.
-
-    Attributes
-    ----------
-    statements : sequence of Statement
-        All statements of the document.
-    words : str
-        The text between its displays.
-    sides : sequence of Tree
-        The sides of those that were read.
-    given : frozenset of str
-        The symbols that are alone on the left somewhere.
-    iterated : frozenset of str
-        The symbols that have the number of a step above them somewhere.
-    gives_products : bool
-        Whether the document says itself what an inner product is.
-    """
+    """What the words of a document say of its letters and signs."""
 
     statements: Sequence[Statement]
+    """All statements of the document."""
     words: str
+    """The text between its displays."""
     sides: Sequence[Formula]
+    """The sides of those that were read."""
     given: frozenset[str]
+    """The symbols that are alone on the left somewhere."""
     iterated: frozenset[str]
+    """The symbols that have the number of a step above them somewhere."""
     gives_products: bool
+    """Whether the document says itself what an inner product is."""
 
     @cached_property
     def _has_degrees(self) -> bool:

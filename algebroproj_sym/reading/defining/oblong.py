@@ -1,7 +1,5 @@
 r"""Matrices that may have no inverse: by words, by their sizes, or by the normal equations in which they stand."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import dropwhile
@@ -9,9 +7,9 @@ from typing import Any
 
 from lark import Tree
 
-from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, head_of, lone, terms_of
+from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, head_of, terms_of
 from algebroproj_sym.reading.lexing.names import bare_name
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, trees_in
 
 _SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
 _HAS_NO_INVERSE = (

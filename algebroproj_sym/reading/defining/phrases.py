@@ -12,8 +12,6 @@ r"""Phrases by which a document says what a letter is: its size, or a property s
 Behind "if", "when", "unless", "not" or "whether" a phrase says nothing.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 from typing import TypeVar

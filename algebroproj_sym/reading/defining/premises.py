@@ -5,8 +5,6 @@ what follows from it follows.  It is a *premise* of the equations behind it.  On
 letter in which it is linear.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -22,7 +20,7 @@ from algebroproj_sym.reading.defining.recognising import defined_by, is_one_valu
 from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in
 from algebroproj_sym.replaying.reals.terms import has_functions
 
 MOST_PREMISES = 300
@@ -41,43 +39,29 @@ _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-
 
 @dataclass(frozen=True)
 class Premise:
-    """An equation that a document asserts.
-
-    Attributes
-    ----------
-    left, right : Tree
-        Its sides.
-    where : str
-        Where it stands.
-    part : int
-        How many headings come before it.
-    place : int
-        Where its display begins, in characters.
-    names : frozenset of str
-        Its label and its number.
-    special : bool
-        Whether words beside it speak of a case.
-    words : frozenset of str
-        The words beside it.
-    chained : bool
-        Whether it is part of a chain.
-    context : Context
-        Where it holds.
-    ranges : tuple of Parsed
-        What is said beside it of the ranges of letters.
-    """
+    """An equation that a document asserts."""
 
     left: Formula
     right: Formula
+    """Its sides."""
     where: str
+    """Where it stands."""
     part: int
+    """How many headings come before it."""
     place: int
+    """Where its display begins, in characters."""
     names: frozenset[str]
+    """Its label and its number."""
     special: bool
+    """Whether words beside it speak of a case."""
     words: frozenset[str]
+    """The words beside it."""
     chained: bool
+    """Whether it is part of a chain."""
     context: Context
+    """Where it holds."""
     ranges: tuple[Parsed, ...] = ()
+    """What is said beside it of the ranges of letters."""
 
     @cached_property
     def symbols(self) -> frozenset[str]:
@@ -127,7 +111,9 @@ class Premise:
             linear = {each: slope for each, slope in slopes.items() if slope is not None}
             simple = lambda each: (len(free_symbols(linear[each])), each not in wanted, each)  # noqa: E731
             for symbol in sorted(linear, key=simple)[:1]:
-                zero, one = (_with_number(difference, symbol, number) for number in "01")
+                zero, one = (
+                    put_in(difference, {letter_of(symbol): Tree("number", [Token("NUMBER", each)])}) for each in "01"
+                )
                 below: Formula = Tree("sum", [one, Token("SIGN", "-"), zero])
                 return self._of(symbol, (), Tree("fraction", [Tree("sum", [Token("SIGN", "-"), zero]), below]))
         except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
@@ -144,14 +130,6 @@ def _slope_of(value: Any, letter: Any) -> Any:
         return None
     point = {each: sympy.Integer(3) ** place + 1 for place, each in enumerate(sorted(free_symbols(slope), key=str), 1)}
     return slope if any(evaluate(slope, point)) else None
-
-
-def _with_number(tree: Formula, symbol: str, number: str) -> Formula:
-    """Return a formula with a number for a letter."""
-    if tree.data == "symbol" and tree.children[0] == symbol:
-        return Tree("number", [Token("NUMBER", number)])
-    parts = [_with_number(each, symbol, number) if isinstance(each, Tree) else each for each in tree.children]
-    return Tree(tree.data, parts)
 
 
 def applicable(premises: Sequence[Premise], part: int, cited: frozenset[str]) -> list[Premise]:

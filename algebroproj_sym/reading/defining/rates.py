@@ -3,8 +3,6 @@ r"""The rate at which a formula changes, factor by factor, as ``\dot a \times b 
 No factor changes its place, so this holds of vectors and matrices as well.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
@@ -30,20 +28,10 @@ def rate_of(
 ) -> Formula | None:
     r"""Return the derivative of a formula; None if nothing in it changes.
 
-    Parameters
-    ----------
-    tree : Tree
-        The formula.
-    rates : mapping of str to Tree
-        The derivatives of the letters that change, and of values such as ``x(t)``; of e as well, where it is Euler's
-        number.
-    copies : mapping of str to int
-        How often letters stand in the derivatives of those that are given by others.
-
-    Raises
-    ------
-    UnreadableError
-        If something changes within what has no rule here, or the derivative would have too many terms.
+    The rates are the derivatives of the letters that change, and of values such as ``x(t)``; of e as well, where it is
+    Euler's number.  The copies say how often letters stand in the derivatives of those that are given by others.  It
+    raises `UnreadableError` if something changes within what has no rule here, or the derivative would have too many
+    terms.
 
     Examples
     --------

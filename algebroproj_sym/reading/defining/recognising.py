@@ -1,7 +1,5 @@
 """Which equations define a letter, and of which letter an equation speaks."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 
@@ -14,7 +12,7 @@ from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, symbols_in, trees_in, without_brackets
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 _VALUES = re.compile(r"(?:[a-zA-Z]{2,}|E|\\math(?:bb|ds)\{E\})(?:_.*)?")
@@ -190,8 +188,7 @@ def argument_of(tree: Formula) -> Formula:
 def is_indexed_above(tree: Formula) -> bool:
     r"""Whether a side is a letter with an index above it, as in ``w_t^n`` and ``x^{k+1}``, and hardly a power."""
     base, exponent = tree.children if tree.data == "power" else (tree, tree)
-    while isinstance(exponent, Tree) and exponent.data in ("group", "items") and len(exponent.children) == 1:
-        exponent = exponent.children[0]
+    exponent = without_brackets(exponent, UNSEEN)
     if not (isinstance(base, Tree) and isinstance(exponent, Tree)) or base.data != "symbol" or base is exponent:
         return False
     if str(base.children[0]).startswith(r"\mathbf") and lone_letter(exponent):

@@ -26,16 +26,8 @@ TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
 class Reader:
     """What is found of the letters of a relation while it is built.
 
-    Parameters
-    ----------
-    vocabulary : Vocabulary
-        What letters stand for.
-    column : pattern
-        How a column is written.
-    build : callable
-        What builds a formula, with the letters of a reader.
-    of_rotations : Size, optional
-        The size of rotations, if blocks need one.
+    The column is how a column is written.  `build` builds a formula, with the letters of a reader.  Rotations have a
+    size if blocks need one.
     """
 
     def __init__(

@@ -3,15 +3,13 @@ r"""An equation of vectors and matrices solved for a letter that is in it once i
 No factor changes its side: what stands before the letter is inverted before it, and what stands behind it, behind it.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
 
 _Factors = tuple[Formula, ...]
 
@@ -69,8 +67,7 @@ def solution_of(left: Formula, right: Formula, letter: str, *, is_number: bool =
 
 
 def _linear(tree: Formula, letter: str, *, minus: bool) -> _Linear:
-    if tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
-        return _linear(tree.children[0], letter, minus=minus)
+    tree = without_brackets(tree)
     if tree.data in ("symbol", "opaque") and tree.children[0] == letter:
         return _Linear([(minus, (), ())], [])
     if letter not in symbols_in(tree):
@@ -149,7 +146,7 @@ def _is_row(term: Formula) -> bool:
 
 
 def _is_small(tree: Any) -> bool:
-    name = str(tree.children[0]) if tree.data == "symbol" else ""
+    name = lone(tree)
     return re.fullmatch(r"(?:\\\w+\{)*[a-z]\}*(?:_.*)?", name) is not None
 
 

@@ -4,8 +4,6 @@ A product of a row and a column is a number, which may be turned round: ``a_i^T 
 of ``(a_i^T x)^2`` is ``x^T``, the sum of ``a_i a_i^T``, and ``x``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import reduce
@@ -17,20 +15,13 @@ Depends = Callable[[Part], bool]
 
 @dataclass(frozen=True)
 class Arranged:
-    """The factors of a product in a sum.
-
-    Attributes
-    ----------
-    numbers : list of Part
-        The numbers.
-    before, within, behind : list of Part
-        The rows, columns and matrices that stand before the sum, in it, and behind it.
-    """
+    """The factors of a product in a sum."""
 
     numbers: list[Part]
     before: list[Part]
     within: list[Part]
     behind: list[Part]
+    """The rows, columns and matrices that stand before the sum, in it, and behind it."""
 
 
 def arranged(factors: Sequence[Part], depends: Depends) -> Arranged:

@@ -1,7 +1,5 @@
 """What is known of a whole document before its equations are read in order."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -55,18 +53,12 @@ from algebroproj_sym.reading.parsing.transposes import are_transposes, with_tran
 
 @dataclass(frozen=True)
 class Survey:
-    """A document, and what the user says of its letters.
-
-    Attributes
-    ----------
-    document : Document
-        What was read from a file.
-    given : SymbolsFile
-        What the user says.
-    """
+    """A document, and what the user says of its letters."""
 
     document: Document
+    """What was read from a file."""
     given: SymbolsFile
+    """What the user says."""
 
     @cached_property
     def statements(self) -> tuple[Statement, ...]:
@@ -211,13 +203,7 @@ class Survey:
     def parsed(
         self, statement: Statement, labels: frozenset[str] | None = None, *, wide: bool = True, plain: bool = False
     ) -> Parsed:
-        """Parse a statement; a plain one keeps primes that transpose.
-
-        Raises
-        ------
-        UnreadableError
-            If it is no formula.
-        """
+        """Parse a statement; a plain one keeps primes that transpose.  What is no formula is an `UnreadableError`."""
         own = self.labels if labels is None else labels
         known = self.given.whole.symbols
         named = self._has_superscripts

@@ -18,8 +18,6 @@ r"""What the symbols of a paper stand for: the reviewed tables in its file ``sym
 A symbol that no table has is named by rule: letter, a p for each prime, subscript.  Later tables come first.
 """
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
@@ -51,33 +49,22 @@ _TABLE_KEYS = frozenset(("claims", "letters", "symbols", "sizes", "properties", 
 
 @dataclass(frozen=True)
 class Table:
-    """What some symbols stand for in some claims.
-
-    Attributes
-    ----------
-    claims : tuple of str
-        Sections and numbers; empty for all.
-    letters : mapping of str to str
-        How the names of symbols with a letter begin.
-    symbols : mapping of str to Expression
-        What whole symbols stand for, written as `written` does.
-    primes : bool
-        Whether the names of symbols have a p for each prime.
-    sizes : mapping of str to (int, int)
-        Rows and columns of the symbols that are vectors or matrices.
-    properties : mapping of str to tuple of str
-        What vectors and matrices are: one of `algebroproj_sym.proving.letters.PROPERTIES`, or "identity".
-    matrices : mapping of str to MatrixSymbol
-        What symbols stand for in claims in letters.
-    """
+    """What some symbols stand for in some claims."""
 
     claims: tuple[str, ...] = ()
+    """Sections and numbers; empty for all."""
     letters: Mapping[str, str] = field(default_factory=dict)
+    """How the names of symbols with a letter begin."""
     symbols: Mapping[str, Expression] = field(default_factory=dict)
+    """What whole symbols stand for, written as `written` does."""
     primes: bool = True
+    """Whether the names of symbols have a p for each prime."""
     sizes: Mapping[str, Size] = field(default_factory=dict)
+    """Rows and columns of the symbols that are vectors or matrices."""
     properties: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """What vectors and matrices are: one of `algebroproj_sym.proving.letters.PROPERTIES`, or "identity"."""
     matrices: Mapping[str, sympy.MatrixSymbol] = field(default_factory=dict)
+    """What symbols stand for in claims in letters."""
 
     def covers(self, section: str, number: str) -> bool:
         """Whether the table is for the claim with a number in a section."""
@@ -161,13 +148,7 @@ def letters_of(name: str, size: Size) -> Matrix:
 
 
 def tables_in(folder: Path) -> tuple[Table, ...]:
-    """Return the tables of a folder of derivations.
-
-    Raises
-    ------
-    UnreadableDocumentError
-        If the file cannot be read.
-    """
+    """Return the tables of a folder of derivations; it raises `UnreadableDocumentError` if the file cannot be read."""
     path = folder / FILE
     return _read(path, path.stat().st_mtime_ns).tables if path.is_file() else ()
 
@@ -183,13 +164,7 @@ def _read(path: Path, stamp: int) -> SymbolsFile:
 
 
 def symbols_file(path: Path) -> SymbolsFile:
-    """Read a file of symbols.
-
-    Raises
-    ------
-    UnreadableDocumentError
-        Naming the key, what was expected and what came.
-    """
+    """Read a file of symbols; the error for a wrong one names the key, what was expected and what came."""
     try:
         content = tomllib.loads(path.read_text(encoding="utf-8"))
         _require_keys(content, _KEYS)

@@ -4,8 +4,6 @@ r"""Derivatives of functions that nothing computes, through their arguments.
 derivative is the sum of such products.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from lark import Token, Tree
@@ -24,21 +22,9 @@ def through_arguments(
 ) -> tuple[Formula, tuple[str, ...]] | None:
     r"""Return a first derivative of a function through its arguments, and the places on which it rests.
 
-    There is none if a derivative that it takes does not stand in the document, or if a partial derivative is by an
-    argument itself.
-
-    Parameters
-    ----------
-    sign : str
-        ``d`` or ``\partial``.
-    above, below : str
-        The bare names of the function and of the letter.
-    names : mapping of str to str
-        The symbols of the document by their bare names.
-    vocabulary : Vocabulary
-        The definitions.
-    steps : int
-        Through how many functions it may go.
+    The sign is ``d`` or ``\partial``; the function above it, the letter below it and the symbols of the document go by
+    their bare names.  There is none if a derivative that it takes does not stand in the document, or if a partial
+    derivative is by an argument itself.  It goes through so many functions at most.
     """
     variable = names.get(below, below)
     found = _arguments_of(names.get(above, ""), vocabulary)

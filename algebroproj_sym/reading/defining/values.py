@@ -5,8 +5,6 @@ index stands before it: ``\sum_{i=1}^{n} (a x_i + b)`` is a times a letter, plus
 the same for every index.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Sequence
 from typing import Any

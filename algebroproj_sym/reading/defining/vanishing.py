@@ -1,7 +1,5 @@
 r"""Products that are zero: which factor is zero, an equation such as ``x (x - a) = 0`` does not say."""
 
-from __future__ import annotations
-
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 
 

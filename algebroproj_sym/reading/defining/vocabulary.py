@@ -51,51 +51,34 @@ _UNCOMPUTED = (UnreadableError, ZeroDivisionError, TypeError, ValueError, Recurs
 
 @dataclass(frozen=True)
 class Definition:
-    """A symbol, or a function of some letters, that an equation defines.
-
-    Attributes
-    ----------
-    symbol : str
-        As tables write it.
-    parameters : tuple of str
-        The letters that it is a function of.
-    tree : Tree
-        What it stands for.
-    where : str
-        Which equation says so.
-    part : int
-        How many headings come before it.
-    explicit : bool
-        Whether the document says in words or signs that this is a definition.
-    usable : bool
-        Whether it holds without a condition.
-    role : {"definition", "premise", "case"}
-        Whether it is a definition, an equation that a document asserts, or one beside which words speak of a case.
-    place : int
-        Where its display begins, in characters.
-    words : frozenset of str
-        The words beside it.
-    context : Context
-        Where it holds.
-    apart : frozenset of str
-        The words beside what was said of the symbol before, and not beside this: where they return, it does not hold.
-    ranges : tuple of Parsed
-        What is said beside it of the ranges of letters.
-    """
+    """A symbol, or a function of some letters, that an equation defines."""
 
     symbol: str
+    """As tables write it."""
     parameters: tuple[str, ...]
+    """The letters that it is a function of."""
     tree: Formula
+    """What it stands for."""
     where: str
+    """Which equation says so."""
     part: int
+    """How many headings come before it."""
     explicit: bool
+    """Whether the document says in words or signs that this is a definition."""
     usable: bool = True
+    """Whether it holds without a condition."""
     role: Role = "definition"
+    """Whether it is a definition, an equation that a document asserts, or one beside which words speak of a case."""
     place: int = -1
+    """Where its display begins, in characters."""
     words: frozenset[str] = frozenset()
+    """The words beside it."""
     context: Context = ANYWHERE
+    """Where it holds."""
     apart: frozenset[str] = frozenset()
+    """The words beside what was said of the symbol before, and not beside this: where they return, it does not hold."""
     ranges: tuple[Parsed, ...] = ()
+    """What is said beside it of the ranges of letters."""
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:
@@ -319,10 +302,7 @@ class Vocabulary:
     def plain(self, symbol: str) -> Any:
         """Return what a symbol stands for without any definition: letters, or a matrix of them.
 
-        Raises
-        ------
-        UnreadableError
-            If it is a vector or matrix of unknown size.
+        It raises `UnreadableError` if it is a vector or matrix of unknown size.
         """
         if symbol in self.given.symbols:
             return self.given.symbols[symbol]
@@ -421,11 +401,8 @@ class Vocabulary:
     def value(self, tree: Formula) -> Any:
         """Return the expression that a formula stands for, with all definitions put in.
 
-        Raises
-        ------
-        UnreadableError
-            If shapes do not fit, a size is not known, or something is read and not computed; or if there is too much
-            to put in.
+        It raises `UnreadableError` if shapes do not fit, a size is not known, or something is read and not computed; or
+        if there is too much to put in.
         """
         values, self._parts = self._values, 0
         for definition in self.used_in(tree):

@@ -1,7 +1,5 @@
 """Words in boxes: remarks, names, formulas, or words that act on what stands beside them."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 r"""Delimiters behind ``\left`` and ``\right``."""
 
-from __future__ import annotations
-
 from algebroproj_sym.reading.documents.pending import Pending, renamed
 from algebroproj_sym.reading.lexing.commands import CLOSING, OPENING
 from algebroproj_sym.reading.lexing.pieces import Piece

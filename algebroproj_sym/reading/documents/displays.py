@@ -1,7 +1,5 @@
 """Documents: LaTeX, Markdown and Jupyter notebooks as displayed and inline formulas, with the words between them."""
 
-from __future__ import annotations
-
 import json
 import re
 from bisect import bisect_right

@@ -3,8 +3,6 @@ r"""What Markdown escapes within formulas: ``\_`` for a subscript, and ``\\\\`` 
 Where rows end so, ``\\;`` is a space, and ``\\{`` a brace.
 """
 
-from __future__ import annotations
-
 import re
 
 _NAMES = r"\\(?:text[a-z]*|math(?:rm|tt|it|sf)|operatorname\*?|mbox|label|tag)\s*\{[^{}]*\}"

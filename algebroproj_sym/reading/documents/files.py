@@ -3,8 +3,6 @@ r"""The files of a LaTeX document: its own, those that it includes, and the one 
 Only files in one folder are read: that of the document, or that of the whole of which it is a part.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What belongs together though braces or brackets part it: digits of thousands, arguments, and names in brackets."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 

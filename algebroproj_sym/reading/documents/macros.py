@@ -1,7 +1,5 @@
 r"""Macros of a document: ``\newcommand``, ``\def`` and ``\DeclareMathOperator``, expanded within bounds."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,7 +1,5 @@
 """Letters side by side that are one name: SNR, jerk where the text speaks of a jerk, and sin without its backslash."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace

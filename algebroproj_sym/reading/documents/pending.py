@@ -1,7 +1,5 @@
 """The pieces of a formula that are yet to come, and what stands before them."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 

@@ -1,7 +1,5 @@
 r"""Derivatives with their letter below the sign: ``\partial_t u`` is ``\frac{\partial u}{\partial t}``."""
 
-from __future__ import annotations
-
 import re
 
 from algebroproj_sym.reading.documents.pending import Pending

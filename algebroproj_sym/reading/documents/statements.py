@@ -1,7 +1,5 @@
 """Displays as statements: rows and columns that align become equations, each with its number and its conditions."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """A lone array, or a lone distinction of cases, whose rows are equations."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 

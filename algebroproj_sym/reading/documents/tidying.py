@@ -4,8 +4,6 @@ r"""Formulas in few notations: what only looks otherwise becomes what the lexer 
 and ``\right.`` is a distinction of cases, and ``α`` is ``\alpha``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass

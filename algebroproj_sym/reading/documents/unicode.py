@@ -1,7 +1,5 @@
 r"""Letters and signs of Unicode, as LaTeX writes them: ``α`` is ``\alpha``, and ``x̂`` is ``\hat{x}``."""
 
-from __future__ import annotations
-
 import unicodedata
 from collections.abc import Iterable
 

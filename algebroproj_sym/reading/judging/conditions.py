@@ -3,8 +3,6 @@
 Such an equation serves its own sentence, a sentence that goes on from it, and where words cite it.
 """
 
-from __future__ import annotations
-
 import re
 
 from algebroproj_sym.reading.judging.sentences import without_formulas

@@ -1,7 +1,5 @@
 """Every relation decided: as it stands, in other ways, and with the smallest changes."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace

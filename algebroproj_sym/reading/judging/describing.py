@@ -1,7 +1,5 @@
 """What words call a letter: "the wave number $k$", "$k$ is the wave number", or "Gravity $g$" as a title."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 

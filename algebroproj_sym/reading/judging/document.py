@@ -1,7 +1,5 @@
 """A document read once from its beginning to its end, and each relation judged."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 

@@ -5,8 +5,6 @@ stand beside words that speak of a case, and it may not be a new definition of a
 display say nothing of an equation in it that rests on other equations of the display alone: they speak of all of them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import pairwise
 from typing import Any

@@ -1,7 +1,5 @@
 """What equations above one say at another index, as ``x_2 = a x_1`` where ``x_{k+1} = a x_k`` was said."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Which equations say what a letter is, so that there is nothing to check."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from algebroproj_sym.reading.defining.derivatives import derivatives_in

@@ -1,7 +1,5 @@
 """What a document has said up to an equation: definitions, premises, and the words beside it."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace

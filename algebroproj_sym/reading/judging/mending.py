@@ -1,7 +1,5 @@
 """The single changes after which a relation may follow: what a sieve of points leaves is asked of the prover."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """What is asked of the prover: whether two sides are equal, with all definitions put in."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
@@ -28,7 +26,7 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
 from algebroproj_sym.replaying.reals.terms import written
 
 Sides = tuple[Formula, Formula]
@@ -39,28 +37,19 @@ MOST_CALLS = 200
 
 @dataclass(frozen=True)
 class Way:
-    """A way to take a link.
-
-    Attributes
-    ----------
-    left, right : Tree
-        Its sides.
-    vocabulary : Vocabulary
-        What its letters stand for.
-    doubt : str
-        Why it may not be meant if it fails so.
-    reads : str
-        How it is read otherwise than it stands.
-    under : tuple of Premise
-        The equations under which it is to hold.
-    """
+    """A way to take a link."""
 
     left: Formula
     right: Formula
+    """Its sides."""
     vocabulary: Vocabulary
+    """What its letters stand for."""
     doubt: str = ""
+    """Why it may not be meant if it fails so."""
     reads: str = ""
+    """How it is read otherwise than it stands."""
     under: tuple[Premise, ...] = ()
+    """The equations under which it is to hold."""
 
     @property
     def sides(self) -> Sides:
@@ -94,12 +83,8 @@ def rests_of(vocabulary: Vocabulary, *trees: Formula) -> tuple[str, ...]:
 def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_entries: bool = False) -> list[Question]:
     """Return the question whether two sides are equal; of matrices with real functions, one for each entry.
 
-    Where a sign is ± or ∓, both statements are asked.
-
-    Raises
-    ------
-    UnreadableError
-        If a side is no expression, or their shapes differ.
+    Where a sign is ± or ∓, both statements are asked.  It raises `UnreadableError` if a side is no expression, or their
+    shapes differ.
     """
     if any(_has_two_signs(tree) for tree in (left, right)):
         both = [[_with_signs(tree, upper) for tree in (left, right)] for upper in (True, False)]
@@ -270,7 +255,7 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
             each.children[0] in operators for each in definition.tree.find_data("call")
         ):
             continue
-        letters = [_lone(each) for items in call.children[1:] if isinstance(items, Tree) for each in items.children]
+        letters = [lone(without_brackets(each)) for items in trees_in(call) for each in items.children]
         others = [split_symbol(each)[0] for each in letters if each]
         if letters and len(others) == len(letters) and not {*others, *letters} & {*definition.parameters}:
             return definition.symbol
@@ -322,13 +307,6 @@ def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str]
         if inner := _called_outside(vocabulary, function.tree, own, left):
             return inner
     return ""
-
-
-def _lone(tree: object) -> str:
-    """Return the symbol that a formula is; empty if it is more."""
-    while isinstance(tree, Tree) and tree.data in ("group", "items", "bracket", "cell") and len(tree.children) == 1:
-        tree = tree.children[0]
-    return str(tree.children[0]) if isinstance(tree, Tree) and tree.data == "symbol" else ""
 
 
 def _with_values(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:

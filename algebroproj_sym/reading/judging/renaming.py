@@ -1,7 +1,5 @@
 """Which letters words give another meaning from there on: "from here on $b$ is half of it", "$k$ is used for"."""
 
-from __future__ import annotations
-
 import re
 
 from algebroproj_sym.reading.defining.phrases import symbols_in_list

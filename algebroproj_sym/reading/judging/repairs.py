@@ -1,7 +1,5 @@
 """Single changes of a formula, of the sort that a misprint makes: by which of them an equation would follow."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
@@ -40,14 +38,9 @@ class Repair:
 
 
 def repairs(formula: Formula, symbols: Collection[str]) -> list[Repair]:
-    """Return single changes of a formula, the smallest first.
+    """Return single changes of a side of an equation, the smallest first.
 
-    Parameters
-    ----------
-    formula : Tree
-        One side of an equation.
-    symbols : collection of str
-        The symbols that may take the place of one that differs in its index or its primes.
+    The symbols may take the place of one that differs in its index or its primes.
     """
     whole = [("sign", _negated(formula)), *((MULTIPLE, each) for each in _doubled(formula))]
     found = [Repair(kind, formula, now, now) for kind, now in whole]

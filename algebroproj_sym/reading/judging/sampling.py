@@ -1,7 +1,5 @@
 """Whether the sides of a relation agree where letters are numbers: a sieve before the prover is asked."""
 
-from __future__ import annotations
-
 from cmath import isnan
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
@@ -30,14 +28,7 @@ _NEARLY = 1e-9
 class Sample:
     """A point at which formulas are evaluated; what several formulas share is evaluated once.
 
-    Parameters
-    ----------
-    vocabulary : Vocabulary
-        What letters stand for.
-    seed : int
-        Which numbers the letters get.
-    given : mapping of str to Fraction
-        The numbers of some letters, by their names.
+    The seed says which numbers letters get, but for those whose numbers are given.
     """
 
     def __init__(self, vocabulary: Vocabulary, seed: int, given: Mapping[str, Fraction] | None = None) -> None:

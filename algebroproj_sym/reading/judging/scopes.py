@@ -16,17 +16,12 @@ _QUOTED = re.compile(r"(?:^|\n)[ \t]*>[> \t]*$")
 
 @dataclass(frozen=True)
 class Scopes:
-    """Where the quotation, the example and the theorem begin in which a display stands; None for none.
-
-    Attributes
-    ----------
-    example, quoted, theorem : int, optional
-        The places of their first displays.
-    """
+    """Where the quotation, the example and the theorem begin in which a display stands; None for none."""
 
     example: int | None = None
     quoted: int | None = None
     theorem: int | None = None
+    """The places of their first displays."""
 
     def at(self, display: Display) -> tuple[Scopes, list[int], list[int]]:
         """Return where a display stands, and from which places on nothing, or nothing supposed, holds any more."""

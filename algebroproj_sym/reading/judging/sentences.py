@@ -1,7 +1,5 @@
 """Sentences and their words, without formulas, and without what a derivation says anyway."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection
 

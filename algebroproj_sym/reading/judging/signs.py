@@ -3,8 +3,6 @@
 Nor does what needs the inverse of a matrix that words call singular, or divides by the product of orthogonal vectors.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import replace

@@ -5,8 +5,6 @@ refutes that.  So sides that have the same factors, but for their order, contrad
 has no powers.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,7 +14,7 @@ from typing import Any
 from lark import Token
 
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, trees_in, without_brackets
 
 MOST_FACTORS = 200
 """How many factors of a side are compared."""
@@ -87,8 +85,7 @@ def _terms(tree: Formula, vocabulary: Vocabulary) -> list[_Term]:
 
 def _put_in(tree: Formula, vocabulary: Vocabulary, depth: int = 0) -> Formula:
     """Return what a letter stands for, and what stands in brackets."""
-    while tree.data in IN_BRACKETS and len(trees_in(tree)) == len(tree.children) == 1:
-        (tree,) = trees_in(tree)
+    tree = without_brackets(tree)
     known = vocabulary.definitions.get(str(tree.children[0])) if tree.data == "symbol" else None
     if known is None or known.parameters or depth > MOST_DEEP:
         return tree

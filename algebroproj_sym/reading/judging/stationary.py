@@ -4,8 +4,6 @@ The derivative is the one that is given last above it.  Where it is zero, the le
 accent or a star, as in ``\hat\mu``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
@@ -50,16 +48,7 @@ _ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
 def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection[str], above: int) -> list[Premise]:
     """Return that the derivatives above an equation are zero, if its sentence says so.
 
-    Parameters
-    ----------
-    beside : Beside
-        The words beside the equation.
-    premises : sequence of Premise
-        The equations above it.
-    letters : collection of str
-        The letters of the equation that nothing gives.
-    above : int
-        Where the display just above it begins, in characters.
+    The letters are those of the equation that nothing gives, and above is where the display just above it begins.
     """
     match = _TO_ZERO.search(beside.sentence)
     if match is None or _OTHERWISE.search(beside.sentence):

@@ -1,7 +1,5 @@
 """What the sentence of an equation supposes: an equation within the text, as in "since $b = 0$, the sum is"."""
 
-from __future__ import annotations
-
 import re
 
 from algebroproj_sym.reading.documents.displays import Display

@@ -1,7 +1,5 @@
 """What a verdict says: of a relation, and of an equation of a document."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
@@ -24,39 +22,26 @@ TRUE_HERE = "is true here"
 
 @dataclass(frozen=True)
 class Link:
-    """One relation of a chain.
-
-    Attributes
-    ----------
-    verdict : str
-        One of `VERDICTS`.
-    reason : str
-        Why it is not decided, or what else there is to say.
-    rests_on : tuple of str
-        Definitions, equations above it, derivatives, and words.
-    hypotheses : tuple of str
-        What is not zero where it holds, and which equations must be true there as well.
-    counterexample : mapping of str to str, or None
-        A point at which the sides differ.
-    suggestion : str
-        The smallest change by which it would follow; empty for none.
-    certificate : mapping or None
-        The evidence.
-    asked : tuple of Question
-        What the prover was asked, with all definitions put in.
-    corrected : str
-        The right side with the suggested change, if it is one of the right side.
-    """
+    """One relation of a chain."""
 
     verdict: Verdict
+    """One of `VERDICTS`."""
     reason: str = ""
+    """Why it is not decided, or what else there is to say."""
     rests_on: tuple[str, ...] = ()
+    """Definitions, equations above it, derivatives, and words."""
     hypotheses: tuple[str, ...] = ()
+    """What is not zero where it holds, and which equations must be true there as well."""
     counterexample: Mapping[str, str] | None = None
+    """A point at which the sides differ."""
     suggestion: str = ""
+    """The smallest change by which it would follow; empty for none."""
     certificate: Mapping[str, Any] | None = field(default=None, repr=False)
+    """The evidence."""
     asked: tuple[Question, ...] = field(default=(), repr=False)
+    """What the prover was asked, with all definitions put in."""
     corrected: str = field(default="", repr=False)
+    """The right side with the suggested change, if it is one of the right side."""
 
 
 @dataclass(frozen=True)

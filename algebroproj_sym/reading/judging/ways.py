@@ -1,7 +1,5 @@
 """The ways in which a relation may be meant, and on what of the document it may rest in each."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -12,7 +10,7 @@ from itertools import combinations
 from lark import Tree
 
 from algebroproj_sym.reading.defining.arguments import Changed, alike, known_without, premise_without, without_arguments
-from algebroproj_sym.reading.defining.components import columns_as_letters, with_letters
+from algebroproj_sym.reading.defining.components import columns_as_letters
 from algebroproj_sym.reading.defining.dependence import free_symbols, index_of, letters_of_symbol
 from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
 from algebroproj_sym.reading.defining.ends import with_same_ends
@@ -45,7 +43,7 @@ from algebroproj_sym.reading.judging.indexed import instance_of, instances, sour
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in, with_divided_angles
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, regrouped, symbols_in, with_divided_angles
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
@@ -64,36 +62,24 @@ _CHANGES = frozenset(
 
 @dataclass(frozen=True)
 class Standing:
-    """Where an equation stands: what is known there, and what it may rest on.
-
-    Attributes
-    ----------
-    survey : Survey
-        What is known of the whole document.
-    vocabulary : Vocabulary
-        What letters stand for there.
-    beside : Beside
-        The words beside it.
-    part : int
-        How many headings come before it.
-    premises : sequence of Premise
-        The equations above it that hold there.
-    cited : frozenset of str
-        The labels and numbers that words before it name.
-    given_at : mapping of str to int
-        Where each letter was alone on a side for the last time.
-    own : sequence of Premise
-        The equations within the text that its own sentence supposes.
-    """
+    """Where an equation stands: what is known there, and what it may rest on."""
 
     survey: Survey
+    """What is known of the whole document."""
     vocabulary: Vocabulary
+    """What letters stand for there."""
     beside: Beside
+    """The words beside it."""
     part: int
+    """How many headings come before it."""
     premises: Sequence[Premise]
+    """The equations above it that hold there."""
     cited: frozenset[str]
+    """The labels and numbers that words before it name."""
     given_at: Mapping[str, int]
+    """Where each letter was alone on a side for the last time."""
     own: Sequence[Premise] = ()
+    """The equations within the text that its own sentence supposes."""
 
     @property
     def follows(self) -> bool:
@@ -442,7 +428,7 @@ def _with_columns(standing: Standing, formula: Parsed, index: int) -> Iterator[W
     letters = columns_as_letters([*formula.sides[index : index + 2], *known, *near])
     names = {str(letter.children[0]): standing.vocabulary.text(column) for column, letter in letters.items()}
     if letters:
-        yield from _changed(standing, formula, index, {}, partial(with_letters, letters=letters), names)
+        yield from _changed(standing, formula, index, {}, partial(put_in, values=letters), names)
 
 
 def _changed(

@@ -1,7 +1,5 @@
 """What the words beside an equation say of it: that it follows, or that it may be of a case or of another thing."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -135,34 +133,23 @@ ASKS = re.compile(r"\W*(?:exercises?|problems?|questions?|quiz|tasks?|puzzle|hom
 
 @dataclass(frozen=True)
 class Beside:
-    """The words beside an equation.
-
-    Attributes
-    ----------
-    sentence : str
-        Its own sentence, up to it.
-    before, behind : str
-        The words near it, before it, and behind it up to the full stop.
-    condition : str
-        The words in its display.
-    implied : bool
-        Whether an arrow leads to it.
-    part : int
-        How many headings come before it.
-    place : int
-        Where its display begins, in characters.
-    ends : bool
-        Whether its sentence ends before the next equation.
-    """
+    """The words beside an equation."""
 
     sentence: str
+    """Its own sentence, up to it."""
     before: str
     behind: str
+    """The words near it, before it, and behind it up to the full stop."""
     condition: str
+    """The words in its display."""
     implied: bool
+    """Whether an arrow leads to it."""
     part: int
+    """How many headings come before it."""
     place: int
+    """Where its display begins, in characters."""
     ends: bool
+    """Whether its sentence ends before the next equation."""
 
     def case(self, given: Collection[str] = ()) -> str:
         """Return a word by which the equation may be of a case; empty for none.

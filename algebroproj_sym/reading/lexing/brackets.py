@@ -1,7 +1,5 @@
 """Brackets, bars, matrices and distinctions of cases."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """The commands of LaTeX that a formula may have, and what they stand for."""
 
-from __future__ import annotations
-
 import re
 
 MAX_NESTING = 30

@@ -1,7 +1,5 @@
 """What has an argument: fractions, roots, sums, integrals, derivatives and functions."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import replace

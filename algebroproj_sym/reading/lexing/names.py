@@ -1,7 +1,5 @@
 """Letters with their accents, primes, subscripts and powers: what is one name, and what is raised."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """LaTeX as pieces: control sequences and characters, each with its place in the source."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import accumulate

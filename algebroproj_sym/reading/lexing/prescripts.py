@@ -1,7 +1,5 @@
 """Letters in braces, and letters with scripts before them, as of a frame."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 

@@ -4,8 +4,6 @@ What LaTeX leaves to the eye is decided in this folder: how far an argument goes
 a value or a product.  What only concerns the looks is dropped.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
@@ -67,21 +65,12 @@ def tokens_of(
 ) -> tuple[list[Token], str]:
     """Return the tokens of a formula, and what the reader had to choose, such as how far an argument goes.
 
-    Parameters
-    ----------
-    pieces : sequence of Piece
-        As `pieces_of` gives them.
-    known : callable
-        Whether a symbol with a superscript is a name of its own, and no power.
-    functions : collection of str, optional
-        The letters that are functions; without it, letters before brackets are factors, and d is no differential.
-    wide_arguments : bool
-        Whether the argument of a function goes on over letters that follow one another.
+    `known` says whether a symbol with a superscript is a name of its own, and no power.  `functions` are the letters
+    that are functions; without it, letters before brackets are factors, and d is no differential.  With
+    `wide_arguments` the argument of a function goes on over letters that follow one another.
 
-    Raises
-    ------
-    UnreadableError
-        Naming the place: where a command is not known, a bracket is missing or there is more than there may be.
+    It raises `UnreadableError`, which names the place, where a command is not known, a bracket is missing or there is
+    more than there may be.
     """
     if len(pieces) > MAX_PIECES:
         raise UnreadableError(f"expected a formula of at most {MAX_PIECES} pieces, got {len(pieces)}", pieces[0].place)

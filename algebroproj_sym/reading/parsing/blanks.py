@@ -1,7 +1,5 @@
 """Empty entries of matrices of numbers: zeros, as they are printed in eliminations and factorizations."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

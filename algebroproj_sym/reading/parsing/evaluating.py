@@ -1,7 +1,5 @@
 """A tree becomes a SymPy expression."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import partial, reduce
 from typing import Any, Protocol

@@ -1,13 +1,11 @@
 """Formulas in LaTeX are parsed to trees.  The grammar is in ``latex.lark``."""
 
-from __future__ import annotations
-
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, Self
 
 from lark import Lark, Token, Tree
 from lark.exceptions import UnexpectedInput, UnexpectedToken
@@ -37,7 +35,7 @@ class Parsed:
     chose: str = ""
     """What LaTeX leaves open, and the reader chose; empty for nothing."""
 
-    def without_set(self) -> Parsed:
+    def without_set(self) -> Self:
         r"""Return the formula without the set to which its sides belong, as in ``q = a/b \in [0, 1]``."""
         is_member = len(self.relations) > 1 and self.relations[-1] == "∈"
         return replace(self, sides=self.sides[:-1], relations=self.relations[:-1]) if is_member else self
@@ -49,16 +47,9 @@ def parsed(
     functions: Collection[str] | None = None,
     wide_arguments: bool = True,
 ) -> Parsed:
-    """Parse a formula.
+    """Parse a formula: one expression, or several joined by relations.  The other arguments are as for `tokens_of`.
 
     It raises `UnreadableError` if the text is no formula of the grammar; it says where reading stopped.
-
-    Parameters
-    ----------
-    latex : str or sequence of Piece
-        One expression, or several joined by relations.
-    known, functions, wide_arguments
-        As for `tokens_of`.
     """
     pieces = _without_end(pieces_of(latex) if isinstance(latex, str) else list(latex))
     if functions is not None and (sides := split_pieces(pieces, MAPS))[1:] and _is_map(sides[0]):
@@ -162,16 +153,30 @@ def with_divided_angles(tree: Formula) -> Formula:
 
 _WAVES = ("sin", "cos", "tan", "cot")
 
-IN_BRACKETS = ("group", "bracket", "items")
+UNSEEN = ("group", "items")
+"""What has unseen brackets round it, as an exponent in braces."""
+IN_BRACKETS = (*UNSEEN, "bracket")
 """What has brackets, seen or unseen, round it."""
 _OF_SYMBOLS = ("SYMBOL", "CALLEE", "OPAQUE")
 
 
-def without_brackets(tree: Formula) -> Formula:
-    """Return what stands in the brackets round a whole side."""
-    while tree.data in IN_BRACKETS and len(tree.children) == 1 and isinstance(tree.children[0], Tree):
-        tree = tree.children[0]
+def without_brackets(tree: Any, brackets: Collection[str] = IN_BRACKETS) -> Any:
+    """Return what stands in the brackets round a whole formula."""
+    while isinstance(tree, Tree) and tree.data in brackets and len(tree.children) == 1:
+        (tree,) = tree.children
     return tree
+
+
+def put_in(tree: Formula, values: Mapping[Formula, Formula]) -> Formula:
+    """Return a formula with others for some of its parts."""
+    if tree in values:
+        return values[tree]
+    return Tree(tree.data, [put_in(each, values) if isinstance(each, Tree) else each for each in tree.children])
+
+
+def lone(tree: Any) -> str:
+    """Return the symbol that a formula is; empty if it is more."""
+    return str(tree.children[0]) if isinstance(tree, Tree) and tree.data == "symbol" else ""
 
 
 def symbols_in(tree: Formula) -> list[str]:

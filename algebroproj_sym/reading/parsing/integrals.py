@@ -1,7 +1,5 @@
 """Integrals between bounds of powers, exponentials, waves and ``1/(a x + b)``, and of products with powers."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy

@@ -1,7 +1,5 @@
 """Formulas in letters as SymPy's matrix expressions: nothing is multiplied out."""
 
-from __future__ import annotations
-
 from functools import reduce
 from operator import add
 from typing import Any

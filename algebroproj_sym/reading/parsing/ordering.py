@@ -1,7 +1,5 @@
 """Formulas whose terms and factors keep the order and the brackets of print."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy

@@ -1,7 +1,5 @@
 r"""Primes that transpose, as in ``(X'X)^{-1} X'y``: where a document has such a product, or says so."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import replace
@@ -10,7 +8,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, trees_in
 
 _SAID = re.compile(r"\bprimes?\b[^.$]*(?:\$[^$]*\$)?[^.$]*\btranspos", re.IGNORECASE)
 _OTHERWISE = re.compile(r"\bprimes?\b(?![^.]*\btranspos)|\bderivative of\b[^.$]*\bprime", re.IGNORECASE)
@@ -37,13 +35,13 @@ def _has_square(power: Formula) -> bool:
     base, exponent = trees_in(power)
     inverts = [*exponent.scan_values(lambda each: True)] == ["-", "1"]
     pairs = [pair for each in base.find_data("run") for pair in pairwise(trees_in(each))] if inverts else []
-    return any(_primed(one) == _symbol(other) != "" and _symbol(other)[0].isupper() for one, other in pairs)
+    return any(_primed(one) == lone(other) != "" and lone(other)[0].isupper() for one, other in pairs)
 
 
 def _is_sandwich(tree: Formula) -> bool:
     """Whether something stands between a capital and the same one with a prime."""
     first, *_, last = trees_in(tree) if tree.data == "run" and len(tree.children) > 2 else (tree, tree)
-    return _primed(last) == _symbol(first) != "" and _symbol(first)[0].isupper()
+    return _primed(last) == lone(first) != "" and lone(first)[0].isupper()
 
 
 def with_transposes(formula: Parsed) -> Parsed:
@@ -59,11 +57,7 @@ def _turned(tree: Any) -> Any:
     return Tree(tree.data, [*map(_turned, tree.children)])
 
 
-def _symbol(tree: Formula) -> str:
-    return str(tree.children[0]) if tree.data == "symbol" else ""
-
-
 def _primed(tree: Formula) -> str:
     """Return the letter of which a symbol is the one with a prime; empty if it has none, or several."""
-    symbol = _symbol(tree)
+    symbol = lone(tree)
     return symbol.replace("'", "") if symbol.count("'") == 1 and "/" not in symbol and " " not in symbol else ""

@@ -1,7 +1,5 @@
 """A tree becomes text."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Any
 

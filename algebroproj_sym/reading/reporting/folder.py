@@ -1,7 +1,5 @@
 """A document as a derivation folder: its words as cells, its equations as quotes, and what was found as claims."""
 
-from __future__ import annotations
-
 import json
 import re
 import textwrap
@@ -14,10 +12,10 @@ from typing import Any
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.proving import Question
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.documents.displays import HEADING, MAX_WORDS, Display
 from algebroproj_sym.reading.documents.files import UnreadableDocumentError
 from algebroproj_sym.reading.judging.questions import values_of
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
-from algebroproj_sym.reading.reporting.prose import prose_before, title_of
 
 _WIDTH = 100
 _SLUG = 40
@@ -47,7 +45,7 @@ def write_folder(document: Path, readings: Sequence[Reading], given: SymbolsFile
     }
     for place, group in groupby(readings, key=lambda each: each.statement.display.part):
         part, found = place + 1, [*group]
-        title = title_of(found[0].statement.display) or f"Part {part}"
+        title = _title_of(found[0].statement.display) or f"Part {part}"
         slug = re.sub(r"[\W_]+", "_", title.lower(), flags=re.ASCII).strip("_")[:_SLUG].strip("_") or "part"
         files[f"s{part:02}_{slug}.py"] = "".join(_module(name, part, title, found, numbers))
         if quotes := "\n".join(_quotes(found, numbers)):
@@ -97,7 +95,7 @@ def _module(paper: str, part: int, title: str, readings: Sequence[Reading], numb
     yield f"# %% [markdown]\n# # {title}\n{_HEADER.format(paper=paper, number=part, title=json.dumps(title))}"
     for reading in readings:
         yield "\n# %% [markdown]\n"
-        yield "".join(f"# {line}\n" for line in textwrap.wrap(prose_before(reading.statement.display), _WIDTH))
+        yield "".join(f"# {line}\n" for line in textwrap.wrap(_prose_before(reading.statement.display), _WIDTH))
         yield f"# $$ {' '.join(reading.latex.split())} $$\n\n# %%\n"
         for claim in _claims(reading, numbers[id(reading)]):
             yield _claim(*claim, str(reading.where))
@@ -139,3 +137,67 @@ def _symbols(given: SymbolsFile | None) -> str:
         return text
     letters = "".join(f"{json.dumps(name)} = {json.dumps(value)}\n" for name, value in given.whole.letters.items())
     return f"{text}\n[table.letters]\n{letters}" if letters else text
+
+
+_FORMULA = re.compile(r"(\$[^$]*\$)")
+_SENTENCE = re.compile(r"(?<=[.!?])\s+|\n\s*\n")
+_WRITTEN = (
+    (re.compile(r"\\(?:label|index|vspace|hspace|includegraphics|bibliography\w*)\*?(?:\[[^\]]*\])?\{[^{}]*\}"), " "),
+    (re.compile(r"\\(?:begin|end)\{[^{}]*\}(?:\[[^\]]*\])?"), " "),
+    (re.compile(r"\\cite\w*\*?(?:\[[^\]]*\])*\{([^{}]*)\}"), r"[\1]"),
+    (re.compile(r"\\(?:eq|auto|c|C|page)?ref\*?\{([^{}]*)\}"), r"\1"),
+    (re.compile(r"\\item\b"), " - "),
+    (re.compile(r"\\([%&#_$])"), r"\1"),
+    (re.compile(r"\\[a-zA-Z]+\*?(?:\[[^\]]*\])?|\\.|[{}~]"), " "),
+    (re.compile(r"``|''"), '"'),
+    (re.compile(r"\s+([.,;:)])"), r"\1"),
+)
+"""What stands for commands: nothing for places, names for what is cited, and for other commands their arguments."""
+
+
+def _title_of(display: Display) -> str:
+    r"""Return the title of the section that a formula is the first one of; empty for none.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.documents.displays import document_of
+    >>> _title_of(document_of(r"\section{The \emph{thin} lens} Let $$ a = b $$").formulas[0])
+    'The thin lens'
+    """
+    return _plain(_section(display)[0].strip().lstrip("*"))
+
+
+def _prose_before(display: Display) -> str:
+    r"""Return the words before a formula, from the beginning of its section on.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.documents.displays import document_of
+    >>> document = document_of(r"With \textbf{bold} $\hat{n}$, by \cite{a} and Eq.~\eqref{b}, $$ a = b $$")
+    >>> _prose_before(document.formulas[1])
+    'With bold $\\hat{n}$, by [a] and Eq. b,'
+    >>> document = document_of("One.\n\n---\nTwo.\nThree $$ a = b $$", latex=False)
+    >>> _title_of(document.formulas[0]), _prose_before(document.formulas[0])
+    ('', 'Two. Three')
+    """
+    words = _section(display)[1]
+    return _plain(words if len(words) < MAX_WORDS else _SENTENCE.split(words, maxsplit=1)[-1])
+
+
+def _section(display: Display) -> tuple[str, str]:
+    """Return the title of the heading before a formula, which may have none, and the words behind it."""
+    _, heading, rest = display.before.rpartition(HEADING)
+    title, _, words = rest.partition(".\n") if heading and not rest.startswith("\n") else ("", "", rest)
+    return title, words
+
+
+def _plain(words: str) -> str:
+    parts = _FORMULA.split(words)
+    parts[::2] = map(_without_commands, parts[::2])
+    return " ".join("".join(parts).split())
+
+
+def _without_commands(words: str) -> str:
+    for pattern, text in _WRITTEN:
+        words = pattern.sub(text, words)
+    return words

@@ -1,7 +1,5 @@
 """Checking statements in letters: counterexamples and witnesses by exact matrices, proofs in words and by entries."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace

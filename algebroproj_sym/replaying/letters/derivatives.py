@@ -1,7 +1,5 @@
 """Derivatives in letters, worked out by code of its own: a form and its change go together, as with dual numbers."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

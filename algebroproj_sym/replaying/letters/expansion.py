@@ -1,7 +1,5 @@
 """Checking that what a claim about entries, such as a rank, states in letters has these entries."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

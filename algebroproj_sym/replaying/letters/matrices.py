@@ -1,7 +1,5 @@
 """Matrices entry by entry in any algebra: of fractions, of rational functions, of residues."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
@@ -248,12 +246,7 @@ _OF_ONE_OR_TWO: Mapping[str, Callable[..., Any]] = {
 class Coordinates:
     """The numbers by which the entries of a letter are given, so that every matrix of its kind is reached.
 
-    Attributes
-    ----------
-    names : list of str
-        The numbers.
-    signs : list of str
-        Those of them that are 1 or -1.
+    `names` are the numbers, and `signs` those of them that are 1 or -1.
     """
 
     def __init__(self, name: str, letter: Letter) -> None:

@@ -12,8 +12,6 @@ An atom is a number, a name, a sum in parentheses, or a function of some; ``eye`
 ``block`` has rows in brackets.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction

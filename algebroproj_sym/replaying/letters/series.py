@@ -3,8 +3,6 @@
 N is the square of an angle, c0, c1, ... are Stumpff's functions of N: ``c_k = 1/k! - N/(k + 2)! + N**2/(k + 4)! - ...``
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction

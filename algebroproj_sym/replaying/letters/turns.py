@@ -5,8 +5,6 @@ rational function of it that is not zero at some rational number is not zero the
 zero at such a number, not zero itself, is zero there too.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from fractions import Fraction
@@ -22,15 +20,7 @@ _MULTIPLE = re.compile(r"(-?)(?:([1-9][0-9]*)\*)?(?:acos\((-?[0-9]+/[0-9]+)\)|pi
 
 
 class Turn:
-    """An angle, with a rational number in its place.
-
-    Attributes
-    ----------
-    value : Fraction
-        The number.
-    names : set of str
-        The letters and numbers that are multiples of the angle.
-    """
+    """An angle, with a rational number in its place; `names` are the letters and numbers that are multiples of it."""
 
     def __init__(self, value: Fraction) -> None:
         require(value > 0, "what stands for an angle is not positive")

@@ -4,8 +4,6 @@ An atom is a text, entered with its shape and with what it becomes when it is tr
 numbers are taken out of it, as texts of their own.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import pairwise
@@ -41,10 +39,7 @@ class _Atom(NamedTuple):
 class Words:
     """The algebra of the words in some letters.
 
-    Attributes
-    ----------
-    is_sized : bool
-        Whether something was used that holds for the given sizes alone.
+    `is_sized` says whether something was used that holds for the given sizes alone.
 
     Examples
     --------

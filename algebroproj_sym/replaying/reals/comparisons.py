@@ -1,7 +1,5 @@
 """Comparisons of terms, as relations to zero."""
 
-from __future__ import annotations
-
 import re
 
 from algebroproj_sym.replaying.reals.definitions import Condition

@@ -3,8 +3,6 @@
 A complex variable ``z`` has the parts ``z_re`` and ``z_im``; other variables are real, and ``I`` is the imaginary unit.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, TypeAlias

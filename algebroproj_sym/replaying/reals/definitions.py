@@ -1,7 +1,5 @@
 """What functions are defined as, where terms are defined and smooth, their derivatives and expansions."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache

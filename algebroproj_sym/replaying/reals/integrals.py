@@ -5,8 +5,6 @@ interval of the domain.  For an integral from a to b, f and an antiderivative F 
 with the ends; both are composed of continuous functions.  Between the ends F is shown to have the derivative f.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 

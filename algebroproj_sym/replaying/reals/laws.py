@@ -4,8 +4,6 @@ A law takes a theory and the entries of a step, rejects the step if a side condi
 adds what follows.  Products of facts are given as powers by the places of the facts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """Statements of several parts: entries of matrices, or real and imaginary parts, compared where all are defined."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Any

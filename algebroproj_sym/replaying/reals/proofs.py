@@ -3,8 +3,6 @@
 The laws here are those that need a proof of something else, or values on a whole range.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise

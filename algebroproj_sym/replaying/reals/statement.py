@@ -1,7 +1,5 @@
 """Statements about real functions: what they say, and whether a proof or a point shows it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -5,8 +5,6 @@ facts that hold for it wherever it is defined.  A statement may use that it is d
 shown to be defined first.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Values of terms at rational points: exact where they are rational, else enclosed, in whatever arithmetic."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 from math import isqrt

@@ -1,7 +1,5 @@
 """What the page asks, and what it is told.  It runs in the browser, so it imports only what an answer needs."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Mapping
 from typing import Any

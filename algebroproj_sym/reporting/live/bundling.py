@@ -1,7 +1,5 @@
 """The files that a site with the prover has beside its pages."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import tarfile

@@ -3,8 +3,6 @@
 It runs with nothing but the standard library.
 """
 
-from __future__ import annotations
-
 import ast
 import marshal
 import re

@@ -1,7 +1,5 @@
 """Fetching what the prover needs in a browser: packages by name and version, each with a known digest."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import tomllib

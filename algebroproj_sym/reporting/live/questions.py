@@ -1,7 +1,5 @@
 """What a reader can change on the page of a claim."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any

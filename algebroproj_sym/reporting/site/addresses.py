@@ -1,7 +1,5 @@
 """Where each page is: file names that depend on paper and number alone, so that a citation stays valid."""
 
-from __future__ import annotations
-
 from posixpath import dirname, relpath
 
 START = "index.html"

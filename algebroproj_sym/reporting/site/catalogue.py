@@ -1,7 +1,5 @@
 """What the site is about: papers, their sections, claims with verdicts, and the functions that rest on them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,17 +1,16 @@
 """The page of a claim, and the pages that list claims: papers and errata."""
 
-from __future__ import annotations
-
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from algebroproj_sym.declaring import KINDS, Grade, Judgement, bibtex
 from algebroproj_sym.reporting.findings import HEADINGS, Finding, by_grade, gathered
 from algebroproj_sym.reporting.ledger import summary
 from algebroproj_sym.reporting.live.questions import question
-from algebroproj_sym.reporting.site.addresses import START, errata_page, paper_page
+from algebroproj_sym.reporting.site.addresses import START, errata_page, paper_page, relative
 from algebroproj_sym.reporting.site.catalogue import Catalogue, Entry, Paper
 from algebroproj_sym.reporting.site.comparison import (
     comparison,
@@ -22,7 +21,6 @@ from algebroproj_sym.reporting.site.comparison import (
 )
 from algebroproj_sym.reporting.site.evidence import evidence
 from algebroproj_sym.reporting.site.formulas import block, described, listed
-from algebroproj_sym.reporting.site.prose import linked
 from algebroproj_sym.reporting.site.symbols import MOST, Symbols, names_of
 from algebroproj_sym.reporting.site.templating import page
 from algebroproj_sym.showing.arranging import Part, as_declared
@@ -54,7 +52,7 @@ def claim_html(
         where=where(claim),
         sentences=sentences,
         tables=tables,
-        note=linked(claim.note, entry.claim.paper, entry.page, catalogue),
+        note=_linked(claim.note, entry.claim.paper, entry.page, catalogue),
         instead=catalogue.by_number.get((entry.claim.paper, claim.instead)),
         functions=catalogue.functions_on(entry.claim),
         most_listed=MOST_LISTED,
@@ -88,7 +86,7 @@ def paper_files(catalogue: Catalogue, paper: Paper, with_graph: frozenset[str]) 
     address = errata_page(paper.about.key)
 
     def with_links(text: str) -> Markup:
-        return linked(text, paper.about.key, address, catalogue)
+        return _linked(text, paper.about.key, address, catalogue)
 
     def instead(entry: Entry) -> Entry | None:
         return catalogue.by_number.get((paper.about.key, entry.claim.instead))
@@ -133,7 +131,7 @@ def _headlines(catalogue: Catalogue) -> list[tuple[Entry, Markup, Markup, Markup
     for finding in every["results"]:
         entry = catalogue.by_number[finding.claim.paper, finding.claim.number]
         if MARK in _line(entry):
-            found.append((entry, *_erratum(entry), linked(finding.follows, entry.claim.paper, START, catalogue)))
+            found.append((entry, *_erratum(entry), _linked(finding.follows, entry.claim.paper, START, catalogue)))
     return found[:3]
 
 
@@ -194,3 +192,24 @@ def _side(part: Part, forms: Mapping[Part, Any], marks: Mapping[Part, Marks]) ->
 def _stated(entry: Entry) -> Markup:
     part: Part = "corrected" if entry.claim.printed is None else "printed"
     return block(as_declared(entry.claim, part), label="form", ordered=False)
+
+
+_NUMBER = re.compile(
+    r"(?<![\w./#-])(?:table:)?\d+[a-z]?(?:\.\d+|/[^\s/#,;()]*[^\s/#,;().:])+(?:#[^\s,;()]*[^\s,;().:])?"
+)
+
+
+_ELSEWHERE = re.compile(r" See docs/[\w/.-]*\w\.")
+"""A reference to the documentation, which the site does not have."""
+
+
+def _linked(text: str, paper: str, page: str, catalogue: Catalogue) -> Markup:
+    """Return a text, escaped, with links to the claims of a paper that it names."""
+    text, result, end = _ELSEWHERE.sub("", text), Markup(), 0
+    for match in _NUMBER.finditer(text):
+        entry = catalogue.by_number.get((paper, match.group()))
+        if entry is None or entry.page == page:
+            continue
+        link = Markup('<a href="{}">{}</a>').format(relative(entry.page, page), entry.claim.number)
+        result, end = result + escape(text[end : match.start()]) + link, match.end()
+    return result + escape(text[end:])

@@ -1,7 +1,5 @@
 """The printed and the derived form of a claim side by side, with what differs marked."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction

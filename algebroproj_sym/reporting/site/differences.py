@@ -1,7 +1,5 @@
 """What differs between two forms, as marks for whoever writes them: the sign, the factor or the term."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import lru_cache
 from itertools import product

@@ -1,7 +1,5 @@
 """The evidence for a verdict as readable data: points, values, cofactors."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction

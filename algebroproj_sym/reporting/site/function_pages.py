@@ -1,7 +1,5 @@
 """The page of a generated function, and the list of all of them."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """The graphs of what rests on what: the sections of a paper, and the equations and functions of a section."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 

@@ -3,8 +3,6 @@
 The layout is the one of Sugiyama: columns by the longest path, order in a column by the mean of the neighbours.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -34,16 +32,10 @@ class Vertex:
 
 
 def graph_svg(vertices: Sequence[Vertex], bases: Bases, label: str) -> Markup:
-    """Return a graph as SVG.
+    """Return a graph as SVG, with a label for screen readers.
 
-    Parameters
-    ----------
-    vertices : sequence of Vertex
-        Those of a column are in this order, as far as their edges leave it open.
-    bases : mapping of str to sequence of str
-        What each vertex rests on.  An edge that a path makes superfluous is not drawn, nor one that closes a circle.
-    label : str
-        What a screen reader calls the graph.
+    The vertices of a column are in the given order, as far as their edges leave it open.  An edge that a path makes
+    superfluous is not drawn, nor one that closes a circle.
     """
     names = [vertex.name for vertex in vertices]
     forwards = without_circles(names, bases)

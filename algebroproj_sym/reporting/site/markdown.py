@@ -1,7 +1,5 @@
 """Markdown with LaTeX as HTML with MathML: no script, no network, and no markup but that of Markdown."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from functools import cache

@@ -1,7 +1,5 @@
 """LaTeX as presentation MathML, of the core that browsers draw without a script."""
 
-from __future__ import annotations
-
 import re
 from functools import lru_cache
 from typing import Literal, TypeAlias
@@ -24,12 +22,7 @@ _ROW_OF_ONE = re.compile(r"<mrow>(<m([ino])[^>]*>[^<]*</m\2>)</mrow>")
 def math(formula: str, style: Style = "large") -> Markup:
     r"""Return a formula that is written in LaTeX as MathML.
 
-    Parameters
-    ----------
-    formula : str
-        LaTeX.
-    style : {"block", "large", "inline"}
-        A block of its own; in a line, but as large as in a block; as small as the text around it.
+    It is a block of its own; in a line, but as large as in a block; or as small as the text around it.
 
     Examples
     --------

@@ -1,7 +1,5 @@
 """The pages of the notebooks: text, code, and below each cell the claims that it declares, with their verdicts."""
 
-from __future__ import annotations
-
 import ast
 from base64 import b64encode
 from collections.abc import Callable, Mapping

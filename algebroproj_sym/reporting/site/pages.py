@@ -1,7 +1,5 @@
 """All files of the site."""
 
-from __future__ import annotations
-
 import json
 
 from algebroproj_sym.declaring import quotes_of

@@ -1,7 +1,5 @@
 """The errors of a function as pictures: a row for each stratum, and error against distance near a singularity."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import isfinite, log10
 

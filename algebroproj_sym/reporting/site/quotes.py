@@ -1,7 +1,5 @@
 """What a paper prints, as it is read: formulas as formulas, sentences as sentences, rows of a table as rows."""
 
-from __future__ import annotations
-
 import re
 
 from markupsafe import Markup, escape

@@ -1,7 +1,5 @@
 """The index of the search: numbers, titles and symbols, as a script that a page can load from disk."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterable

@@ -3,8 +3,6 @@
 A paper has a page of its symbols, and each of them as a card, which the pages of claims show beside a formula.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterator

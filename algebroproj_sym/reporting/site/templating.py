@@ -1,7 +1,5 @@
 """The templates of the pages."""
 
-from __future__ import annotations
-
 import re
 from base64 import b64encode
 from importlib.resources import files

@@ -4,8 +4,6 @@ Four neighbouring entries of four points take four loads and eight exchanges.  W
 multiple of four, the last four overlap those before them, unless a single entry is left.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import accumulate
 

@@ -7,8 +7,6 @@ lie.  Long vectors are given up where it takes more to bring entries into order 
 statement a function does what the NumPy source does where numbers keep their digits.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import prod

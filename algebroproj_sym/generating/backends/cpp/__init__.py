@@ -5,8 +5,6 @@ bits, up to the elementary functions, whose last digit is not the same everywher
 compiler are left out; so is what is written by hand for NumPy.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Rendering the generated package: one module for each module name of the kernels, and what they share."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 from importlib import import_module

@@ -4,8 +4,6 @@ A step that is used once is written into the expression that uses it, with the p
 the operations, as long as the line stays readable.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -50,6 +50,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_p
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
+from algebroproj_sym.reading.parsing.operators import has_operators, is_material, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
 
 
@@ -185,6 +186,16 @@ class Survey:
         return are_transposes(self._first_equations, self._prose)
 
     @cached_property
+    def _is_material(self) -> bool:
+        """Whether a D is a derivative."""
+        return is_material(self._first_equations)
+
+    @cached_property
+    def _has_operators(self) -> bool:
+        """Whether some equation has an operator that is applied to something."""
+        return self._is_material or any(map(has_operators, self._first_equations))
+
+    @cached_property
     def labels(self) -> frozenset[str]:
         r"""The letters with a label above: ``p^h`` with one that stands nowhere else, and iterates ``x^{k+1}``."""
         return labels_in(self._first_equations)
@@ -196,7 +207,7 @@ class Survey:
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
-        if not (self.labels or self._has_transposes):
+        if not (self.labels or self._has_transposes or self._has_operators):
             return self._first
         return {id(each): self._parsed(each, self.labels) for each in self.statements}
 
@@ -224,6 +235,7 @@ class Survey:
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
         found = found if plain or not self._has_transposes else with_transposes(found)
+        found = found if plain or not self._has_operators else with_operators(found, material=self._is_material)
         return found if _HALVES.search(self._prose) else with_zeros(found)
 
     def left_of(self, statement: Statement) -> frozenset[str]:

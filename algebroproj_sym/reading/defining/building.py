@@ -291,6 +291,8 @@ class _Parts(_Gathering):
             raise refused("a determinant, or a matrix with rows of different lengths,")
         if max(len(rows), len(rows[0])) > MOST_ROWS:
             raise refused(f"a matrix with more than {MOST_ROWS} rows or columns")
+        if all(cell.is_zero for row in rows for cell in row):
+            return constant("0")
         heights, widths = [Size() for _ in rows], [Size() for _ in rows[0]]
         blocks = any(not cell.is_number for row in rows for cell in row)
         for row, height in zip(rows, heights, strict=True):

@@ -45,7 +45,12 @@ def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
         if not is_lone or lone_letter(side) not in frames:
             elsewhere |= {*_not_raised(side, frames)}
     alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
-    others = (_frames_with_numbers(equations), _at_the_start(equations, alone), _raised_in_brackets(equations))
+    others = (
+        _frames_with_numbers(equations),
+        _above_vectors(equations),
+        _at_the_start(equations, alone),
+        _raised_in_brackets(equations),
+    )
     return iterates_in(equations).union(alone, *others)
 
 
@@ -122,6 +127,15 @@ def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
     return {_with_above(symbol, number) for symbol, number in small | turned} if alike else set()
 
 
+def _above_vectors(equations: Sequence[Sides]) -> set[str]:
+    r"""Return the bold letters with a letter above them that stands above a vector: no vector has a power."""
+    powers = [trees_in(power) for side in _every(equations) for power in side.find_data("power")]
+    raised = [(str(base.children[0]), lone_letter(exponent)) for base, exponent in powers if _is_letter(base)]
+    labels = {label for symbol, label in raised if _VECTOR.match(symbol)} - {""}
+    return {_with_above(symbol, label) for symbol, label in raised if label in labels and _BOLD.match(symbol)}
+
+
+_BOLD = re.compile(r"\\(?:mathbf|vec)\{")
 _VECTOR = re.compile(r"\\(?:mathbf|vec)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}|\\(?:d*dot|bar|hat|tilde)\{\\mathbf[a-z]")
 _MATRIX = re.compile(r"[A-Z]_|\\d*dot\{[A-Z]\}_")
 """A vector by its style, and a capital with a subscript."""

@@ -363,12 +363,14 @@ class _Pass:
     def _explained_behind(self) -> Iterator[Premise]:
         """Yield the equations within the text with which the sentence of a display goes on: "where $w^2 = k/m$"."""
         following = self.survey.statements[self.order : self.order + MOST_WITHIN]
-        for each in following if self.memory.display and not has_ended(self.memory.display) else ():
+        here = self.memory.display
+        ended = here is None or has_ended(here)
+        for each in following:
             found, display = self.survey.formulas[id(each)], each.display
             if display.environment != "inline":
                 if display is not self.memory.display:
                     return
-            elif not goes_on_with(display.before):
+            elif not goes_on_with(display.before, ended=ended):
                 return
             elif (
                 isinstance(found, Parsed)

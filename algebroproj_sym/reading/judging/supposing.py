@@ -10,7 +10,7 @@ from algebroproj_sym.reading.judging.words import CASES, Beside, ends_clause
 
 _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"
-    r"(?:(?:since|as|because|where|when|if|for|with|by|at|using|use|let|put(?:ting)?|set(?:ting)?|tak(?:e|ing)|suppose|"
+    r"(?:(?:since|as|because|where|in which|when|if|for|with|by|at|using|use|let|put(?:ting)?|set(?:ting)?|tak(?:e|ing)|suppose|"
     r"supposing|assume|assuming|choos(?:e|ing)|introducing|substitut(?:e|ing)|insert(?:ing)?|hav(?:e|ing)|know|recall|"
     r"given)\b\W*)*"
     r"(?:(?:that|the (?:parameter|abbreviation|notation|quantity|value|identity|relation|equation|fact that|letter)|"
@@ -91,9 +91,14 @@ def states(beside: Beside, display: Display) -> bool:
     return _STATES.search(lead) is not None and ends and not (apart or beside.is_conditional)
 
 
-def goes_on_with(behind: str) -> bool:
-    """Whether the words behind a display go on with what its letters are: "where $w^2 = k/m$ and"."""
-    return _WHERE.match(behind) is not None and last_sentence(behind.strip()) == behind.strip()
+def goes_on_with(behind: str, *, ended: bool) -> bool:
+    """Whether the words behind a display go on with what its letters are: "where $w^2 = k/m$ and".
+
+    Behind a full stop they do if they begin with a small letter.
+    """
+    words = behind.strip()
+    goes_on = _WHERE.match(words) is not None and last_sentence(words) == words
+    return goes_on and not (ended and words[:1].isupper())
 
 
 def leads_elsewhere(behind: str) -> bool:

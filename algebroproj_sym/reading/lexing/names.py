@@ -20,8 +20,6 @@ from algebroproj_sym.reading.lexing.commands import (
     FRACTIONS,
     FUNCTIONS,
     GREEK,
-    INDICES,
-    LETTER,
     LETTERS,
     MARKS,
     NAMED,
@@ -252,10 +250,9 @@ def _has_indices(cursor: Cursor, letter: str, below: str, above: str) -> bool:
     r"""Whether what stands above a letter may be indices, as in ``T^{\mu\nu}`` and ``g_\mu^\nu``, and no power."""
     if letter in ("e", r"\mathrm{e}") or above in MARKS:
         return False
-    letters = [*LETTER.findall(above)]
-    alone = all(each in GREEK or len(each) == 1 for each in letters)
-    mixed = len(letters) == 1 and {above, below} <= GREEK
-    return (INDICES.fullmatch(above) is not None and alone) or mixed
+    letters = [piece.text for piece in cursor.raised if not piece.text.isspace() and piece.text not in ("{", "}")]
+    alone = all(each in GREEK or (len(each) == 1 and each.isalpha()) for each in letters)
+    return alone and (len(letters) > 1 or {above, below} <= GREEK)
 
 
 def _at_factor(cursor: Cursor) -> bool:

@@ -75,7 +75,7 @@ def supposes(beside: Beside, formula: str) -> bool:
     """
     before, found, behind = beside.sentence.rpartition(";")[2].partition(formula)
     lead = re.split(r"[,:]|\band\b", without_formulas(before))[-1]
-    leads = _LEADS.fullmatch(lead) is not None and _THEN.match(behind.replace("$", "")) is not None
+    leads = _LEADS.fullmatch(lead) is not None and _THEN.match(" ".join(behind.replace("$", "").split())) is not None
     apart = _APART.search(f"{beside.sentence} {beside.condition}") or _ELSEWHERE.search(without_formulas(behind))
     formulas = (_INSIDE.sub("", each) for each in FORMULA.findall(beside.sentence))
     return bool(found) and leads and not (apart or beside.is_denied or any(map(_ORDER.search, formulas)))

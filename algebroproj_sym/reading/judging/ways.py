@@ -256,9 +256,11 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     }
     asserted = [each for each in near if not each.special or (each.names & standing.cited and not each.context.kind)]
     alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
-    own = _supposed(standing, left, right)
+    supposed = _supposed(standing, left, right)
+    own = [each for each in supposed if each.gives is None]
+    told = extended(standing.vocabulary, [each.gives for each in supposed if each.gives is not None])
     if alone:
-        yield Way(left, right, standing.vocabulary, under=(*alone, *own))
+        yield Way(left, right, told, under=(*alone, *own))
     last = [
         each
         for each in near[:MOST_NEAR]
@@ -267,7 +269,7 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     several = [each for each in asserted if _has_components(each, speaks[each] & letters)]
     for each in dict.fromkeys((*last, *several)):
         if (each,) != alone:
-            yield Way(left, right, standing.vocabulary, under=(each, *own))
+            yield Way(left, right, told, under=(each, *own))
     tied = set(letters)
     together: list[Premise] = []
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
@@ -279,7 +281,7 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     ):
         return
     if together and tuple(together) != alone:
-        yield Way(left, right, standing.vocabulary, under=(*together, *own))
+        yield Way(left, right, told, under=(*together, *own))
     yield from _with_given_letters(standing, left, right, [each for each in asserted if each.gives is None])
 
 

@@ -10,9 +10,9 @@ from algebroproj_sym.reading.judging.words import CASES, Beside, ends_clause
 
 _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"
-    r"(?:(?:since|as|because|where|in which|when|if|for|with|by|at|using|use|let|put(?:ting)?|set(?:ting)?|tak(?:e|ing)|"
-    r"suppose|supposing|assume|assuming|choos(?:e|ing)|introducing|substitut(?:e|ing)|insert(?:ing)?|hav(?:e|ing)|know|recall|"
-    r"given)\b\W*)*"
+    r"(?:(?:since|as|because|where|in which|when|if|for|with|by|at|using|use|let|put(?:ting)?|set(?:ting)?|"
+    r"tak(?:e|ing)|suppose|supposing|assume|assuming|choos(?:e|ing)|introducing|substitut(?:e|ing)|insert(?:ing)?|"
+    r"hav(?:e|ing)|know|recall|given)\b\W*)*"
     r"(?:(?:that|the (?:parameter|abbreviation|notation|quantity|value|identity|relation|equation|fact that|letter)|"
     r"(?:we|you) (?:can )?(?:have|set|use|put|take|know|assume|choose|introduce|define)|there is|"
     r"(?:(?:we|you) )?(?:use|have|take) an? (?:[a-z]+ ){1,2}(?:where|with|in which))\b\W*)*",

@@ -50,7 +50,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_p
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
-from algebroproj_sym.reading.parsing.operators import has_operators, is_material, with_operators
+from algebroproj_sym.reading.parsing.operators import has_fields, has_operators, is_material, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
 
 
@@ -191,6 +191,11 @@ class Survey:
         return is_material(self._first_equations)
 
     @cached_property
+    def _has_fields(self) -> bool:
+        """Whether a nabla is that of fields."""
+        return any(map(has_fields, self._first_equations))
+
+    @cached_property
     def _has_operators(self) -> bool:
         """Whether some equation has an operator that is applied to something."""
         return self._is_material or any(map(has_operators, self._first_equations))
@@ -235,7 +240,8 @@ class Survey:
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
         found = found if plain or not self._has_transposes else with_transposes(found)
-        found = found if plain or not self._has_operators else with_operators(found, material=self._is_material)
+        if not plain and self._has_operators:
+            found = with_operators(found, material=self._is_material, fields=self._has_fields)
         return found if _HALVES.search(self._prose) else with_zeros(found)
 
     def left_of(self, statement: Statement) -> frozenset[str]:

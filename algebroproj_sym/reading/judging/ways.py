@@ -288,7 +288,8 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
 def _is_asserted(standing: Standing, premise: Premise, *, is_last: bool) -> bool:
     """Whether an equation holds where no case is spoken of: words cite it, or it is one of the last ones."""
     is_named = bool(premise.names & standing.cited) and not premise.context.kind
-    return not premise.special or is_named or (is_last and premise.part == standing.part)
+    is_near = is_last and premise.part == standing.part and _is_still_so(standing, premise)
+    return not premise.special or is_named or is_near
 
 
 def _is_still_so(standing: Standing, premise: Premise) -> bool:

@@ -250,7 +250,8 @@ def _has_indices(cursor: Cursor, letter: str, below: str, above: str) -> bool:
     r"""Whether what stands above a letter may be indices, as in ``T^{\mu\nu}`` and ``g_\mu^\nu``, and no power."""
     if letter in ("e", r"\mathrm{e}") or above in MARKS:
         return False
-    letters = [piece.text for piece in cursor.raised if not piece.text.isspace() and piece.text not in ("{", "}")]
+    unseen = UPRIGHT | {"{", "}"}
+    letters = [each.text for each in cursor.raised if not (each.text.isspace() or each.text in unseen)]
     alone = all(each in GREEK or (len(each) == 1 and each.isalpha()) for each in letters)
     return alone and (len(letters) > 1 or {above, below} <= GREEK)
 

@@ -33,7 +33,7 @@ _APPLIED = ("symbol", "opaque", "call", "bracket", "marked")
 """To what an operator may be applied: a product behind it may begin with a factor of its own."""
 
 
-def with_operators(formula: Parsed, *, material: bool) -> Parsed:
+def with_operators(formula: Parsed, *, material: bool, fields: bool) -> Parsed:
     r"""Return a formula in which operators with what they are applied to are letters.
 
     Parameters
@@ -42,14 +42,17 @@ def with_operators(formula: Parsed, *, material: bool) -> Parsed:
         The formula.
     material : bool
         Whether a D is a derivative wherever it stands.
+    fields : bool
+        Whether gradients are those of fields, and by no vector of the document.
 
     Examples
     --------
     >>> from algebroproj_sym.reading.parsing.grammar import parsed
-    >>> symbols_in(with_operators(parsed(r"\frac{D (a - b)}{D t} + \nabla \cdot c"), material=True).sides[0])
+    >>> found = with_operators(parsed(r"\frac{D (a - b)}{D t} + \nabla \cdot c"), material=True, fields=True)
+    >>> symbols_in(found.sides[0])
     ['D a/D t', 'D b/D t', 'div c']
     """
-    return replace(formula, sides=tuple(_changed(side, material) for side in formula.sides))
+    return replace(formula, sides=tuple(_changed(side, material, fields) for side in formula.sides))
 
 
 def is_material(equations: Iterable[Sides]) -> bool:
@@ -62,21 +65,29 @@ def is_material(equations: Iterable[Sides]) -> bool:
     return 0 < every == inside
 
 
+def has_fields(sides: Sides) -> bool:
+    """Whether a nabla has a point, a cross or a square, or is bold, so that it is no gradient by a vector."""
+    trees = [each for side in sides for each in side.iter_subtrees()]
+    products = any(each.data == "product" and _of_product(each) is not each for each in trees)
+    squares = any(each.data == "power" and _is_nabla(trees_in(each)[0]) for each in trees)
+    return products or squares or any(_is_nabla(each) and each.children[0] != r"\nabla" for each in trees)
+
+
 def has_operators(sides: Sides) -> bool:
     """Whether an operator stands in a formula."""
     return any(map(_acts, sides))
 
 
-def _changed(tree: Any, material: bool) -> Any:
+def _changed(tree: Any, material: bool, fields: bool) -> Any:
     if not isinstance(tree, Tree):
         return tree
     if material and (found := _of_material(tree)) is not None:
         body, variable = found
-        body = _changed(body, material)
+        body = _changed(body, material, fields)
         return _linear(lambda each: f"D {_written(each)}/D {variable}", body)
-    changed = Tree(tree.data, [_changed(each, material) for each in tree.children])
+    changed = Tree(tree.data, [_changed(each, material, fields) for each in tree.children])
     if changed.data == "run":
-        return _of_run(changed)
+        return _of_run(changed, fields)
     return _of_product(changed) if changed.data == "product" else changed
 
 
@@ -92,14 +103,14 @@ def _of_material(fraction: Formula) -> tuple[Formula, str] | None:
     return (body, str(variable.children[0])) if is_sign and variable.data == "symbol" else None
 
 
-def _of_run(run: Formula) -> Formula:
+def _of_run(run: Formula, fields: bool) -> Formula:
     """Return a product in which an operator before its last factor is one letter with it."""
     *before, sign, body = trees_in(run) if len(run.children) > 1 else (run, run)
     if body.data not in _APPLIED or any(map(_acts, before)):
         return run
     if sign.data == "power" and _is_nabla(trees_in(sign)[0]) and trees_in(sign)[1] == _TWO:
         name = _named("lap", body, r"\mathbf{lap}")
-    elif _is_nabla(sign):
+    elif _is_nabla(sign) and fields:
         name = _named(r"\mathbf{grad}", body, r"\mathbf{Grad}")
     elif _is_partial(sign):
         name = _named(f"part {str(sign.children[0]).partition('_')[2]}", body, r"\mathbf{part}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
@@ -58,6 +59,7 @@ from algebroproj_sym.reading.judging.words import (
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in
 
+_SAYS_THE_SAME = re.compile(r"(?:these|they|this|it) (?:is|are) (?:equivalent|equal|identical)\b")
 MOST_WITHIN = 12
 """How many formulas within the text before an equation may stand in its sentence."""
 
@@ -378,7 +380,8 @@ class _Pass:
                 and not self.survey.meanings.reason(each, found)
             ):
                 formula = f"${display.latex}$"
-                behind = display.after.partition(".")[0].partition("$")[0].strip().removesuffix("and")
+                behind = re.split(r"\.|\$|\\\(", display.after)[0].strip().removesuffix("and")
+                behind = "" if _SAYS_THE_SAME.match(behind) else behind
                 sentence = f"{display.before}{formula}{behind}"
                 if supposes(replace(self.memory.beside, sentence=sentence), formula):
                     yield from self.memory.premises_of(each, found, found.sides)

@@ -22,7 +22,7 @@ _LEADS = re.compile(
 _THEN = re.compile(
     r"\s*(?:(?:as|is|are) (?:the|our|its|an?) (?:[a-z]+ ){0,3}[a-z]+)?\s*"
     r"(?:[,:]|$|(?:so|then|thus|hence|this|gives?|yields?|and (?:so|thus|hence|then|that|the|obtain|get|find)|into|"
-    r"in (?:the|\()|leads?|reduces?|becomes?|holds?|we|it|the)\b)",
+    r"in (?:the|\()|leads?|reduces?|becomes?|holds?|we|it|the|these|they)\b)",
     re.IGNORECASE,
 )
 """How a sentence goes on behind a formula that it supposes: with its main clause."""

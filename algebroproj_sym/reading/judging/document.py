@@ -42,7 +42,7 @@ from algebroproj_sym.reading.judging.questions import (
 from algebroproj_sym.reading.judging.sentences import last_sentence
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
-from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, states, supposes
+from algebroproj_sym.reading.judging.supposing import goes_on_with, is_denied_behind, leads_elsewhere, states, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
 from algebroproj_sym.reading.judging.words import (
@@ -172,7 +172,7 @@ class _Pass:
             leads_elsewhere(statement.display.after) or is_example(sentence, statement.display.after)
         )
         says = is_given_within(before, number=number) and not (elsewhere or beside(statement, "").is_denied)
-        says = says and not ASKS.match(sentence)
+        says = says and not (ASKS.match(sentence) or is_denied_behind(statement.display.after))
         self.memory.stand_at(statement.display)
         stated = SAYS.search(before) or is_item(before, statement.display.after)
         at_value = is_value_of_itself(*formula.sides) if len(formula.sides) == 2 else False

@@ -104,3 +104,8 @@ def goes_on_with(behind: str, *, ended: bool) -> bool:
 def leads_elsewhere(behind: str) -> bool:
     """Whether the words behind a formula begin with a place, as in "with $b = 0$ at the top"."""
     return _ELSEWHERE.match(behind.lstrip()) is not None
+
+
+def is_denied_behind(behind: str) -> bool:
+    """Whether the words right behind a formula deny it, as in "where $b = 0$ is not assumed"."""
+    return re.match(r"\s*(?:is|are|need|does|do|can|must|should|may) not\b", behind) is not None

@@ -196,12 +196,19 @@ class _Pass:
         if len(formula.sides) > 1:
             if not at_value:
                 self.memory.note(statement, formula)
+                self._explain(before, formula)
                 self.memory.tie(formula.sides)
                 self.memory.restate(formula)
             if {*formula.relations} == {"="}:
                 words = f"${statement.display.latex}$"
                 self.within += [(words, each) for each in self.memory.premises_of(statement, formula, formula.sides)]
             del self.within[:-MOST_WITHIN]
+
+    def _explain(self, before: str, formula: Parsed) -> None:
+        """Take what the sentence of the last display goes on to say of its letters for what they were in it."""
+        above = self.memory.display
+        if above is not None and goes_on_with(before, ended=has_ended(above)):
+            self.memory.given_at |= dict.fromkeys((defined_by(side)[0] for side in formula.sides), above.place)
 
     def _introduces_within(self, formula: Parsed) -> bool:
         r"""Whether an equation within the text says what a new letter is, though not alone: "where $L L^T = K$"."""

@@ -3,7 +3,7 @@ r"""What stands above a letter and is no power: a label, as in ``p^h``, and the 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -11,7 +11,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol, written
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, symbols_in, trees_in, without_brackets
 
 E = Tree("symbol", [Token("SYMBOL", "e")])
 
@@ -258,3 +258,15 @@ def _not_raised(tree: Any, frames: Collection[str]) -> Iterator[str]:
     else:
         for child in tree.children:
             yield from _not_raised(child, frames)
+
+
+def has_euler(sides: Iterable[Formula]) -> bool:
+    """Whether e is Euler's number: the base of powers with letters, and nothing else."""
+    powers, letters = list[bool](), 0
+    for side in sides:
+        letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
+        for power in side.find_data("power"):
+            base, exponent = power.children
+            if base == E and isinstance(exponent, Tree):
+                powers.append(bool(symbols_in(exponent)))
+    return len(powers) == letters and any(powers)

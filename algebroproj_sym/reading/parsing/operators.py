@@ -6,8 +6,8 @@ Each is linear, and all that is computed of it.  So the same operator of the sam
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from lark import Token, Tree
@@ -33,29 +33,44 @@ _APPLIED = ("symbol", "opaque", "call", "bracket", "marked")
 """To what an operator may be applied: a product behind it may begin with a factor of its own."""
 
 
-def with_operators(formula: Parsed, *, material: bool, fields: bool) -> Parsed:
-    r"""Return a formula in which operators with what they are applied to are letters.
+@dataclass(frozen=True)
+class Operators:
+    """Which operators a document has.
 
-    Parameters
+    Attributes
     ----------
-    formula : Parsed
-        The formula.
     material : bool
         Whether a D is a derivative wherever it stands.
     fields : bool
         Whether gradients are those of fields, and by no vector of the document.
+    """
+
+    material: bool
+    fields: bool
+
+
+def operators_in(equations: Sequence[Sides]) -> Operators | None:
+    """Return which operators some equations have; None for none."""
+    material = _is_material(equations)
+    acts = material or any(_acts(side) for sides in equations for side in sides)
+    return Operators(material, any(map(_has_fields, equations))) if acts else None
+
+
+def with_operators(formula: Parsed, operators: Operators) -> Parsed:
+    r"""Return a formula in which operators with what they are applied to are letters.
 
     Examples
     --------
     >>> from algebroproj_sym.reading.parsing.grammar import parsed
-    >>> found = with_operators(parsed(r"\frac{D (a - b)}{D t} + \nabla \cdot c"), material=True, fields=True)
+    >>> formula = parsed(r"\frac{D (a - b)}{D t} + \nabla \cdot c")
+    >>> found = with_operators(formula, operators_in([formula.sides]))
     >>> symbols_in(found.sides[0])
     ['D a/D t', 'D b/D t', 'div c']
     """
-    return replace(formula, sides=tuple(_changed(side, material, fields) for side in formula.sides))
+    return replace(formula, sides=tuple(_changed(side, operators) for side in formula.sides))
 
 
-def is_material(equations: Iterable[Sides]) -> bool:
+def _is_material(equations: Iterable[Sides]) -> bool:
     """Whether a D stands only above and below lines, as a derivative does."""
     inside, every = 0, 0
     for sides in equations:
@@ -65,7 +80,7 @@ def is_material(equations: Iterable[Sides]) -> bool:
     return 0 < every == inside
 
 
-def has_fields(sides: Sides) -> bool:
+def _has_fields(sides: Sides) -> bool:
     """Whether a nabla has a point, a cross or a square, or is bold, so that it is no gradient by a vector."""
     trees = [each for side in sides for each in side.iter_subtrees()]
     products = any(each.data == "product" and _of_product(each) is not each for each in trees)
@@ -73,21 +88,16 @@ def has_fields(sides: Sides) -> bool:
     return products or squares or any(_is_nabla(each) and each.children[0] != r"\nabla" for each in trees)
 
 
-def has_operators(sides: Sides) -> bool:
-    """Whether an operator stands in a formula."""
-    return any(map(_acts, sides))
-
-
-def _changed(tree: Any, material: bool, fields: bool) -> Any:
+def _changed(tree: Any, operators: Operators) -> Any:
     if not isinstance(tree, Tree):
         return tree
-    if material and (found := _of_material(tree)) is not None:
+    if operators.material and (found := _of_material(tree)) is not None:
         body, variable = found
-        body = _changed(body, material, fields)
+        body = _changed(body, operators)
         return _linear(lambda each: f"D {_written(each)}/D {variable}", body)
-    changed = Tree(tree.data, [_changed(each, material, fields) for each in tree.children])
+    changed = Tree(tree.data, [_changed(each, operators) for each in tree.children])
     if changed.data == "run":
-        return _of_run(changed, fields)
+        return _of_run(changed, operators.fields)
     return _of_product(changed) if changed.data == "product" else changed
 
 

@@ -176,3 +176,55 @@ def test_brackets_without_end_are_looked_through_once(latex):
 def test_a_row_of_blocks_has_no_other_sign_for_a_bracket_at_the_end():
     text = r"[R | t] x \right"
     assert "".join(each.text for each in with_blocks(pieces_of(text))).endswith(r"\right")
+
+
+_NORMAL = (
+    r"\[ \begin{bmatrix} \mathbf{A} & \mathbf{B} \\ \mathbf{B}^T & \mathbf{0} \end{bmatrix} "
+    r"\begin{bmatrix} \mathbf{x} \\ \mathbf{y} \end{bmatrix} = \begin{bmatrix} \mathbf{f} \\ \mathbf{g} "
+    r"\end{bmatrix}. \] "
+    "Hence "
+)
+_RULE = (
+    r"\[ \begin{bmatrix} \mathbf{C} & \mathbf{D} \\ \mathbf{E} & \mathbf{F} \end{bmatrix} "
+    r"\begin{bmatrix} \mathbf{g} \\ \mathbf{h} \end{bmatrix} + \begin{bmatrix} \mathbf{t} \\ \mathbf{v} "
+    r"\end{bmatrix} "
+    r"= \begin{bmatrix} \mathbf{0} \\ \mathbf{0} \end{bmatrix} \Rightarrow "
+)
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (
+            _NORMAL
+            + r"\[ \mathbf{B}^T \mathbf{A}^{-1} \mathbf{B} \mathbf{y} = \mathbf{B}^T \mathbf{A}^{-1} \mathbf{f} "
+            r"- \mathbf{g}. \]",
+            True,
+        ),
+        (
+            _NORMAL + r"\[ \mathbf{B}^T \mathbf{A}^{-1} \mathbf{B} \mathbf{y} = \mathbf{g} - \mathbf{B}^T "
+            r"\mathbf{A}^{-1} \mathbf{f}. \]",
+            False,
+        ),
+        (_NORMAL + r"\[ \mathbf{x} = \mathbf{A}^{-1} \mathbf{f}. \]", False),
+        (_NORMAL + r"\[ \mathbf{y} = \mathbf{B}^{-1} (\mathbf{f} + \mathbf{A} \mathbf{x}). \]", False),
+        (
+            _RULE + r"(\mathbf{F} - \mathbf{E} \mathbf{C}^{-1} \mathbf{D}) \mathbf{h} + \mathbf{v} - \mathbf{E} "
+            r"\mathbf{C}^{-1} \mathbf{t} = \mathbf{0}. \]",
+            True,
+        ),
+        (
+            _RULE + r"(\mathbf{F} - \mathbf{D} \mathbf{C}^{-1} \mathbf{E}) \mathbf{h} + \mathbf{v} - \mathbf{E} "
+            r"\mathbf{C}^{-1} \mathbf{t} = \mathbf{0}. \]",
+            False,
+        ),
+        (
+            r"\[ \mathbf{q} = \mathbf{K} \mathbf{g}. \] This leads to \[ \mathbf{q} = \mathbf{C} \mathbf{D} "
+            r"\mathbf{g}. \] "
+            r"in which $\mathbf{K} = \mathbf{C} \mathbf{D}$.",
+            True,
+        ),
+    ],
+)
+def test_an_equation_of_blocks_is_one_for_each_block(latex, follows):
+    assert (read_document(document_of(latex))[-1].verdict == "follows") is follows

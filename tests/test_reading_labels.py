@@ -36,6 +36,16 @@ STEP = r"\[ u^{n+1} = u^n + h f^n \] "
         (FRAMES + r"Hence \[ x^W = a x^B + t_W. \]", True),
         (FRAMES + r"Hence \[ x^W = a x^B + b t_W. \]", False),
         (r"\[ a = x^N \] \[ b = y^N \] Hence \[ a b = (x y)^N. \] Thus \[ a b = x^N y^N. \]", True),
+        (
+            r"\[ \mathbf{r}^k = \mathbf{d}^o - \mathbf{A}^k \mathbf{p}^k. \] Here $k$ counts. Hence "
+            r"\[ \mathbf{d}^o = \mathbf{r}^k + \mathbf{A}^k \mathbf{p}^k. \]",
+            True,
+        ),
+        (
+            r"\[ \mathbf{x}^k = \mathbf{A}^k \mathbf{y}. \] Hence \[ \mathbf{A} \mathbf{x}^k = \mathbf{A}^{k + "
+            r"1} \mathbf{y}. \]",
+            False,
+        ),
         (STEP + r"\[ f = -u \] Hence \[ u^{n+1} = (1 - h) u^n. \]", False),
         (STEP + r"\[ f^n = -u^n \] Hence \[ f^2 = (u^2)^2. \]", False),
         (r"\[ x^{k+1} = x^k + h \] \[ x_k = 2 \] Hence \[ x^{k+1} = 2 + h. \]", False),

@@ -241,3 +241,29 @@ def test_what_the_text_says_of_a_new_matrix_holds_further_on():
 )
 def test_it_does_not_where_words_follow_or_the_matrix_is_known(words):
     assert verdicts(FACTORED + words + HALVES)[-1] != "follows"
+
+
+@pytest.mark.parametrize(
+    ("behind", "follows"),
+    [
+        (r"in which $Q = B + C$ and $s = d$ is the load. Hence \[ y = \frac{d}{B + C}. \]", True),
+        (r"in which $Q = B + C$ and $s = d$ is the load. Hence \[ y = \frac{d}{B - C}. \]", False),
+        (r"Where $Q = 1$ is not assumed, more is said below. Hence \[ y = s. \]", False),
+        (r"Now let $Q = 1$. Hence \[ y = s. \]", False),
+    ],
+)
+def test_what_a_sentence_goes_on_to_say_of_letters_was_so_before(behind, follows):
+    latex = rf"For the beam we have \[ Q y = s. \] {behind}"
+    assert (read_document(document_of(latex))[-1].verdict == "follows") is follows
+
+
+@pytest.mark.parametrize(
+    ("words", "follows"),
+    [("these are equivalent to those above.", True), ("these are worse than those above.", False)],
+)
+def test_letters_of_equations_that_are_called_the_same_are_put_in(words, follows):
+    latex = (
+        r"The rate is \[ c = \frac{1 - a}{b}. \] That leads to the alternate expression \[ c = f + g \] "
+        rf"With $f = \frac{{1}}{{b}}$ and $g = -\frac{{a}}{{b}},$ {words}"
+    )
+    assert (read_document(document_of(latex))[-1].verdict == "follows") is follows

@@ -13,8 +13,9 @@ from fractions import Fraction
 from functools import reduce
 from typing import Any
 
-from algebroproj_sym.expressions.letters import ONE, letters_text
-from algebroproj_sym.proving.letters.rules import Rule, rule_in
+from algebroproj_sym.expressions.letters import ONE, Shape, letters_text
+from algebroproj_sym.proving.letters.rules import CONSTRAINT, Rule, rule_in
+from algebroproj_sym.proving.letters.spanning import combined
 from algebroproj_sym.proving.letters.words import (
     Algebra,
     Atom,
@@ -148,7 +149,7 @@ class _Search:
         self.left = MOST_STEPS
 
     def result(self, claim: Poly) -> Proof | None:
-        sums = self.proof(claim) or self._proof_of_forms(claim)
+        sums = self.proof(claim) or self._proof_of_forms(claim) or self._sum_of_multiples(claim)
         return None if sums is None else self._used(sums)
 
     def proof(self, claim: Poly) -> list[list[Part]] | None:
@@ -325,6 +326,27 @@ class _Search:
         forms = [(1, key), self.algebra.transposed_word(key)]
         sign, word = min(forms, key=lambda each: (str(each[1][0]), str(each[1][-1])))
         return sign, word[0], word[1:-1], word[-1]
+
+    # -- multiples
+
+    def _sum_of_multiples(self, claim: Poly) -> list[list[Part]] | None:
+        """Return the claim as a sum of multiples of the rules, if something is given."""
+        if not any(rule.name == CONSTRAINT for rule in self.rules):
+            return None
+        found = combined(claim, lambda monomial: self._with_word(monomial, claim.shape))
+        if found is None:
+            return None
+        return [[replace(part, factor=part.factor.times(factor)) for part, factor in found]]
+
+    def _with_word(self, monomial: Monomial, shape: Shape) -> Iterator[tuple[Part, Poly]]:
+        """Yield the multiples of the rules that have a monomial."""
+        for place, rule in enumerate(self.rules):
+            for lead in (each for each in rule.poly.terms if each != ((), ())):
+                for part in self._fits(place, lead, monomial, shape):
+                    value = part.value(self.algebra, rule.poly)
+                    self.algebra.work.spend(len(value.terms))
+                    if monomial in value.terms:
+                        yield part, value
 
     # -- the proof
 

@@ -89,6 +89,10 @@ class _Parts(_Gathering):
     def run(self, *factors: Part) -> Part:
         return reduce(times, factors)
 
+    def chained(self, slope: Part, rate: Part) -> Part:
+        """Return the derivative of a function times that of its argument, which is a number."""
+        return times(slope, scalar(rate, "the derivative of a function"))
+
     def number(self, token: Token) -> Part:
         return constant(str(token))
 
@@ -115,6 +119,8 @@ class _Parts(_Gathering):
         return part
 
     def power(self, base: Part, exponent: Part) -> Part:
+        if base.symbols == {"e"} and self.reader.has_euler and not exponent.is_number:
+            return self._exponential(exponent)
         text = exponent.text().replace(" ", "").strip("()").lstrip("+")
         if base.is_number and exponent.is_number and not re.fullmatch(r"-?\d{1,2}", text):
             return self.reader.whole("power", [base, exponent], base.shape)
@@ -189,9 +195,27 @@ class _Parts(_Gathering):
             kind = "det" if name == "det" else "trace"
             return number_of(lambda: f"{kind}({argument.text()})", argument)
         if name == "exp" and argument.shape[0].value != 1:
-            argument.shape[0].unite(argument.shape[1])
-            return Part(argument.shape, lambda: f"exp({argument.text()})", argument)
+            return self._exponential(argument)
         return self._value(str(name), scalar(argument, str(name)))
+
+    def _exponential(self, argument: Part) -> Part:
+        """Return the exponential of a matrix: of a turn as it is, or else a letter that has an inverse."""
+        argument.shape[0].unite(argument.shape[1])
+        shape = argument.shape
+
+        def text() -> str:
+            if "skew(" in (written := argument.text()):
+                return f"exp({written})"
+            kept = [(minus, factors) for minus, factors in argument.terms if not any(each.is_zero for each in factors)]
+            terms = sorted((in_order(*_apart(factors)).text(), minus) for minus, factors in kept)
+            if not terms:
+                return f"eye({self.reader.size(shape[0])})"
+            inverts = terms[0][1]
+            key = "".join(f" {'-' if minus != inverts else '+'} {term}" for term, minus in terms)
+            letter = self.reader.whole(f"exp{key}", [], shape).text()
+            return f"({letter})**-1" if inverts else letter
+
+        return Part(shape, text, argument)
 
     def _value(self, name: str, argument: Part) -> Part:
         if name in _OF_LETTERS:
@@ -286,6 +310,8 @@ class _Parts(_Gathering):
             raise refused("a determinant, or a matrix with rows of different lengths,")
         if max(len(rows), len(rows[0])) > MOST_ROWS:
             raise refused(f"a matrix with more than {MOST_ROWS} rows or columns")
+        if all(cell.is_zero for row in rows for cell in row):
+            return constant("0")
         heights, widths = [Size() for _ in rows], [Size() for _ in rows[0]]
         blocks = any(not cell.is_number for row in rows for cell in row)
         for row, height in zip(rows, heights, strict=True):
@@ -301,3 +327,9 @@ class _Parts(_Gathering):
 
         cells = [[*map(in_place, row, [height] * len(row), widths)] for row, height in zip(rows, heights, strict=True)]
         return of_blocks(cells)
+
+
+def _apart(factors: list[Part]) -> tuple[list[Part], Part | None]:
+    """Return the numbers of a product, and what is left of it."""
+    others = [each for each in factors if not each.is_number]
+    return [each for each in factors if each.is_number], reduce(times, others) if others else None

@@ -177,6 +177,11 @@ class Context:
     words: str = ""
 
     @property
+    def is_of_things(self) -> bool:
+        """Whether a sentence of its own may begin it, and others go on with it."""
+        return self.kind.endswith(_THINGS)
+
+    @property
     def fixed(self) -> str:
         """The letter to which it gives a number, as in "at $i = 1$"; empty for none."""
         found = _FIXED.search(self.words) if self.kind == "range" else None
@@ -232,7 +237,7 @@ def last_context(sentences: Sequence[str], behind: str) -> Context:
     Context(kind='place', words='right half')
     """
     own = context_of(sentences[-1], behind)
-    above = (found for each in sentences[-2::-1] if (found := context_of(each)).kind.endswith(_THINGS))
+    above = (found for each in sentences[-2::-1] if (found := context_of(each)).is_of_things)
     return own if own.kind else next(above, ANYWHERE)
 
 

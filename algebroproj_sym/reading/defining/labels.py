@@ -1,7 +1,7 @@
 r"""What stands above a letter and is no power: a label, as in ``p^h``, and the number of a step, as in ``x^{k+1}``."""
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -9,7 +9,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol, written
-from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, Sides, lone, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, Sides, lone, symbols_in, trees_in, without_brackets
 
 E = Tree("symbol", [Token("SYMBOL", "e")])
 
@@ -43,7 +43,12 @@ def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
         if not is_lone or lone_letter(side) not in frames:
             elsewhere |= {*_not_raised(side, frames)}
     alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
-    others = (_frames_with_numbers(equations), _at_the_start(equations, alone), _raised_in_brackets(equations))
+    others = (
+        _frames_with_numbers(equations),
+        _above_vectors(equations),
+        _at_the_start(equations, alone),
+        _raised_in_brackets(equations),
+    )
     return iterates_in(equations).union(alone, *others)
 
 
@@ -120,6 +125,15 @@ def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
     return {_with_above(symbol, number) for symbol, number in small | turned} if alike else set()
 
 
+def _above_vectors(equations: Sequence[Sides]) -> set[str]:
+    r"""Return the bold letters with a letter above them that stands above a vector: no vector has a power."""
+    powers = [trees_in(power) for side in _every(equations) for power in side.find_data("power")]
+    raised = [(str(base.children[0]), lone_letter(exponent)) for base, exponent in powers if _is_letter(base)]
+    labels = {label for symbol, label in raised if _VECTOR.match(symbol)} - {""}
+    return {_with_above(symbol, label) for symbol, label in raised if label in labels and _BOLD.match(symbol)}
+
+
+_BOLD = re.compile(r"\\(?:mathbf|vec)\{")
 _VECTOR = re.compile(r"\\(?:mathbf|vec)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}|\\(?:d*dot|bar|hat|tilde)\{\\mathbf[a-z]")
 _MATRIX = re.compile(r"[A-Z]_|\\d*dot\{[A-Z]\}_")
 """A vector by its style, and a capital with a subscript."""
@@ -238,3 +252,15 @@ def _not_raised(tree: Any, frames: Collection[str]) -> Iterator[str]:
     else:
         for child in tree.children:
             yield from _not_raised(child, frames)
+
+
+def has_euler(sides: Iterable[Formula]) -> bool:
+    """Whether e is Euler's number: the base of powers with letters, and nothing else."""
+    powers, letters = list[bool](), 0
+    for side in sides:
+        letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
+        for power in side.find_data("power"):
+            base, exponent = power.children
+            if base == E and isinstance(exponent, Tree):
+                powers.append(bool(symbols_in(exponent)))
+    return len(powers) == letters and any(powers)

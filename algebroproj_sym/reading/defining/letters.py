@@ -66,10 +66,10 @@ def _first_read(vocabulary: Vocabulary, read: Callable[[Reader], Read]) -> Read:
 
 def _asked(reader: Reader, left: Formula, right: Formula, given: Sequence[tuple[Formula, Formula]]) -> list[Question]:
     sides = _of_one_shape(reader, left, right)
-    constraints = [_of_one_shape(reader, *each) for each in given]
+    constraints = [pair for each in given for pair in _in_blocks(_of_one_shape(reader, *each))]
     if any(side.blocks for pair in constraints for side in pair):
         raise refused("an equation of blocks")
-    questions = _of_sides(reader, sides)
+    questions = [reader.question(pair) for pair in _in_blocks(sides)]
     texts = [(one.text(), other.text()) for one, other in constraints]
     return [
         replace(each, constraints=(*each.constraints, *(worked_out(*pair, each.letters or {}) for pair in texts)))
@@ -84,9 +84,10 @@ def _of_one_shape(reader: Reader, left: Formula, right: Formula) -> list[Part]:
     return sides
 
 
-def _of_sides(reader: Reader, sides: list[Part]) -> list[Question]:
+def _in_blocks(sides: list[Part]) -> list[list[Part]]:
+    """Return the sides of an equation, or of that of each block if both have the same, or one is zero."""
     if not have_same_blocks(*sides) and not any(side.is_zero for side in sides):
-        return [reader.question(sides)]
+        return [sides]
     blocks = [[cell for row in side.blocks for cell in row] for side in sides]
     pairs = zip(*(each or cycle([side]) for each, side in zip(blocks, sides, strict=True)), strict=False)
-    return [reader.question([*pair]) for pair in (pairs if any(blocks) else [sides])]
+    return [[*pair] for pair in pairs] if any(blocks) else [sides]

@@ -35,7 +35,7 @@ _UNEVEN = re.compile(
 )
 _FACTOR = re.compile(r"(?:\\mathbf)?L(?:_\w+)?")
 _BOLDLY = re.compile(r"^\\(?:mathbf|boldsymbol|bm)\{?\s*")
-_OF_SIZE = re.compile(r"\$(\w+) ?\\times ?(\w+)\$ (?:[\w-]+ ){0,2}matri(?:x|ces) \$([^$]+)\$")
+_OF_SIZE = re.compile(r"\$(\w+) ?\\times ?(\w+)\$ (?:(?!while|whereas|and|but)[\w-]+ ){0,2}matri(?:x|ces) \$([^$]+)\$")
 _ARE_OF_SIZE = re.compile(r"\$([^$]+)\$ (?:is|be|are|denotes?) (?:an? |the )?\$(\w+) ?\\times ?(\w+)\$")
 
 

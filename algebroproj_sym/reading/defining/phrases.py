@@ -253,8 +253,8 @@ def called(statements: Iterable[Statement], things: str, *, of_time: bool = Fals
         rf"(?:\b{things}|{_THE}{things} (?:is|are|be))\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$", re.IGNORECASE
     )
     is_behind = re.compile(
-        r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*"
-        rf"(?:is|are|denotes?|be|represents?)\s+(?:(?:[a-zA-Z'’-]+|\$[^$]*\$) ){{0,3}}{things}\b",
+        r"^\$?\s*(?:(?:is|denotes|represents)|(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*(?:are|denote|be|represent))"
+        rf"\s+(?:(?:[a-zA-Z'’-]+|\$[^$]*\$) ){{0,3}}{things}\b",
         re.IGNORECASE,
     )
     found = set[str]()

@@ -33,6 +33,8 @@ MOST_TOGETHER = 6
 """Under how many equations before one it may hold together, besides those that it names."""
 _VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
 """What may be given as a whole: a value of a function, and a square."""
+ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
+"""A vector or a matrix of zeros."""
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
 
@@ -80,7 +82,7 @@ class Premise:
             symbol, parameters = defined_by(side)
             if side.data == "opaque" and symbols_in(other):
                 symbol = str(side.children[0])
-            if symbol and not is_one_value(parameters, other):
+            if symbol and not ZERO.fullmatch(symbol) and not is_one_value(parameters, other):
                 return self._of(symbol, parameters, other)
         return None
 

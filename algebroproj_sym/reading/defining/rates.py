@@ -165,7 +165,7 @@ def _of_power(base: Formula, exponent: Formula, rates: Mapping[str, Formula]) ->
     if base.data == "norm" and exponent == TWO:
         return _rate(Tree("inner", [Tree("items", [*trees_in(base), *trees_in(base)])]), rates)
     if base == E and E.children[0] in rates and (rate := _rate(exponent, rates)) is not None:
-        return Tree("run", [Tree("power", [base, exponent]), Tree("group", [rate])])
+        return Tree("chained", [Tree("power", [base, exponent]), rate])
     times = str(exponent.children[0]) if exponent.data == "number" else ""
     if not (times.isdigit() and 1 < int(times) <= MOST_MATRIX_POWER):
         raise UnreadableError("the derivative of a power in it is not computed")
@@ -183,4 +183,4 @@ def _of_function(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
         return Tree("fraction", [rate, *(trees_in(inside) if inside.data == "items" else [inside])])
     other: Formula = Tree("function", [Token("FUNCTION", {"sin": "cos", "cos": "sin"}.get(name, name)), inside])
     sign = "-" if name == "cos" else "+"
-    return _sum([(sign, Tree("run", [other, rate]))])
+    return _sum([(sign, Tree("chained", [other, rate]))])

@@ -120,6 +120,11 @@ class Reader:
         return self._vocabulary.definitions
 
     @property
+    def has_euler(self) -> bool:
+        """Whether e is Euler's number."""
+        return self._vocabulary.constant("e") is not None
+
+    @property
     def operators(self) -> Collection[str]:
         """The symbols that stand for expected values."""
         return self._vocabulary.kinds.averages.operators

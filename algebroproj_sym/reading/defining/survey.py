@@ -15,7 +15,7 @@ from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters
 from algebroproj_sym.reading.defining.indices import Indices
 from algebroproj_sym.reading.defining.inner import is_given
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
-from algebroproj_sym.reading.defining.labels import E, iterates_in, labels_in, lone_letter, without_above
+from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, labels_in, lone_letter, without_above
 from algebroproj_sym.reading.defining.meanings import (
     Meanings,
     dependences,
@@ -48,6 +48,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_p
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
+from algebroproj_sym.reading.parsing.operators import Operators, operators_in, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
 
 
@@ -177,6 +178,11 @@ class Survey:
         return are_transposes(self._first_equations, self._prose)
 
     @cached_property
+    def _operators(self) -> Operators | None:
+        """Which operators there are that are applied to something."""
+        return operators_in(self._first_equations)
+
+    @cached_property
     def labels(self) -> frozenset[str]:
         r"""The letters with a label above: ``p^h`` with one that stands nowhere else, and iterates ``x^{k+1}``."""
         return labels_in(self._first_equations)
@@ -188,7 +194,7 @@ class Survey:
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
-        if not (self.labels or self._has_transposes):
+        if not (self.labels or self._has_transposes or self._operators):
             return self._first
         return {id(each): self._parsed(each, self.labels) for each in self.statements}
 
@@ -210,6 +216,8 @@ class Survey:
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
         found = found if plain or not self._has_transposes else with_transposes(found)
+        if not plain and self._operators:
+            found = with_operators(found, self._operators)
         return found if _HALVES.search(self._prose) else with_zeros(found)
 
     def left_of(self, statement: Statement) -> frozenset[str]:
@@ -337,7 +345,7 @@ class Survey:
             self.kinds,
             properties,
             dependence=self.dependence,
-            euler=self._has_euler(),
+            euler=has_euler(_sides(self.formulas)),
             complexes=complexes_in(self.statements) | self._units | {*self._equated_with_units},
             imaginary=self.imaginary,
             reals=reals_in(self.statements) | {*self._compared},
@@ -360,17 +368,6 @@ class Survey:
         found = kinds_of(formulas, said, words, columns_in(self.statements))
         matrices = matrices_in(self.statements, angles_in(formulas))
         return replace(found, no_numbers=found.no_numbers | matrices, named=named_otherwise(self.statements))
-
-    def _has_euler(self) -> bool:
-        """Whether e is Euler's number: the base of powers with letters, and nothing else."""
-        powers, letters = list[bool](), 0
-        for side in _sides(self.formulas):
-            letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
-            for power in side.find_data("power"):
-                base, exponent = power.children
-                if base == E and isinstance(exponent, Tree):
-                    powers.append(bool(symbols_in(exponent)))
-        return len(powers) == letters and any(powers)
 
 
 _PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)

@@ -17,7 +17,7 @@ from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free
 from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
-from algebroproj_sym.reading.lexing.commands import STYLES
+from algebroproj_sym.reading.lexing.commands import STYLES, VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
@@ -513,6 +513,29 @@ def _stands_in(letter: str, symbol: str) -> bool:
     if "/" in symbol:
         return re.sub(r"[{}]", "", letter) in re.sub(r"[{}]", "", symbol)
     return re.search(rf"(?<![a-zA-Z\\]){re.escape(letter)}(?![a-zA-Z])", symbol) is not None
+
+
+def speaks_of(symbols: Iterable[str], letter: str) -> bool:
+    r"""Whether a letter is one of some symbols, or stands in a derivative or an operator among them.
+
+    Examples
+    --------
+    >>> [speaks_of([each], "h") for each in ("h", "D h/D t", "\\partialh/\\partialt", "div bold{u}", "d h")]
+    [True, True, True, False, True]
+    """
+    bare = re.sub(VECTOR_STYLE, "bold", letter)
+    alone = re.compile(rf"(?<![a-zA-Z\\]){re.escape(bare)}(?![a-zA-Z])")
+    return any(
+        each == letter
+        or (
+            (" " in each or "/" in each)
+            and alone.search(_DIFFERENTIAL.sub(" ", re.sub(VECTOR_STYLE, "bold", each))) is not None
+        )
+        for each in symbols
+    )
+
+
+_DIFFERENTIAL = re.compile(r"\\partial|(?<![a-zA-Z\\])d(?=[a-zA-Z\\(])")
 
 
 def stands_within(letter: str, symbols: Iterable[str]) -> bool:

@@ -60,6 +60,7 @@ _UNREACHED = re.compile(
 _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 """Code within a line; what a role of MyST cites is none."""
 _HIDDEN = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_INDENTS = re.compile(r"\\(?:noindent|indent)(?![a-zA-Z])")
 _STRUCK = re.compile(r"\\(?:sout|st|todo(?:\[[^\]]*\])?)\{(?:[^{}]|\{[^{}]*\})*\}")
 _STRUCK_IN_MARKDOWN = re.compile(
     r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike|template)>.{0,2000}?</\1>|" + _STRUCK.pattern,
@@ -179,7 +180,8 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbered = lines or tuple(map(Line, range(1, len(starts) + 1)))
     if latex:
-        plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(without_comments(text))))
+        plain = _INDENTS.sub(_blank, text)
+        plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(without_comments(plain))))
         plain = _without_versions(plain)
     else:
         plain = _STRUCK_IN_MARKDOWN.sub(

@@ -10,7 +10,7 @@ _ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
 _LENGTH = re.compile(r"-?[\d.]+\s*(?:pt|mm|cm|in|ex|em|mu)")
 _IN_BRACES = re.compile(
     r"\s*(?P<style>\\cal\s*)?(?P<name>(?:\\(?:d*dot|bar|hat|tilde|vec)\s*)?"
-    r"(?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{[a-zA-Z]+\})?))\s*\}(?=\s*\()|\s*\}(?=\s*[&=])"
+    r"(?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{[a-zA-Z]+\})?))\s*\}(?=\s*[(_])|\s*\}(?=\s*[&=])"
 )
 """What stands in braces for its looks alone, and their end."""
 _SKIP = re.compile(r"\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")

@@ -35,7 +35,14 @@ _BRACES = frozenset((r"\underbrace", r"\overbrace", r"\underbracket", r"\overbra
 _NEGATED = {"=": r"\ne", r"\in": r"\notin", r"\equiv": r"\ne"}
 _INFIX = {r"\over": r"\frac", r"\choose": r"\binom"}
 _OTHERWISE = {r"\nicefrac": r"\frac", r"\sfrac": r"\frac", r"\xfrac": r"\frac", r"\space": "\\ ", r"\nobreakspace": "~"}
-_OTHERWISE |= {r"\>": r"\:", r"\pmod": r"\bmod", r"\mod": r"\bmod"}
+_OTHERWISE |= {
+    r"\enskip": r"\;",
+    r"\enspace": r"\;",
+    r"\thinspace": r"\,",
+    r"\>": r"\:",
+    r"\pmod": r"\bmod",
+    r"\mod": r"\bmod",
+}
 _OTHERWISE |= dict.fromkeys((r"\begin{dcases}", r"\begin{dcases*}", r"\begin{cases*}"), r"\begin{cases}")
 _OTHERWISE |= dict.fromkeys((r"\end{dcases}", r"\end{dcases*}", r"\end{cases*}"), r"\end{cases}")
 _OTHERWISE |= dict.fromkeys((r"\triangledown", r"\bigtriangledown"), r"\nabla")
@@ -295,11 +302,25 @@ def _cross(page: _Page, piece: Piece) -> bool:
 def _needless_braces(page: _Page, piece: Piece) -> bool:
     r"""Leave out braces round nothing before a mark of alignment, and round a name before a bracket: ``{N}(t)``."""
     before = first_text(reversed(without_label(page.out)))
-    argument = before in ("^", "_", "]", "}") or (before.startswith("\\") and before not in _ENDS)
+    argument = (
+        before in ("^", "_", "]")
+        or (before == "}" and not _ends_script(page.out))
+        or (before.startswith("\\") and before not in _ENDS)
+    )
     if argument or (inside := page.waiting.name_in_braces()) is None:
         return False
     page.waiting.put(inside)
     return True
+
+
+def _ends_script(out: Sequence[Piece]) -> bool:
+    """Whether pieces end with a script in braces: no argument comes behind it."""
+    depth = 0
+    for place in range(len(out) - 1, -1, -1):
+        depth += (out[place].text == "}") - (out[place].text == "{")
+        if not depth and out[place].text == "{":
+            return first_text(reversed(out[:place])) in ("^", "_")
+    return False
 
 
 def _label(page: _Page, piece: Piece) -> bool:

@@ -1,5 +1,6 @@
 """A document read once from its beginning to its end, and each relation judged."""
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
@@ -40,7 +41,7 @@ from algebroproj_sym.reading.judging.questions import (
 from algebroproj_sym.reading.judging.sentences import last_sentence
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
-from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, states, supposes
+from algebroproj_sym.reading.judging.supposing import goes_on_with, is_denied_behind, leads_elsewhere, states, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
 from algebroproj_sym.reading.judging.words import (
@@ -57,6 +58,7 @@ from algebroproj_sym.reading.judging.words import (
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in
 
+_SAYS_THE_SAME = re.compile(r"(?:these|they|this|it) (?:is|are) (?:equivalent|equal|identical)\b")
 MOST_WITHIN = 12
 """How many formulas within the text before an equation may stand in its sentence."""
 
@@ -171,7 +173,7 @@ class _Pass:
             leads_elsewhere(statement.display.after) or is_example(sentence, statement.display.after)
         )
         says = is_given_within(before, number=number) and not (elsewhere or beside(statement, "").is_denied)
-        says = says and not ASKS.match(sentence)
+        says = says and not (ASKS.match(sentence) or is_denied_behind(statement.display.after))
         self.memory.stand_at(statement.display)
         stated = SAYS.search(before) or is_item(before, statement.display.after)
         at_value = is_value_of_itself(*formula.sides) if len(formula.sides) == 2 else False
@@ -195,12 +197,19 @@ class _Pass:
         if len(formula.sides) > 1:
             if not at_value:
                 self.memory.note(statement, formula)
+                self._explain(before, formula)
                 self.memory.tie(formula.sides)
                 self.memory.restate(formula)
             if {*formula.relations} == {"="}:
                 words = f"${statement.display.latex}$"
                 self.within += [(words, each) for each in self.memory.premises_of(statement, formula, formula.sides)]
             del self.within[:-MOST_WITHIN]
+
+    def _explain(self, before: str, formula: Parsed) -> None:
+        """Take what the sentence of the last display goes on to say of its letters for what they were in it."""
+        above = self.memory.display
+        if above is not None and goes_on_with(before, ended=has_ended(above)):
+            self.memory.given_at |= dict.fromkeys((defined_by(side)[0] for side in formula.sides), above.place)
 
     def _introduces_within(self, formula: Parsed) -> bool:
         r"""Whether an equation within the text says what a new letter is, though not alone: "where $L L^T = K$"."""
@@ -371,12 +380,14 @@ class _Pass:
     def _explained_behind(self) -> Iterator[Premise]:
         """Yield the equations within the text with which the sentence of a display goes on: "where $w^2 = k/m$"."""
         following = self.survey.statements[self.order : self.order + MOST_WITHIN]
-        for each in following if self.memory.display and not has_ended(self.memory.display) else ():
+        here = self.memory.display
+        ended = here is None or has_ended(here)
+        for each in following:
             found, display = self.survey.formulas[id(each)], each.display
             if display.environment != "inline":
                 if display is not self.memory.display:
                     return
-            elif not goes_on_with(display.before):
+            elif not goes_on_with(display.before, ended=ended):
                 return
             elif (
                 isinstance(found, Parsed)
@@ -384,7 +395,8 @@ class _Pass:
                 and not self.survey.meanings.reason(each, found)
             ):
                 formula = f"${display.latex}$"
-                behind = display.after.partition(".")[0].partition("$")[0].strip().removesuffix("and")
+                behind = re.split(r"\.|\$|\\\(", display.after)[0].strip().removesuffix("and")
+                behind = "" if _SAYS_THE_SAME.match(behind) else behind
                 sentence = f"{display.before}{formula}{behind}"
                 if supposes(replace(self.memory.beside, sentence=sentence), formula):
                     yield from self.memory.premises_of(each, found, found.sides)

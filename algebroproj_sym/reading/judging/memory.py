@@ -28,7 +28,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_update,
 )
 from algebroproj_sym.reading.defining.survey import Survey
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, speaks_of
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
@@ -168,10 +168,9 @@ class Memory:
 
     def forget(self, symbol: str) -> None:
         """Forget what was said of a letter, and with it."""
-        self.premises = [each for each in self.premises if symbol not in each.symbols]
-        self._drop(
-            each.symbol for each in self.vocabulary.definitions.values() if symbol in (each.symbol, *each.symbols)
-        )
+        self.premises = [each for each in self.premises if not speaks_of(each.symbols, symbol)]
+        known = self.vocabulary.definitions.values()
+        self._drop([each.symbol for each in known if speaks_of((each.symbol, *each.symbols), symbol)])
 
     def _hear_of_letters(self, display: Display) -> None:
         """Forget what other sections said of a letter, and with it, where words say that it is something else."""
@@ -202,9 +201,9 @@ class Memory:
             same = is_same(nouns, each.words | self._named_at(symbol, each.part))
             return same or (each.part == part and not told)
 
-        self.premises = [each for each in self.premises if symbol not in each.symbols or stays(each)]
+        self.premises = [each for each in self.premises if not speaks_of(each.symbols, symbol) or stays(each)]
         known = [each for each in self.vocabulary.definitions.values() if not stays(each)]
-        self._drop(each.symbol for each in known if symbol in (each.symbol, *each.symbols))
+        self._drop([each.symbol for each in known if speaks_of((each.symbol, *each.symbols), symbol)])
 
     def _drop(self, symbols: Iterable[str]) -> None:
         for symbol in [*symbols]:
@@ -217,10 +216,11 @@ class Memory:
         limited = None if inline else _ONLY.match(display.after)
         sentences = [limited[1]] if limited else sentences_of(display.before.rpartition(HEADING)[2])
         own = last_context(sentences, display.after if inline else "")
-        if own.kind or self.part != display.part:
-            self.held, self.held_at = own, display.place
+        passing = inline and bool(own.kind) and not own.is_of_things
+        if (own.kind and not passing) or self.part != display.part:
+            self.held, self.held_at = ANYWHERE if passing else own, display.place
         behind = ANYWHERE if inline or has_ended(display) else context_behind(display.after)
-        self.context = behind if behind.kind else self.held
+        self.context = own if passing else behind if behind.kind else self.held
         self.part = display.part
 
     def is_named(self, statement: Statement, names: frozenset[str]) -> bool:

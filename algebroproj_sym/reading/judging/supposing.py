@@ -8,9 +8,9 @@ from algebroproj_sym.reading.judging.words import CASES, Beside, ends_clause
 
 _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"
-    r"(?:(?:since|as|because|where|when|if|for|with|by|at|using|use|let|put(?:ting)?|set(?:ting)?|tak(?:e|ing)|suppose|"
-    r"supposing|assume|assuming|choos(?:e|ing)|introducing|substitut(?:e|ing)|insert(?:ing)?|hav(?:e|ing)|know|recall|"
-    r"given)\b\W*)*"
+    r"(?:(?:since|as|because|where|in which|when|if|for|with|by|at|using|use|let|put(?:ting)?|set(?:ting)?|"
+    r"tak(?:e|ing)|suppose|supposing|assume|assuming|choos(?:e|ing)|introducing|substitut(?:e|ing)|insert(?:ing)?|"
+    r"hav(?:e|ing)|know|recall|given)\b\W*)*"
     r"(?:(?:that|the (?:parameter|abbreviation|notation|quantity|value|identity|relation|equation|fact that|letter)|"
     r"(?:we|you) (?:can )?(?:have|set|use|put|take|know|assume|choose|introduce|define)|there is|"
     r"(?:(?:we|you) )?(?:use|have|take) an? (?:[a-z]+ ){1,2}(?:where|with|in which))\b\W*)*",
@@ -20,7 +20,7 @@ _LEADS = re.compile(
 _THEN = re.compile(
     r"\s*(?:(?:as|is|are) (?:the|our|its|an?) (?:[a-z]+ ){0,3}[a-z]+)?\s*"
     r"(?:[,:]|$|(?:so|then|thus|hence|this|gives?|yields?|and (?:so|thus|hence|then|that|the|obtain|get|find)|into|"
-    r"in (?:the|\()|leads?|reduces?|becomes?|holds?|we|it|the)\b)",
+    r"in (?:the|\()|leads?|reduces?|becomes?|holds?|we|it|the|these|they)\b)",
     re.IGNORECASE,
 )
 """How a sentence goes on behind a formula that it supposes: with its main clause."""
@@ -73,7 +73,7 @@ def supposes(beside: Beside, formula: str) -> bool:
     """
     before, found, behind = beside.sentence.rpartition(";")[2].partition(formula)
     lead = re.split(r"[,:]|\band\b", without_formulas(before))[-1]
-    leads = _LEADS.fullmatch(lead) is not None and _THEN.match(behind.replace("$", "")) is not None
+    leads = _LEADS.fullmatch(lead) is not None and _THEN.match(" ".join(behind.replace("$", "").split())) is not None
     apart = _APART.search(f"{beside.sentence} {beside.condition}") or _ELSEWHERE.search(without_formulas(behind))
     formulas = (_INSIDE.sub("", each) for each in FORMULA.findall(beside.sentence))
     return bool(found) and leads and not (apart or beside.is_denied or any(map(_ORDER.search, formulas)))
@@ -89,11 +89,21 @@ def states(beside: Beside, display: Display) -> bool:
     return _STATES.search(lead) is not None and ends and not (apart or beside.is_conditional)
 
 
-def goes_on_with(behind: str) -> bool:
-    """Whether the words behind a display go on with what its letters are: "where $w^2 = k/m$ and"."""
-    return _WHERE.match(behind) is not None and last_sentence(behind.strip()) == behind.strip()
+def goes_on_with(behind: str, *, ended: bool) -> bool:
+    """Whether the words behind a display go on with what its letters are: "where $w^2 = k/m$ and".
+
+    Behind a full stop they do if they begin with a small letter.
+    """
+    words = behind.strip()
+    goes_on = _WHERE.match(words) is not None and last_sentence(words) == words
+    return goes_on and not (ended and words[:1].isupper())
 
 
 def leads_elsewhere(behind: str) -> bool:
     """Whether the words behind a formula begin with a place, as in "with $b = 0$ at the top"."""
     return _ELSEWHERE.match(behind.lstrip()) is not None
+
+
+def is_denied_behind(behind: str) -> bool:
+    """Whether the words right behind a formula deny it, as in "where $b = 0$ is not assumed"."""
+    return re.match(r"\s*(?:is|are|need|does|do|can|must|should|may) not\b", behind) is not None

@@ -240,11 +240,13 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     speaks = {
         each: standing.vocabulary.letters_of(each.left) | standing.vocabulary.letters_of(each.right) for each in near
     }
-    asserted = [each for each in near if not each.special or (each.names & standing.cited and not each.context.kind)]
+    asserted = [each for place, each in enumerate(near) if _is_asserted(standing, each, is_last=place < MOST_NEAR)]
     alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
-    own = _supposed(standing, left, right)
+    supposed = _supposed(standing, left, right)
+    own = [each for each in supposed if each.gives is None]
+    told = extended(standing.vocabulary, [each.gives for each in supposed if each.gives is not None])
     if alone:
-        yield Way(left, right, standing.vocabulary, under=(*alone, *own))
+        yield Way(left, right, told, under=(*alone, *own))
     last = [
         each
         for each in near[:MOST_NEAR]
@@ -253,7 +255,7 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     several = [each for each in asserted if _has_components(each, speaks[each] & letters)]
     for each in dict.fromkeys((*last, *several)):
         if (each,) != alone:
-            yield Way(left, right, standing.vocabulary, under=(each, *own))
+            yield Way(left, right, told, under=(each, *own))
     tied = set(letters)
     together: list[Premise] = []
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
@@ -265,8 +267,15 @@ def _under_equations(standing: Standing, left: Formula, right: Formula) -> Itera
     ):
         return
     if together and tuple(together) != alone:
-        yield Way(left, right, standing.vocabulary, under=(*together, *own))
+        yield Way(left, right, told, under=(*together, *own))
     yield from _with_given_letters(standing, left, right, [each for each in asserted if each.gives is None])
+
+
+def _is_asserted(standing: Standing, premise: Premise, *, is_last: bool) -> bool:
+    """Whether an equation holds where no case is spoken of: words cite it, or it is one of the last ones."""
+    is_named = bool(premise.names & standing.cited) and not premise.context.kind
+    is_near = is_last and premise.part == standing.part and _is_still_so(standing, premise)
+    return not premise.special or is_named or is_near
 
 
 def _is_still_so(standing: Standing, premise: Premise) -> bool:
@@ -286,7 +295,9 @@ def _with_given_letters(standing: Standing, left: Formula, right: Formula, other
     told = extended(standing.vocabulary, given)
     letters = told.letters_of(left) | told.letters_of(right)
     tied = [each for each in others if (told.letters_of(each.left) | told.letters_of(each.right)) & letters]
-    changed = [each for each in tied if not each.symbols.isdisjoint(letter.symbol for letter in given)]
+    symbols = {letter.symbol for letter in given}
+    own = {*symbols_in(left), *symbols_in(right)}
+    changed = [each for each in tied if symbols & (each.symbols | own)]
     for under in dict.fromkeys(((changed[0],), (*tied,))) if changed else ():
         yield Way(left, right, told, A_VALUE, under=under)
 

@@ -119,9 +119,12 @@ HENCE = re.compile(
     re.IGNORECASE,
 )
 """Words by which an equation is said to follow from what is above it."""
-DEFINES = re.compile(r"(?:\bwhere|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$", re.IGNORECASE)
+DEFINES = re.compile(
+    r"(?:\bwhere|(?:^|[.,;])\s*in which|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$",
+    re.IGNORECASE,
+)
 """Words before an inline formula by which it is a definition."""
-_DIRECTLY = re.compile(r"\W*(?:where|with|here|and|let|put|set|define|denote)\b", re.IGNORECASE)
+_DIRECTLY = re.compile(r"\W*(?:where|in which|with|here|and|let|put|set|define|denote)\b", re.IGNORECASE)
 _FORBIDS = re.compile(r"\b(?:not|never|cannot|don['’]t)(?: \w+){0,2}\W*$", re.IGNORECASE)
 _LETS = re.compile(r"\b(?:let|put|set|defin\w+|denot\w+)\W*$", re.IGNORECASE)
 SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)

@@ -18,8 +18,6 @@ from algebroproj_sym.reading.lexing.commands import (
     FRACTIONS,
     FUNCTIONS,
     GREEK,
-    INDICES,
-    LETTER,
     LETTERS,
     MARKS,
     NAMED,
@@ -250,10 +248,10 @@ def _has_indices(cursor: Cursor, letter: str, below: str, above: str) -> bool:
     r"""Whether what stands above a letter may be indices, as in ``T^{\mu\nu}`` and ``g_\mu^\nu``, and no power."""
     if letter in ("e", r"\mathrm{e}") or above in MARKS:
         return False
-    letters = [*LETTER.findall(above)]
-    alone = all(each in GREEK or len(each) == 1 for each in letters)
-    mixed = len(letters) == 1 and {above, below} <= GREEK
-    return (INDICES.fullmatch(above) is not None and alone) or mixed
+    unseen = UPRIGHT | {"{", "}"}
+    letters = [each.text for each in cursor.raised if not (each.text.isspace() or each.text in unseen)]
+    alone = all(each in GREEK or (len(each) == 1 and each.isalpha()) for each in letters)
+    return alone and (len(letters) > 1 or {above, below} <= GREEK)
 
 
 def _at_factor(cursor: Cursor) -> bool:

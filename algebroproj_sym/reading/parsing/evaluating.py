@@ -124,6 +124,10 @@ class _Expressions(_Gathering):
     def run(self, *factors: Any) -> Any:
         return reduce(_times, factors)
 
+    def chained(self, slope: Any, rate: Any) -> Any:
+        """Return the derivative of a function times that of its argument, which is a number."""
+        return slope * _scalar(rate, "the derivative of a function")
+
     def number(self, token: Token) -> sympy.Expr:
         return sympy.Rational(str(token))
 

@@ -40,6 +40,8 @@ class _Texts(_Gathering):
     def run(self, *factors: Text) -> Text:
         return "*".join(_in(factor, _PRODUCT) for factor in factors), _PRODUCT
 
+    chained = run
+
     def number(self, token: Token) -> Text:
         return str(token), _ATOM
 

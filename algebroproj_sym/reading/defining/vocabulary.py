@@ -547,7 +547,7 @@ _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde
 
 
 def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
-    if " " in symbol or re.match(r"(d|\\partial|\\delta).*/\1", symbol):
+    if " " in symbol or re.match(r"(d|D|\\partial|\\delta).*/\1", symbol):
         text = symbol
     else:
         letter, primes, below, above = split_symbol(symbol)

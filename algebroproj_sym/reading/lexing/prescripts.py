@@ -26,6 +26,8 @@ from algebroproj_sym.reading.lexing.pieces import bare
 def read_braces(cursor: Cursor) -> None:
     """Read what stands in braces; a lone letter has the scripts behind them."""
     start, inside = cursor.place, cursor.group()
+    while (once := cursor.within(inside)).text == "{" and len(within := once.group()) == len(inside) - 2:
+        inside = within
     inner = cursor.within(inside)
     if _keeps_room(inner):
         return
@@ -86,7 +88,7 @@ def _is_lone_sign(cursor: Cursor) -> bool:
 def is_lone_letter(cursor: Cursor) -> bool:
     """Whether there is nothing but a letter, with its style and accents."""
     cursor.skip()
-    if not at_symbol(cursor):
+    if not at_symbol(cursor) and (cursor.functions is None or not at_unknown_letter(cursor)):
         return False
     take_letter(cursor)
     cursor.skip()

@@ -120,8 +120,6 @@ class Uncomputed:
         return [f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine]
 
     def _value(self, name: str, arguments: Sequence[Any], kind: str) -> Any:
-        if any(map(shape, arguments)):
-            raise UnreadableError(f"{name} takes numbers, got a matrix")
         key = f"{name}({', '.join(map(text, arguments))})"
         return self._letter(key, kind, self._on(*arguments) | letters_in(name) | letters_of_symbol(name))
 

@@ -41,7 +41,7 @@ from algebroproj_sym.reading.judging.questions import (
 from algebroproj_sym.reading.judging.sentences import last_sentence
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
-from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, states, supposes
+from algebroproj_sym.reading.judging.supposing import goes_on_with, leads_elsewhere, names_behind, states, supposes
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
 from algebroproj_sym.reading.judging.words import (
@@ -378,5 +378,6 @@ class _Pass:
                 formula = f"${display.latex}$"
                 behind = display.after.partition(".")[0].partition("$")[0].strip().removesuffix("and")
                 sentence = f"{display.before}{formula}{behind}"
-                if supposes(replace(self.memory.beside, sentence=sentence), formula):
+                said = names_behind(sentence, formula, display.after) and defined_by(found.sides[0])[0]
+                if said or supposes(replace(self.memory.beside, sentence=sentence), formula):
                     yield from self.memory.premises_of(each, found, found.sides)

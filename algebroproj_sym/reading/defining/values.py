@@ -42,6 +42,7 @@ class Uncomputed:
         self._functions = functions
         self._apart = apart
         self._angles = set[Any]()
+        self._roots: dict[Any, tuple[Any, Any]] = {}
         self._letters: dict[str, frozenset[str]] = {}
         self._keys: dict[str, str] = {}
         self._first: dict[str, str] = {}
@@ -102,7 +103,10 @@ class Uncomputed:
                 if name == "cos":
                     return cosines[0] * cosines[1] - sines[0] * sines[1]
                 return sines[0] * cosines[1] + cosines[0] * sines[1]
-        return self._value(name, arguments, WHOLE)
+        found = self._value(name, arguments, WHOLE)
+        if name == "root":
+            self._roots[found] = arguments[0], arguments[1]
+        return found
 
     @property
     def has_angles_of_sums(self) -> bool:
@@ -113,11 +117,12 @@ class Uncomputed:
         """Whether each value of a function that is computed elsewhere is a letter here."""
         return name in self._functions
 
-    def unit_circles(self) -> list[str]:
-        """Return what holds of the sine and the cosine of one angle, if both are letters."""
+    def ties(self) -> list[str]:
+        """Return what holds of the sine and the cosine of one angle, and of roots, if they are letters."""
         calls = {key: name for name, key in self._keys.items()}
         pairs = [(name, calls.get(f"cos{key[3:]}")) for key, name in calls.items() if key.startswith("sin(")]
-        return [f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine]
+        roots = [f"{root}^{degree} = {text(inside)}" for root, (inside, degree) in self._roots.items()]
+        return [*(f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine), *roots]
 
     def _value(self, name: str, arguments: Sequence[Any], kind: str) -> Any:
         key = f"{name}({', '.join(map(text, arguments))})"

@@ -165,7 +165,7 @@ class _Pass:
         formula = formula.without_set()
         before, sentence = statement.display.before, last_sentence(statement.display.before)
         self.memory.leave(statement.display)
-        number = not any(map(symbols_in, formula.sides[1:]))
+        number = {symbol for side in formula.sides[1:] for symbol in symbols_in(side)} <= {r"\pi"}
         elsewhere = number and (
             leads_elsewhere(statement.display.after) or is_example(sentence, statement.display.after)
         )

@@ -151,6 +151,10 @@ class _Expressions(_Gathering):
         return function(*arguments)
 
     def power(self, base: Any, exponent: Any) -> Any:
+        if self.values is not None and self.values.takes("root") and not shape(exponent):
+            power = exponent if exponent.free_symbols else exponent.doit()
+            if isinstance(power, sympy.Rational) and power.q > 1:
+                return _raised(self.nth_root(sympy.Integer(power.q), base), sympy.Integer(power.p))
         return _raised(base, exponent)
 
     def marked(self, base: Any, mark: Token) -> Any:
@@ -185,11 +189,13 @@ class _Expressions(_Gathering):
         return _raised(self.function(name, arguments), exponent)
 
     def root(self, inside: Any) -> Any:
-        return sympy.sqrt(_scalar(inside, "a root"))
+        return self.nth_root(sympy.Integer(2), inside)
 
     def nth_root(self, degree: Any, inside: Any) -> Any:
         if not isinstance(degree, sympy.Integer) or degree < 1:
             raise UnreadableError(f"a root of degree {degree} is not computed")
+        if self.values is not None and self.values.takes("root"):
+            return self.values.known("root", [_scalar(inside, "a root"), degree])
         return sympy.root(_scalar(inside, "a root"), degree)
 
     def big(self, name: Token, body: Any) -> Any:

@@ -47,6 +47,7 @@ class Uncomputed:
         self._keys: dict[str, str] = {}
         self._first: dict[str, str] = {}
         self._sums: dict[str, tuple[str, Any]] = {}
+        self._products: dict[str, tuple[str, Any]] = {}
 
     def slope(self, value: Any, variable: Any) -> Any:
         """Return a derivative: that of a sum is the sum of the derivatives of its terms."""
@@ -165,11 +166,56 @@ class Uncomputed:
         if shape(body):
             raise UnreadableError(f"{name} is read, but not computed")
         require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
+        if name.startswith(r"\prod"):
+            return sympy.Mul(*(self._multiplied(name, each) for each in _factors(body)))
         index = index_of(name)
-        terms = _terms(body) if index else []
+        terms = _terms(body) if index or _LINEAR.match(name) else []
         if not terms:
             return self._whole(name, body.replace(over, _divided))
-        return sympy.Add(*(self._summed(name, index, term) for term in terms))
+        return sympy.Add(*(self._summed(name, index, term) if index else self._scaled(name, term) for term in terms))
+
+    def _scaled(self, name: str, term: Any) -> Any:
+        """Return the integral, or the derivative, of a product: a number stands before it."""
+        number, rest = term.as_coeff_Mul()
+        return number * self._whole(name, rest) if number else sympy.S.Zero
+
+    def _multiplied(self, name: str, factor: Any) -> Any:
+        """Return a product of powers, of quotients or of exponentials as such of products, or of sums."""
+        if isinstance(factor, over):
+            return over(1, self.big(name, factor.args[1]))
+        if factor.is_Pow and factor.exp.is_Rational:
+            return self.big(name, factor.base) ** factor.exp
+        if isinstance(factor, sympy.exp):
+            return sympy.exp(self.big(_as_sum(name), factor.args[0]))
+        number = self.big(_as_sum(name), sympy.S.One)
+        if not (index := index_of(_as_sum(name))) or number.name in self._sums:
+            index = ""
+        varying = self._vocabulary.dependence.related(index) | {index, ANY}
+        if index and not self._dependent(factor, varying):
+            return factor**number
+        found = self._whole(name, factor)
+        self._products[found.name] = name, factor
+        return found
+
+    def logarithm(self, value: Any) -> Any:
+        """Return the logarithm of a number, factor by factor if one is an exponential or a product over an index."""
+        parts = _factors(value)
+        bases = [each.args[1] if isinstance(each, over) else each.base if each.is_Pow else each for each in parts]
+        if not any(isinstance(each, sympy.exp) or str(each) in self._products for each in bases):
+            return sympy.log(value)
+        return sympy.Add(*map(self._logarithm, parts))
+
+    def _logarithm(self, factor: Any) -> Any:
+        if isinstance(factor, over):
+            return -self.logarithm(factor.args[1])
+        if isinstance(factor, sympy.exp):
+            return factor.args[0]
+        if factor.is_Pow:
+            return factor.exp * self.logarithm(factor.base)
+        name, body = self._products.get(str(factor), ("", None))
+        if name:
+            return self.big(_as_sum(name), sympy.Add(*map(self._logarithm, _factors(body))))
+        return sympy.log(factor)
 
     def _summed(self, name: str, index: str, term: Any) -> Any:
         """Return the sum of a product: what does not depend on the index stands before it."""
@@ -241,6 +287,20 @@ def _terms(value: Any) -> list[Any]:
         return []
     terms = sympy.Add.make_args(sympy.expand(value, power_base=False, power_exp=False, log=False))
     return [] if len(terms) > MOST_TERMS else [*terms]
+
+
+_LINEAR = re.compile(r"\\i*o?int|d/d|\\partial/")
+"""What is taken term by term: integrals and derivatives."""
+
+
+def _as_sum(name: str) -> str:
+    """Return the name of the sum over the index of a product."""
+    return name.replace(r"\prod", r"\sum", 1)
+
+
+def _factors(value: Any) -> list[Any]:
+    """Return the factors of a number."""
+    return [*sympy.Mul.make_args(value.replace(over, _divided))]
 
 
 def _divided(above: Any, below: Any) -> Any:

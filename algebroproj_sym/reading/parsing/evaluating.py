@@ -90,6 +90,9 @@ class Values(Protocol):
     def slope(self, value: Any, variable: Any) -> Any:
         """Return a derivative of an expression with such values."""
 
+    def logarithm(self, value: Any) -> Any:
+        """Return the logarithm of an expression with such values."""
+
 
 def evaluated(tree: Formula, names: Names, values: Values | None = None) -> Expression:
     """Return the expression that a tree stands for; values that are not computed are refused, or taken from `values`.
@@ -176,6 +179,8 @@ class _Expressions(_Gathering):
     def function(self, name: Token, arguments: list[Any]) -> Any:
         if self.values is not None and self.values.takes(str(name)):
             return self.values.known(str(name), arguments)
+        if self.values is not None and name in ("ln", "log") and len(arguments) == 1:
+            return self.values.logarithm(_scalar(arguments[0], "a logarithm"))
         try:
             return _applied(str(name), arguments)
         except UnreadableError:

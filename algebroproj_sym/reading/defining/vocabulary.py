@@ -355,11 +355,7 @@ class Vocabulary:
         letter = before_condition(symbol)
         if letter in self.kinds.averages.operators or _OF_EVENTS.fullmatch(letter):
             return False
-        return (
-            _BOLD.search(letter) is not None
-            or symbol in self.kinds.no_numbers
-            or symbol in self._properties
-        )
+        return _BOLD.search(letter) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""

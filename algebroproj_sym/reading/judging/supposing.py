@@ -100,7 +100,9 @@ def names_behind(sentence: str, formula: str, behind: str) -> bool:
     """Whether words behind a display say what a letter is: "where $u = a b$ is the speed at the wall, and $w = a$"."""
     before = without_formulas(sentence.partition(formula)[0])
     lead = re.split(r"[,;]|\band\b", before)[-1]
-    return _IS_THE.match(behind) is not None and _LEADS.fullmatch(lead) is not None and not _APART.search(_INSIDE.sub("", before))
+    said = re.split(r"[.;]|,?\s+(?:and|with)\s+(?:\$|\\\()", behind)[0]
+    apart = any(_APART.search(_INSIDE.sub("", each)) for each in (before, said))
+    return _IS_THE.match(behind) is not None and _LEADS.fullmatch(lead) is not None and not apart
 
 
 _IS_THE = re.compile(

@@ -201,21 +201,23 @@ class Uncomputed:
         """Return the logarithm of a number, factor by factor if one is an exponential or a product over an index."""
         parts = _factors(value)
         bases = [each.args[1] if isinstance(each, over) else each.base if each.is_Pow else each for each in parts]
-        if not any(isinstance(each, sympy.exp) or str(each) in self._products for each in bases):
-            return sympy.log(value)
-        return sympy.Add(*map(self._logarithm, parts))
+        has_parts = any(isinstance(each, sympy.exp) or str(each) in self._products for each in bases)
+        is_complex = bool(self._vocabulary.complexes or self._vocabulary.imaginary)
+        return self._taken_apart(value) if has_parts and not is_complex else sympy.log(value)
 
-    def _logarithm(self, factor: Any) -> Any:
+    def _taken_apart(self, value: Any) -> Any:
+        """Return a logarithm factor by factor: where it is real, it is that of the sizes of all factors."""
+        return sympy.Add(*map(self._of_factor, _factors(value)))
+
+    def _of_factor(self, factor: Any) -> Any:
         if isinstance(factor, over):
-            return -self.logarithm(factor.args[1])
+            return -self._taken_apart(factor.args[1])
         if isinstance(factor, sympy.exp):
             return factor.args[0]
         if factor.is_Pow:
-            return factor.exp * self.logarithm(factor.base)
+            return factor.exp * self._taken_apart(factor.base)
         name, body = self._products.get(str(factor), ("", None))
-        if name:
-            return self.big(_as_sum(name), sympy.Add(*map(self._logarithm, _factors(body))))
-        return sympy.log(factor)
+        return self.big(_as_sum(name), self._taken_apart(body)) if name else sympy.log(factor)
 
     def _summed(self, name: str, index: str, term: Any) -> Any:
         """Return the sum of a product: what does not depend on the index stands before it."""

@@ -38,7 +38,7 @@ _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
 _FIXED_VALUE = re.compile(r"([a-zA-Z]|\\[a-z]+)_(?:0|[a-hopqrs]|\{[a-zA-Z]*[a-hopqrs][a-zA-Z]+\})")
 """A letter with a zero, a word or a letter below it that counts nothing."""
-_OF_EVENTS = re.compile(r"\\math(?:bb|ds)\{[PI1]\}(?:_\{.*\\in(?![a-z]).*\})?")
+_OF_EVENTS = re.compile(r"\\math(?:bb|ds)\{(?:P\}|[I1]\}_\{.*\\in(?![a-z]).*\})")
 """A probability, and what is one where something happens, as in ``\\mathbb{I}_{x \\in A}``."""
 
 
@@ -553,7 +553,7 @@ _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde
 
 
 def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
-    if " " in symbol or re.match(r"(d|D|\\partial|\\delta).*/\1", symbol):
+    if " " in symbol or re.match(r"(d|\\partial|\\delta).*/\1", symbol):
         text = symbol
     else:
         letter, primes, below, above = split_symbol(symbol)

@@ -49,7 +49,6 @@ _OF_PACKAGES = {
     **{rf"\m{style}": (1, rf"\math{style}{{#1}}") for style in ("rm", "cal", "bb", "sf", "scr", "frak")},
     **dict.fromkeys((r"\cr", r"\tabularnewline"), (0, r"\\")),
     **{rf"\{name}": (1, rf"\begin{{{name}}}#1\end{{{name}}}") for name in ("matrix", "pmatrix", "cases")},
-    **dict.fromkeys((r"\enskip", r"\enspace", r"\thinspace", r"\medspace", r"\thickspace"), (0, r"\,")),
     r"\half": (0, r"\frac{1}{2}"),
     **dict.fromkeys((r"\defeq", r"\eqdef", r"\defn"), (0, r"\coloneqq")),
     r"\ra": (0, r"\rightarrow"),

@@ -21,7 +21,6 @@ from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.indices import excludes
 from algebroproj_sym.reading.defining.instances import powers_of
 from algebroproj_sym.reading.defining.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
-from algebroproj_sym.reading.defining.operators import without_operators
 from algebroproj_sym.reading.defining.premises import (
     MOST_NEAR,
     MOST_PREMISES,
@@ -39,7 +38,7 @@ from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_o
 from algebroproj_sym.reading.defining.solving import solution_of
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
-from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary, is_operator
+from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.indexed import instance_of, instances, sources_of
@@ -127,7 +126,6 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_with_same_ends(standing, [Way(left, right, told), *(each for each in at_others if not each.under)]),
         *_without_arguments(standing, formula, index),
         *_with_columns(standing, formula, index),
-        *_with_operators(standing, formula, index),
     ]
     ways += [
         replace(way, vocabulary=other, reads=f"{' = '.join(map(other.text, way.sides))}, where I is the identity")
@@ -447,15 +445,6 @@ def _with_columns(standing: Standing, formula: Parsed, index: int) -> Iterator[W
         yield from _changed(standing, formula, index, {}, partial(with_letters, letters=letters), names)
 
 
-def _with_operators(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
-    """Yield a relation in which operators with what they are of are letters, also in the equations above it."""
-    changed = partial(without_operators, is_vector=standing.vocabulary.is_matrix)
-    near = [side for each in standing.premises[-MOST_PREMISES:] for side in (each.left, each.right)]
-    sides = formula.sides[index : index + 2]
-    if any(is_operator(symbol) for side in (*sides, *near) for symbol in symbols_in(side)):
-        yield from _changed(standing, formula, index, {}, changed, {})
-
-
 def _changed(
     standing: Standing,
     formula: Parsed,
@@ -471,7 +460,7 @@ def _changed(
     used = (left, right, *(each.tree for each in used_by(known, left, right)))
     made = {symbol for each in used for symbol in symbols_in(each)}
     told = ", ".join(f"{known.name(each)} is {what}" for each, what in stands_for.items() if each in made)
-    if not told and stands_for:
+    if not told:
         return
     bare = replace(standing, vocabulary=known, premises=[premise_without(each, changed) for each in standing.premises])
     of_letters = replace(formula, sides=sides)
@@ -482,7 +471,7 @@ def _changed(
         *_as_its_sentence_supposes(bare, left, right),
     ):
         shown = " = ".join(map(known.text, way.sides))
-        yield replace(way, doubt=A_VALUE, reads=f"{shown}, where {told}" if told else shown)
+        yield replace(way, doubt=A_VALUE, reads=f"{shown}, where {told}")
 
 
 def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> bool:

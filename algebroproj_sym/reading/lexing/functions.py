@@ -46,12 +46,10 @@ def _derivative(above: str, below: str) -> str | None:
 
     Examples
     --------
-    >>> _derivative("dy", "dx"), _derivative("Dy", "Dt"), _derivative("\\partial", "\\partialx"), _derivative("d", "2")
-    ('dy/dx', 'Dy/Dt', '', None)
+    >>> _derivative("dy", "dx"), _derivative("\\partial", "\\partialx"), _derivative("d", "2")
+    ('dy/dx', '', None)
     """
     sign = next((each for each in _SIGNS if above.startswith(each) and below.startswith(each)), None)
-    if sign is None and above.startswith("D") and below == "Dt":
-        sign = "D"
     if sign == r"\delta" and above[len(sign) :] and not re.match(r"\^\{?[2-9]", above[len(sign) :]):
         return None
     if (

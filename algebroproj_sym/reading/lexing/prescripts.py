@@ -88,7 +88,7 @@ def _is_lone_sign(cursor: Cursor) -> bool:
 def is_lone_letter(cursor: Cursor) -> bool:
     """Whether there is nothing but a letter, with its style and accents."""
     cursor.skip()
-    if not at_symbol(cursor) and (cursor.functions is None or not at_unknown_letter(cursor)):
+    if not at_symbol(cursor):
         return False
     take_letter(cursor)
     cursor.skip()

@@ -85,6 +85,30 @@ def test_a_clause_behind_says_what_letters_are(latex, follows):
     assert (readings[-1].verdict == "follows") is follows
 
 
+BRACKET = r"We have \[ d = \langle u|u \rangle + \langle v|v \rangle - 2 \langle u|v \rangle \] Hence "
+PAIRS = (
+    r"We have \[ s = \sum_{i=1}^C "
+    r"\left[ \langle u^i|v^i \rangle + 2 c \sum_{j<i} (a_j + \langle u^i|v^j \rangle) \right] \] "
+)
+ROWS = r"\sum_{i=1}^C \langle u^i|v^i \rangle + 2 c \sum_{i=1}^C \sum_{j<i} "
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (BRACKET + r"\[ d - \langle v|v \rangle = \langle u|u \rangle - 2 \langle u|v \rangle \]", True),
+        (BRACKET + r"\[ d - \langle v|v \rangle = \langle u|u \rangle - 2 \langle v|u \rangle \]", False),
+        (BRACKET + r"\[ d = 0 \]", False),
+        (PAIRS + rf"Hence \[ s = {ROWS} a_j + 2 c \sum_{{i=1}}^C \sum_{{j<i}} \langle u^i|v^j \rangle \]", True),
+        (PAIRS + rf"Hence \[ s = {ROWS} a_j + 2 c \sum_{{i=1}}^C \sum_{{j<i}} \langle u^j|v^i \rangle \]", False),
+        (PAIRS + rf"Hence \[ s = {ROWS} (a_i + \langle u^i|v^j \rangle) \]", False),
+        (r"Let $f(u) = \langle u|v \rangle$. Then \[ f(w) = \langle u|v \rangle \]", False),
+    ],
+)
+def test_what_stands_on_both_sides_of_a_bar_in_angles_is_a_letter(latex, follows):
+    assert (last(latex).verdict == "follows") is follows
+
+
 def test_an_angle_at_which_something_happens_is_not_given():
     words = r"It avoids the discontinuity at $\theta = 0$ and $\theta = \pi$. "
     readings = read_document(document_of(words + r"The signal is \[ y = a \cos\theta \] Hence \[ y = -a \]"))

@@ -291,8 +291,8 @@ def _terms(value: Any) -> list[Any]:
     return [] if len(terms) > MOST_TERMS else [*terms]
 
 
-_LINEAR = re.compile(r"\\i*o?int|d/d|\\partial/")
-"""What is taken term by term: integrals and derivatives."""
+_LINEAR = re.compile(r"\\sum|\\i*o?int|d/d|\\partial/")
+"""What is taken term by term: sums over whatever it may be, integrals and derivatives."""
 
 
 def _as_sum(name: str) -> str:

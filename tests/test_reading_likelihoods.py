@@ -20,6 +20,7 @@ def last(latex: str) -> Reading:
         NORMAL + r"\[ L = (2\pi s^2)^{-n/2} e^{-\frac{1}{2 s^2} \sum_{i=1}^n (x_i - m)^2} \]",
         NORMAL + r"\[ \frac{\partial \ln L}{\partial m} = \frac{1}{s^2} \sum_{i=1}^n (x_i - m) \]",
         r"\[ L = \prod_{i=1}^n \lambda e^{-\lambda t_i} \] Hence \[ L = \lambda^n e^{-\lambda \sum_{i=1}^n t_i} \]",
+        r"We have \[ L = \prod_{i=0}^n c p_i \] Hence \[ L = c^{n+1} \prod_{i=0}^n p_i \]",
         r"We have \[ P = \prod_{i=1}^n p_i q_i \] Hence \[ \ln P = \sum_{i=1}^n \ln p_i + \sum_{i=1}^n \ln q_i \]",
         r"We have \[ P = \prod_{i=1}^n \frac{p_i}{q_i} \] Hence \[ \ln P = \sum_{i=1}^n (\ln p_i - \ln q_i) \]",
         r"\[ \ln L = a - \frac{1}{2} \sum_{i=1}^n (x_i - m)^2 \] Hence "

@@ -187,11 +187,9 @@ class Uncomputed:
             return self.big(name, factor.base) ** factor.exp
         if isinstance(factor, sympy.exp):
             return sympy.exp(self.big(_as_sum(name), factor.args[0]))
-        number = self.big(_as_sum(name), sympy.S.One)
-        if not (index := index_of(_as_sum(name))) or number.name in self._sums:
-            index = ""
+        index, number = index_of(_as_sum(name)), self.big(_as_sum(name), sympy.S.One)
         varying = self._vocabulary.dependence.related(index) | {index, ANY}
-        if index and not self._dependent(factor, varying):
+        if index and str(number) not in self._sums and not self._dependent(factor, varying):
             return factor**number
         found = self._whole(name, factor)
         self._products[found.name] = name, factor

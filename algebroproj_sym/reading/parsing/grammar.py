@@ -71,8 +71,8 @@ def parsed(
         end = pieces[-1].place if pieces else None
         raise UnreadableError(*_explained(error, end)) from error
     children: list[Any] = tree.children
-    sides = children[::2] if functions is None else map(_with_brackets_of_two, children[::2])
-    return Parsed(tuple(sides), tuple(map(str, children[1::2])), chose)
+    trees = children[::2] if functions is None else map(_with_brackets_of_two, children[::2])
+    return Parsed(tuple(trees), tuple(map(str, children[1::2])), chose)
 
 
 def _with_brackets_of_two(tree: Formula) -> Formula:

@@ -128,6 +128,35 @@ def test_a_fixed_value_of_a_number_is_no_part_of_it(latex, follows):
     assert (last(latex).verdict == "follows") is follows
 
 
+KEPLER = r"The anomalies have \[ M = E - e \sin E \] "
+BY_ECCENTRICITY = r"\[ \frac{dE}{de} = \frac{\sin E}{1 - e \cos E} \]"
+BY_ANOMALY = r"\[ \frac{dE}{dM} = \frac{1}{1 - e \cos E} \] "
+
+
+@pytest.mark.parametrize(
+    ("latex", "follows"),
+    [
+        (KEPLER + BY_ANOMALY + BY_ECCENTRICITY, True),
+        (KEPLER + r"For constant $e$ we have " + BY_ANOMALY, True),
+        (r"It is \[ u = q^3 + a q \] with constant $a$. Hence \[ \frac{dq}{du} = \frac{1}{3 q^2 + a} \]", True),
+        (KEPLER + BY_ECCENTRICITY, False),
+        (KEPLER + BY_ANOMALY, False),
+        (KEPLER + BY_ANOMALY + r"\[ \frac{dM}{de} = c \] " + BY_ECCENTRICITY, False),
+        (KEPLER + r"It also has \[ M = c e \] " + BY_ANOMALY + BY_ECCENTRICITY, False),
+        (KEPLER + BY_ANOMALY + r"\[ r = 1 - e \cos E \] " + BY_ECCENTRICITY, False),
+        (KEPLER + BY_ANOMALY + BY_ECCENTRICITY.replace(r"\frac{\sin", r"-\frac{\sin"), False),
+        (KEPLER + BY_ANOMALY + BY_ECCENTRICITY.replace(r"1 - e", "1 + e"), False),
+        (
+            r"We have \[ c - q = 1. \] It is \[ u = c q \] with \[ \frac{du}{dc} = k \] \[ \frac{dq}{du} = \frac1c \]",
+            False,
+        ),
+        (r"It is \[ u = q^3 + a q \] Hence \[ \frac{dq}{du} = \frac{1}{3 q^2 + a} \]", False),
+    ],
+)
+def test_a_letter_that_an_equation_ties_has_a_derivative_by_all_others(latex, follows):
+    assert (last(latex).verdict == "follows") is follows
+
+
 def test_words_that_find_something_deny_nothing():
     words = r"To find the response, we use \[ q = a + b \] Hence \[ q - b = a \]"
     assert last(words).verdict == "follows"

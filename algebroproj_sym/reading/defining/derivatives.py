@@ -11,6 +11,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.chains import chained, slope_of
+from algebroproj_sym.reading.defining.implicit import implicit
 from algebroproj_sym.reading.defining.integrating import integral_in, is_integral
 from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, ZERO, rate_of
@@ -195,6 +196,11 @@ def _by_chains(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -
     sign, _, above, below = match.groups()
     names = _by_bare(sorted(occurring))
     function = names.get(above, "")
+    by_it = lambda one, other: has_rate(one, other, occurring)  # noqa: E731
+    if tied := implicit(function, names.get(_bare(below), ""), vocabulary, by_it):
+        tree, fixed, given = tied
+        yield replace(_made(symbol, tree, given, [*fixed], vocabulary), role="case")
+        return
     through = through_arguments(sign, above, below, names, vocabulary) or nested(above, below, names, vocabulary)
     if through is not None:
         tree, places = through

@@ -198,8 +198,8 @@ def _by_chains(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -
     function = names.get(above, "")
     by_it = lambda one, other: has_rate(one, other, occurring)  # noqa: E731
     if tied := implicit(function, names.get(_bare(below), ""), vocabulary, by_it):
-        tree, fixed, given = tied
-        yield replace(_made(symbol, tree, given, [*fixed], vocabulary), role="case")
+        tree, fixed, tying = tied
+        yield replace(_made(symbol, tree, tying, [*fixed], vocabulary), role="case")
         return
     through = through_arguments(sign, above, below, names, vocabulary) or nested(above, below, names, vocabulary)
     if through is not None:

@@ -1,4 +1,4 @@
-r"""Derivatives of a letter that an equation ties to others: ``M = E - e \sin E`` gives ``\frac{dE}{de}``.
+r"""Derivatives of a letter that an equation ties: ``M = E - e \sin E`` gives ``\frac{dE}{de}``.
 
 The document must have the derivative of the letter by each other letter that may change: then it is a function of these.
 """

@@ -1,6 +1,6 @@
 r"""Derivatives of a letter that an equation ties: ``M = E - e \sin E`` gives ``\frac{dE}{de}``.
 
-The document must have the derivative of the letter by each other letter that may change: then it is a function of these.
+The document must have the derivative of the letter by each other letter that may change: it is a function of these.
 """
 
 from __future__ import annotations

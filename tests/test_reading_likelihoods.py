@@ -157,6 +157,12 @@ def test_a_letter_that_an_equation_ties_has_a_derivative_by_all_others(latex, fo
     assert (last(latex).verdict == "follows") is follows
 
 
+def test_a_wrong_index_within_a_value_with_a_condition_is_named():
+    given = r"We have \[ q = \ln p(z \mid d_j) - \ln p(z \mid a) + \ln p(d_j \mid a) \] Hence "
+    wrong = last(given + r"\[ q - \ln p(d_j \mid a) = \ln p(z \mid d_i) - \ln p(z \mid a) \]")
+    assert wrong.links[0].suggestion == "p_zmidd_j instead of p_zmidd_i"
+
+
 def test_words_that_find_something_deny_nothing():
     words = r"To find the response, we use \[ q = a + b \] Hence \[ q - b = a \]"
     assert last(words).verdict == "follows"

@@ -169,6 +169,6 @@ def test_words_that_find_something_deny_nothing():
     assert last(words.replace("response", "error")).verdict != "follows"
 
 
-def test_a_number_of_what_happens_is_no_matrix():
-    latex = r"We have \[ q = \frac{\mathbb{I}_{x \in A}}{m} \] Hence \[ m q = \mathbb{I}_{x \in A} \]"
-    assert last(latex).verdict == "follows"
+@pytest.mark.parametrize("number", [r"\mathbb{I}_{x \in A}", r"\mathbb{I}(x \in A)", r"\mathbb{P}(x \mid A)"])
+def test_a_number_of_what_happens_is_no_matrix(number):
+    assert last(rf"We have \[ q = \frac{{{number}}}{{m}} \] Hence \[ m q = {number} \]").verdict == "follows"

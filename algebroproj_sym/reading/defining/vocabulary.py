@@ -38,7 +38,7 @@ _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
 _FIXED_VALUE = re.compile(r"([a-zA-Z]|\\[a-z]+)_(?:0|[a-hopqrs]|\{[a-zA-Z]*[a-hopqrs][a-zA-Z]+\})")
 """A letter with a zero, a word or a letter below it that counts nothing."""
-_OF_EVENTS = re.compile(r"\\math(?:bb|ds)\{(?:P\}|[I1]\}_\{.*\\in(?![a-z]).*\})")
+_OF_EVENTS = re.compile(r"\\math(?:bb|ds)\{(?:P\}|[I1]\}(?:_\{| [(\[]).*\\in(?![a-z]))")
 """A probability, and what is one where something happens, as in ``\\mathbb{I}_{x \\in A}``."""
 
 
@@ -353,7 +353,7 @@ class Vocabulary:
     def is_no_number(self, symbol: str) -> bool:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
         letter = before_condition(symbol)
-        if letter in self.kinds.averages.operators or _OF_EVENTS.fullmatch(letter):
+        if letter in self.kinds.averages.operators or _OF_EVENTS.match(symbol):
             return False
         return _BOLD.search(letter) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 

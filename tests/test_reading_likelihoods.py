@@ -142,6 +142,7 @@ BY_ANOMALY = r"\[ \frac{dE}{dM} = \frac{1}{1 - e \cos E} \] "
         (KEPLER + BY_ECCENTRICITY, False),
         (KEPLER + BY_ANOMALY, False),
         (KEPLER + BY_ANOMALY + r"\[ \frac{dM}{de} = c \] " + BY_ECCENTRICITY, False),
+        (KEPLER + BY_ECCENTRICITY + r"\[ \frac{dM}{de} = c \] " + BY_ANOMALY, False),
         (KEPLER + r"It also has \[ M = c e \] " + BY_ANOMALY + BY_ECCENTRICITY, False),
         (KEPLER + BY_ANOMALY + r"\[ r = 1 - e \cos E \] " + BY_ECCENTRICITY, False),
         (KEPLER + BY_ANOMALY + BY_ECCENTRICITY.replace(r"\frac{\sin", r"-\frac{\sin"), False),

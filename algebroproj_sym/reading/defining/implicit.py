@@ -48,7 +48,7 @@ def implicit(
         return None
     constant = vocabulary.dependence.constant
     free = all(each in constant or has_rate(function, each) for each in fixed)
-    if not free or any(has_rate(each, variable) for each in fixed):
+    if not free or any(has_rate(each, variable) or has_rate(variable, each) for each in fixed):
         return None
     if any(vocabulary.moves_with(fixed - {given.symbol} - constant, each) for each in (variable, function)):
         return None

@@ -9,6 +9,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.chains import chained, slope_of
+from algebroproj_sym.reading.defining.implicit import implicit
 from algebroproj_sym.reading.defining.integrating import integral_in, is_integral
 from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, ZERO, rate_of
@@ -19,6 +20,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
 
 _DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
+_LOGARITHM = re.compile(r"(\\(?:ln|log)(?![a-z]))?(.*)")
 _MIXED = re.compile(r"\\partial\^2(.+)/\\partial(.+?)\\partial(.+)")
 _OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
 _FIXED = re.compile(
@@ -185,6 +187,11 @@ def _by_chains(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -
     sign, _, above, below = match.groups()
     names = _by_bare(sorted(occurring))
     function = names.get(above, "")
+    by_it = lambda one, other: has_rate(one, other, occurring)  # noqa: E731
+    if tied := implicit(function, names.get(_bare(below), ""), vocabulary, by_it):
+        tree, fixed, tying = tied
+        yield replace(_made(symbol, tree, tying, [*fixed], vocabulary), role="case")
+        return
     through = through_arguments(sign, above, below, names, vocabulary) or nested(above, below, names, vocabulary)
     if through is not None:
         tree, places = through
@@ -268,7 +275,9 @@ def _of_quotient(
 ) -> Definition | None:
     """Return a derivative of what is given by a formula; zero for a partial one by a letter that only others have."""
     sign, order, above, below = match.groups()
-    function = _by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), "")
+    known = _by_bare(vocabulary.definitions)
+    logarithm, inside = ("", above) if above in known else _LOGARITHM.fullmatch(above).groups()  # type: ignore[union-attr]  # it always matches
+    function = known.get(re.sub(r"\(.*\)$", "", inside), "")
     definition = vocabulary.definitions.get(function)
     if definition is None or not definition.usable or _is_unknown(definition, vocabulary):
         return None
@@ -276,6 +285,8 @@ def _of_quotient(
     if definition.parameters:
         arguments: list[Any] = [*map(letter_of, definition.parameters)]
         value = Tree("call", [Token("CALLEE", definition.symbol), Tree("items", arguments)])
+    if logarithm:
+        value = Tree("function", [Token("FUNCTION", "ln"), Tree("items", [value])])
     letters = vocabulary.letters_of(definition.tree) | {*definition.parameters}
     variable = _by_bare(sorted(letters)).get(_bare(below))
     used = vocabulary.used_in(definition.tree)

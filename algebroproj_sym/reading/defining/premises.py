@@ -20,7 +20,7 @@ from algebroproj_sym.reading.defining.recognising import defined_by, is_one_valu
 from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in, trees_in
 from algebroproj_sym.replaying.reals.terms import has_functions
 
 MOST_PREMISES = 300
@@ -82,6 +82,9 @@ class Premise:
             symbol, parameters = defined_by(side)
             if side.data == "opaque" and symbols_in(other):
                 symbol = str(side.children[0])
+            if side.data == "function" and side.children[0] in ("ln", "log"):
+                (inside,) = trees_in(side)
+                symbol = f"\\{side.children[0]} {defined_by(inside)[0]}" if defined_by(inside)[0] else ""
             if symbol and not ZERO.fullmatch(symbol) and not is_one_value(parameters, other):
                 return self._of(symbol, parameters, other)
         return None

@@ -40,10 +40,12 @@ class Uncomputed:
         self._functions = functions
         self._apart = apart
         self._angles = set[Any]()
+        self._roots: dict[Any, tuple[Any, Any]] = {}
         self._letters: dict[str, frozenset[str]] = {}
         self._keys: dict[str, str] = {}
         self._first: dict[str, str] = {}
         self._sums: dict[str, tuple[str, Any]] = {}
+        self._products: dict[str, tuple[str, Any]] = {}
 
     def slope(self, value: Any, variable: Any) -> Any:
         """Return a derivative: that of a sum is the sum of the derivatives of its terms."""
@@ -100,7 +102,10 @@ class Uncomputed:
                 if name == "cos":
                     return cosines[0] * cosines[1] - sines[0] * sines[1]
                 return sines[0] * cosines[1] + cosines[0] * sines[1]
-        return self._value(name, arguments, WHOLE)
+        found = self._value(name, arguments, WHOLE)
+        if name == "root":
+            self._roots[found] = arguments[0], arguments[1]
+        return found
 
     @property
     def has_angles_of_sums(self) -> bool:
@@ -111,15 +116,14 @@ class Uncomputed:
         """Whether each value of a function that is computed elsewhere is a letter here."""
         return name in self._functions
 
-    def unit_circles(self) -> list[str]:
-        """Return what holds of the sine and the cosine of one angle, if both are letters."""
+    def ties(self) -> list[str]:
+        """Return what holds of the sine and the cosine of one angle, and of roots, if they are letters."""
         calls = {key: name for name, key in self._keys.items()}
         pairs = [(name, calls.get(f"cos{key[3:]}")) for key, name in calls.items() if key.startswith("sin(")]
-        return [f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine]
+        roots = [f"{root}^{degree} = {text(inside)}" for root, (inside, degree) in self._roots.items()]
+        return [*(f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine), *roots]
 
     def _value(self, name: str, arguments: Sequence[Any], kind: str) -> Any:
-        if any(map(shape, arguments)):
-            raise UnreadableError(f"{name} takes numbers, got a matrix")
         key = f"{name}({', '.join(map(text, arguments))})"
         return self._letter(key, kind, self._on(*arguments) | letters_in(name) | letters_of_symbol(name))
 
@@ -160,11 +164,56 @@ class Uncomputed:
         if shape(body):
             raise UnreadableError(f"{name} is read, but not computed")
         require_no_value(name, map(self._vocabulary.symbol_of, _names(body)), self._vocabulary.definitions)
+        if name.startswith(r"\prod"):
+            return sympy.Mul(*(self._multiplied(name, each) for each in _factors(body)))
         index = index_of(name)
-        terms = _terms(body) if index else []
+        terms = _terms(body) if index or _LINEAR.match(name) else []
         if not terms:
             return self._whole(name, body.replace(over, _divided))
-        return sympy.Add(*(self._summed(name, index, term) for term in terms))
+        return sympy.Add(*(self._summed(name, index, term) if index else self._scaled(name, term) for term in terms))
+
+    def _scaled(self, name: str, term: Any) -> Any:
+        """Return the integral, or the derivative, of a product: a number stands before it."""
+        number, rest = term.as_coeff_Mul()
+        return number * self._whole(name, rest) if number else sympy.S.Zero
+
+    def _multiplied(self, name: str, factor: Any) -> Any:
+        """Return a product of powers, of quotients or of exponentials as such of products, or of sums."""
+        if isinstance(factor, over):
+            return over(1, self.big(name, factor.args[1]))
+        if factor.is_Pow and factor.exp.is_Rational:
+            return self.big(name, factor.base) ** factor.exp
+        if isinstance(factor, sympy.exp):
+            return sympy.exp(self.big(_as_sum(name), factor.args[0]))
+        index, number = index_of(_as_sum(name)), self.big(_as_sum(name), sympy.S.One)
+        varying = self._vocabulary.dependence.related(index) | {index, ANY}
+        if index and str(number) not in self._sums and not self._dependent(factor, varying):
+            return factor**number
+        found = self._whole(name, factor)
+        self._products[found.name] = name, factor
+        return found
+
+    def logarithm(self, value: Any) -> Any:
+        """Return the logarithm of a number, factor by factor if one is an exponential or a product over an index."""
+        parts = _factors(value)
+        bases = [each.args[1] if isinstance(each, over) else each.base if each.is_Pow else each for each in parts]
+        has_parts = any(isinstance(each, sympy.exp) or str(each) in self._products for each in bases)
+        is_complex = bool(self._vocabulary.complexes or self._vocabulary.imaginary)
+        return self._taken_apart(value) if has_parts and not is_complex else sympy.log(value)
+
+    def _taken_apart(self, value: Any) -> Any:
+        """Return a logarithm factor by factor: where it is real, it is that of the sizes of all factors."""
+        return sympy.Add(*map(self._of_factor, _factors(value)))
+
+    def _of_factor(self, factor: Any) -> Any:
+        if isinstance(factor, over):
+            return -self._taken_apart(factor.args[1])
+        if isinstance(factor, sympy.exp):
+            return factor.args[0]
+        if factor.is_Pow:
+            return factor.exp * self._taken_apart(factor.base)
+        name, body = self._products.get(str(factor), ("", None))
+        return self.big(_as_sum(name), self._taken_apart(body)) if name else sympy.log(factor)
 
     def _summed(self, name: str, index: str, term: Any) -> Any:
         """Return the sum of a product: what does not depend on the index stands before it."""
@@ -236,6 +285,20 @@ def _terms(value: Any) -> list[Any]:
         return []
     terms = sympy.Add.make_args(sympy.expand(value, power_base=False, power_exp=False, log=False))
     return [] if len(terms) > MOST_TERMS else [*terms]
+
+
+_LINEAR = re.compile(r"\\sum|\\i*o?int|d/d|\\partial/")
+"""What is taken term by term: sums over whatever it may be, integrals and derivatives."""
+
+
+def _as_sum(name: str) -> str:
+    """Return the name of the sum over the index of a product."""
+    return name.replace(r"\prod", r"\sum", 1)
+
+
+def _factors(value: Any) -> list[Any]:
+    """Return the factors of a number."""
+    return [*sympy.Mul.make_args(value.replace(over, _divided))]
 
 
 def _divided(above: Any, below: Any) -> Any:

@@ -36,6 +36,10 @@ Numbers = Literal["real", "complex", "some complex"]
 _CAPITAL = re.compile(r"[A-Z](?:_|\^|$)")
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
+_FIXED_VALUE = re.compile(r"([a-zA-Z]|\\[a-z]+)_(?:0|[a-hopqrs]|\{[a-zA-Z]*[a-hopqrs][a-zA-Z]+\})")
+"""A letter with a zero, a word or a letter below it that counts nothing."""
+_OF_EVENTS = re.compile(r"\\math(?:bb|ds)\{(?:P\}|[I1]\}(?:_\{| [(\[]).*\\in(?![a-z]))")
+"""A probability, and what is one where something happens, as in ``\\mathbb{I}_{x \\in A}``."""
 
 
 class UnsizedError(UnreadableError):
@@ -328,13 +332,10 @@ class Vocabulary:
 
     def is_no_number(self, symbol: str) -> bool:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
-        if symbol in self.kinds.averages.operators:
+        letter = before_condition(symbol)
+        if letter in self.kinds.averages.operators or _OF_EVENTS.match(symbol):
             return False
-        return (
-            _BOLD.search(before_condition(symbol)) is not None
-            or symbol in self.kinds.no_numbers
-            or symbol in self._properties
-        )
+        return _BOLD.search(letter) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""
@@ -441,7 +442,7 @@ class Vocabulary:
         inner = [each for used in self.used_in(definition.tree) for each in used.symbols if each not in used.parameters]
         alone = {str(each) for each in definition.tree.scan_values(_is_symbol)}
         for parameter in definition.parameters:
-            within = (each for each in (*definition.symbols, *inner) if each != parameter)
+            within = (each for each in (*definition.symbols, *inner) if not self._is_apart(each, parameter))
             if (
                 parameter in inner
                 or any(_stands_in(parameter, each) for each in within)
@@ -449,6 +450,11 @@ class Vocabulary:
             ):
                 return self.name(parameter)
         return ""
+
+    def _is_apart(self, symbol: str, parameter: str) -> bool:
+        """Whether a symbol is a parameter, or a fixed value of its kind, as ``x_0`` is of a number x."""
+        fixed = _FIXED_VALUE.fullmatch(symbol)
+        return symbol == parameter or (fixed is not None and fixed[1] == parameter and not self.is_matrix(parameter))
 
     def hidden_behind(self, definition: Definition) -> str:
         """Return a parameter on which a letter of a function depends otherwise than by definitions; empty if none."""

@@ -41,7 +41,14 @@ from algebroproj_sym.reading.judging.questions import (
 from algebroproj_sym.reading.judging.sentences import last_sentence
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
-from algebroproj_sym.reading.judging.supposing import goes_on_with, is_denied_behind, leads_elsewhere, states, supposes
+from algebroproj_sym.reading.judging.supposing import (
+    goes_on_with,
+    is_denied_behind,
+    leads_elsewhere,
+    names_behind,
+    states,
+    supposes,
+)
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
 from algebroproj_sym.reading.judging.words import (
@@ -168,7 +175,7 @@ class _Pass:
         formula = formula.without_set()
         before, sentence = statement.display.before, last_sentence(statement.display.before)
         self.memory.leave(statement.display)
-        number = not any(map(symbols_in, formula.sides[1:]))
+        number = {symbol for side in formula.sides[1:] for symbol in symbols_in(side)} <= {r"\pi"}
         elsewhere = number and (
             leads_elsewhere(statement.display.after) or is_example(sentence, statement.display.after)
         )
@@ -398,5 +405,6 @@ class _Pass:
                 behind = re.split(r"\.|\$|\\\(", display.after)[0].strip().removesuffix("and")
                 behind = "" if _SAYS_THE_SAME.match(behind) else behind
                 sentence = f"{display.before}{formula}{behind}"
-                if supposes(replace(self.memory.beside, sentence=sentence), formula):
+                said = names_behind(sentence, formula, display.after) and defined_by(found.sides[0])[0]
+                if said or supposes(replace(self.memory.beside, sentence=sentence), formula):
                     yield from self.memory.premises_of(each, found, found.sides)

@@ -327,7 +327,8 @@ def asked_under(way: Way) -> list[Question] | str:
     if hides := _hides_an_index(way.vocabulary, *way.sides, *given):
         return hides
     plain = way.vocabulary
-    together, apart = with_values(plain, FUNCTIONS), with_values(plain, FUNCTIONS, apart=True)
+    kept = (*FUNCTIONS, "root")
+    together, apart = with_values(plain, kept), with_values(plain, kept, apart=True)
     for known in (plain, with_values(plain), together, apart):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides, by_entries=True)
@@ -341,8 +342,8 @@ def asked_under(way: Way) -> list[Question] | str:
                     and known.uncomputed.has_angles_of_sums
                 ):
                     continue
-                circles = known.uncomputed.unit_circles() if isinstance(known.uncomputed, Uncomputed) else []
-                constraints = (*(f"{one.lhs} = {one.rhs}" for one in conditions), *circles)
+                ties = known.uncomputed.ties() if isinstance(known.uncomputed, Uncomputed) else []
+                constraints = (*(f"{one.lhs} = {one.rhs}" for one in conditions), *ties)
                 return [replace(question, constraints=constraints) for question in questions]
     with suppress(*_UNASKED):
         if any(map(way.vocabulary.is_matrix, way.vocabulary.letters_of(way.left))):

@@ -129,9 +129,9 @@ def _is_letter(symbol: str) -> bool:
 
 def _siblings(symbol: str, symbols: list[str]) -> list[str]:
     if " " in symbol:
-        return []
+        return [each for each in symbols if " " in each and _INDEX.fullmatch(_difference(symbol, each))]
     if "/" in symbol:
-        return [each for each in symbols if "/" in each and _differ_in_a_digit(symbol, each)]
+        return [each for each in symbols if "/" in each and _difference(symbol, each).isdigit()]
     letter, primes, below, above = split_symbol(symbol)
     found = []
     for other in symbols:
@@ -145,6 +145,10 @@ def _siblings(symbol: str, symbols: list[str]) -> list[str]:
     return found
 
 
-def _differ_in_a_digit(one: str, other: str) -> bool:
-    pairs = [(a, b) for a, b in zip(one, other, strict=False) if a != b]
-    return len(one) == len(other) and len(pairs) == 1 and "".join(pairs[0]).isdigit()
+_INDEX = re.compile(r"[i-n]{2}|\d\d")
+
+
+def _difference(one: str, other: str) -> str:
+    """Return both characters in which two names differ, if it is but one in each; empty if it is not."""
+    pairs = [a + b for a, b in zip(one, other, strict=False) if a != b]
+    return pairs[0] if len(one) == len(other) and len(pairs) == 1 else ""

@@ -99,6 +99,21 @@ def goes_on_with(behind: str, *, ended: bool) -> bool:
     return goes_on and not (ended and words[:1].isupper())
 
 
+def names_behind(sentence: str, formula: str, behind: str) -> bool:
+    """Whether words behind a display say what a letter is: "where $u = a b$ is the speed at the wall, and $w = a$"."""
+    before = without_formulas(sentence.partition(formula)[0])
+    lead = re.split(r"[,;]|\band\b", before)[-1]
+    said = re.split(r"[.;]|,?\s+(?:and|with)\s+(?:\$|\\\()", behind)[0]
+    apart = any(_APART.search(_INSIDE.sub("", each)) for each in (before, said))
+    return _IS_THE.match(behind) is not None and _LEADS.fullmatch(lead) is not None and not apart
+
+
+_IS_THE = re.compile(
+    r",?\s*(?:(?:is|are|denotes?|represents?|being) (?:the|an?|our|its) (?!case|special|limit|only)"
+    r"|and\s*(?:\$|\\\()|(?:these|they|this|it) (?:are|is|becomes?) )"
+)
+
+
 def leads_elsewhere(behind: str) -> bool:
     """Whether the words behind a formula begin with a place, as in "with $b = 0$ at the top"."""
     return _ELSEWHERE.match(behind.lstrip()) is not None

@@ -461,7 +461,12 @@ def _changed(
         return
     bare = replace(standing, vocabulary=known, premises=[premise_without(each, changed) for each in standing.premises])
     of_letters = replace(formula, sides=sides)
-    for way in (Way(left, right, known), *_with_premises(bare, of_letters, index)):
+    for way in (
+        Way(left, right, known),
+        *_with_premises(bare, of_letters, index),
+        *_under_equations(bare, left, right),
+        *_as_its_sentence_supposes(bare, left, right),
+    ):
         shown = " = ".join(map(known.text, way.sides))
         yield replace(way, doubt=A_VALUE, reads=f"{shown}, where {told}")
 

@@ -132,9 +132,16 @@ def says_more(inside: Sequence[Piece]) -> bool:
     r"""Whether a bracket has more than expressions: a relation or a condition, as in ``(X < a)`` and ``[P || Q]``."""
     texts = [piece.text for piece in outside_braces(inside)]
     alone = outside_brackets(texts)
-    bars = sum(text in ("|", r"\vert", r"\mid") for text in texts), sum(text in (r"\|", r"\Vert") for text in texts)
+    lone = _outside_angles(texts)
+    bars = sum(text in ("|", r"\vert", r"\mid") for text in lone), sum(text in (r"\|", r"\Vert") for text in lone)
     double = alone.count("|") == 2 and re.search(r"\|\s*\|", "".join(alone)) is not None
     return double or any(each % 2 for each in bars) or any(text in RELATIONS or text == ":" for text in texts)
+
+
+def _outside_angles(texts: Sequence[str]) -> list[str]:
+    r"""Return what stands in no ``\langle u | v \rangle``."""
+    inner = [*accumulate((text == r"\langle") - (text == r"\rangle") for text in texts)]
+    return [text for text, depth in zip(texts, inner, strict=True) if depth <= 0]
 
 
 def outside_brackets(texts: Sequence[str]) -> list[str]:

@@ -24,6 +24,8 @@ from algebroproj_sym.reading.lexing.pieces import bare
 def read_braces(cursor: Cursor) -> None:
     """Read what stands in braces; a lone letter has the scripts behind them."""
     start, inside = cursor.place, cursor.group()
+    while (once := cursor.within(inside)).text == "{" and len(within := once.group()) == len(inside) - 2:
+        inside = within
     inner = cursor.within(inside)
     if _keeps_room(inner):
         return

@@ -88,6 +88,9 @@ class Values(Protocol):
     def slope(self, value: Any, variable: Any) -> Any:
         """Return a derivative of an expression with such values."""
 
+    def logarithm(self, value: Any) -> Any:
+        """Return the logarithm of an expression with such values."""
+
 
 def evaluated(tree: Formula, names: Names, values: Values | None = None) -> Expression:
     """Return the expression that a tree stands for; values that are not computed are refused, or taken from `values`.
@@ -153,6 +156,10 @@ class _Expressions(_Gathering):
         return function(*arguments)
 
     def power(self, base: Any, exponent: Any) -> Any:
+        if self.values is not None and self.values.takes("root") and not shape(exponent):
+            power = exponent if exponent.free_symbols else exponent.doit()
+            if isinstance(power, sympy.Rational) and power.q > 1:
+                return _raised(self.nth_root(sympy.Integer(power.q), base), sympy.Integer(power.p))
         return _raised(base, exponent)
 
     def marked(self, base: Any, mark: Token) -> Any:
@@ -174,6 +181,8 @@ class _Expressions(_Gathering):
     def function(self, name: Token, arguments: list[Any]) -> Any:
         if self.values is not None and self.values.takes(str(name)):
             return self.values.known(str(name), arguments)
+        if self.values is not None and name in ("ln", "log") and len(arguments) == 1:
+            return self.values.logarithm(_scalar(arguments[0], "a logarithm"))
         try:
             return _applied(str(name), arguments)
         except UnreadableError:
@@ -187,11 +196,13 @@ class _Expressions(_Gathering):
         return _raised(self.function(name, arguments), exponent)
 
     def root(self, inside: Any) -> Any:
-        return sympy.sqrt(_scalar(inside, "a root"))
+        return self.nth_root(sympy.Integer(2), inside)
 
     def nth_root(self, degree: Any, inside: Any) -> Any:
         if not isinstance(degree, sympy.Integer) or degree < 1:
             raise UnreadableError(f"a root of degree {degree} is not computed")
+        if self.values is not None and self.values.takes("root"):
+            return self.values.known("root", [_scalar(inside, "a root"), degree])
         return sympy.root(_scalar(inside, "a root"), degree)
 
     def big(self, name: Token, body: Any) -> Any:

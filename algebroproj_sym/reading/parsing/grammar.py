@@ -62,7 +62,24 @@ def parsed(
         end = pieces[-1].place if pieces else None
         raise UnreadableError(*_explained(error, end)) from error
     children: list[Any] = tree.children
-    return Parsed(tuple(children[::2]), tuple(map(str, children[1::2])), chose)
+    trees = children[::2] if functions is None else map(_with_brackets_of_two, children[::2])
+    return Parsed(tuple(trees), tuple(map(str, children[1::2])), chose)
+
+
+def _with_brackets_of_two(tree: Formula) -> Formula:
+    r"""Return a formula in which each ``\langle u | v \rangle`` is a letter, the same for the same text."""
+    if tree.data == "inner":
+        (items,) = trees_in(tree)
+        signs = [str(each) for part in items.find_data("product") for each in part.children if isinstance(each, Token)]
+        if len(items.children) == 1 and signs.count("|") + signs.count("mid") == 1:
+            return Tree("symbol", [Token("SYMBOL", f"inner ({_printed(items)})")])
+    return Tree(tree.data, [_with_brackets_of_two(each) if isinstance(each, Tree) else each for each in tree.children])
+
+
+def _printed(tree: Formula) -> str:
+    """Return a formula as text that no other one has."""
+    inside = " ".join(_printed(each) if isinstance(each, Tree) else str(each) for each in tree.children)
+    return inside if tree.data in ("symbol", "opaque", "number", "items") else f"{tree.data} [{inside}]"
 
 
 def _is_map(side: Sequence[Piece]) -> bool:

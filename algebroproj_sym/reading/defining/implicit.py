@@ -1,0 +1,59 @@
+r"""Derivatives of a letter that an equation ties: ``M = E - e \sin E`` gives ``\frac{dE}{de}``.
+
+The document must have the derivative of the letter by each other letter that may change: it is a function of these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from lark import Token, Tree
+
+from algebroproj_sym.reading.defining.chains import slope_of
+from algebroproj_sym.reading.defining.rates import ONE
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
+from algebroproj_sym.reading.parsing.grammar import Formula
+
+HasRate = Callable[[str, str], bool]
+
+
+def implicit(
+    function: str, variable: str, vocabulary: Vocabulary, has_rate: HasRate
+) -> tuple[Formula, tuple[str, ...], Definition] | None:
+    """Return the derivative of a letter that nothing gives, from the one definition of another letter that has it.
+
+    Parameters
+    ----------
+    function, variable : str
+        The letter, and the one by which the derivative is taken.
+    vocabulary : Vocabulary
+        The definitions.
+    has_rate : callable
+        Whether the document has a derivative of a letter by another one.
+
+    Returns
+    -------
+    tuple
+        The derivative, the letters that do not change, and the definition from which it is; None if there is none.
+    """
+    known = [each for each in vocabulary.definitions.values() if function in vocabulary.letters_of(each.tree)]
+    if function in vocabulary.definitions or len(known) != 1:
+        return None
+    (given,) = known
+    letters = vocabulary.letters_of(given.tree)
+    fixed = (letters | {given.symbol}) - {function, variable}
+    told = vocabulary.dependence.equated.get(given.symbol, frozenset()) <= {*given.symbols}
+    usable = given.usable and told and not given.parameters and given.role == "definition"
+    if not usable or variable not in letters | {given.symbol} or stands_within(variable, letters):
+        return None
+    constant = vocabulary.dependence.constant
+    free = all(each in constant or has_rate(function, each) for each in fixed)
+    if not free or any(has_rate(each, variable) or has_rate(variable, each) for each in fixed):
+        return None
+    if any(vocabulary.moves_with(fixed - {given.symbol} - constant, each) for each in (variable, function)):
+        return None
+    below = slope_of(given.tree, function)
+    if variable == given.symbol:
+        return Tree("fraction", [ONE, below]), tuple(sorted(fixed)), given
+    above: Formula = Tree("sum", [Token("SIGN", "-"), slope_of(given.tree, variable)])
+    return Tree("fraction", [above, below]), tuple(sorted(fixed)), given

@@ -58,6 +58,12 @@ def test_nor_does_what_a_letter_is_there(one, other):
     assert last(one, "q = 2 a b.", other, "q^2 = 4 a^2 b^2.") not in ("follows", "contradicts")
 
 
+@pytest.mark.parametrize(("one", "other"), [*APART, ("We want", "We have")])
+def test_nor_is_it_contradicted_there(one, other):
+    assert last(one, "q = 2 a b.", other, "q = 3 a b.") != "contradicts"
+    assert last(one, "q = 2 a b", other, "q = 3 a b") != "contradicts"
+
+
 @pytest.mark.parametrize("one", [one for one, _ in APART if one.endswith((",", ":", "has", "found that"))])
 def test_it_serves_the_same_thing_and_what_goes_on_from_it(one):
     assert last(one, SAYS + ".", one, IMPLIED) == "follows"

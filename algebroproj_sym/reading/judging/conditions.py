@@ -21,6 +21,7 @@ _WISHED = re.compile(
     re.IGNORECASE,
 )
 """Words of a condition or of a wish, where a letter alone is a number."""
+_WANTED = re.compile(r"\b(?:we|you|one) (?:want|wish|demand|would like)(?: that)?\W*$", re.IGNORECASE)
 _SOUGHT = re.compile(
     r"\bwhether\W*$|\b(?:(?:question|aim|goal) is|subject to|(?:roots|zeros|zeroes) of|points (?:with|where))\W*$"
     r"|\b(?:we|you|one) (?:want|wish|would like|seek|look for|search for)\b"
@@ -64,7 +65,7 @@ def is_condition(beside: Beside, formula: Parsed) -> bool:
     """
     sentence = without_formulas(beside.sentence)
     number = _number_of(formula)
-    if _IF.search(sentence) or _CRITERION.search(sentence):
+    if _IF.search(sentence) or _CRITERION.search(sentence) or _WANTED.search(sentence):
         return True
     if _SOUGHT.search(sentence) and not any(each.data == "symbol" for each in formula.sides):
         return True

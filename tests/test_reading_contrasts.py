@@ -120,3 +120,9 @@ def test_nothing_follows_in_a_section_on_another_arithmetic(words):
     assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict == "not decided"
     plain = text.replace("Hence", r"\section{Numbers} We have \[ q = (a + b) - a. \] Hence").replace("c = b", "q = b")
     assert read_document(document_of(plain, latex=True), seconds=5)[-1].verdict == "follows"
+
+
+def test_what_holds_somewhere_must_be_true_where_words_since_then_are_new():
+    text = "For the left lens the focus is\n\\[ f = 2 p q. \\]\n%s has\n\\[ p = 3 r. \\]\nHence\n\\[ f = 6 r q. \\]"
+    found = [read_document(document_of(text % each, latex=True), seconds=5)[-1] for each in ("The mirror", "It")]
+    assert [(each.verdict, each.supposes) for each in found] == [("follows", True), ("follows", False)]

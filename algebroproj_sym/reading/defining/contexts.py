@@ -127,7 +127,7 @@ _FRONT = re.compile(
     rf"(?!{_SAID}\b)[a-z]{{2,}}ly|[a-z]+\s+\d+|for\s+(?!{_AIM}\b)[a-z]+\s+\$[^$]*\$|at\s+(?:time\s+)?\$[^$]*\$|(?:at|to)\s+[a-z]+\s+orders?"
     r"|in\s+(?:any|each|every)\s+case|in\s+all\s+cases)|(?P<words>"
     r"(?:in|on|at|under|within|among|amongst|near|inside|outside|beyond|along|across|during|except|unlike|according\s+to|"
-    r"besides|throughout|around|between|only)\s+[^,;:]{1,80}))(?=\s*[,:])"
+    r"averaged\s+over|by\s+way\s+of|besides|throughout|around|between|only)\s+[^,;:]{1,80}))(?=\s*[,:])"
 )
 """What stands before the first comma of a sentence, and says where it holds."""
 _SOURCE = re.compile(
@@ -135,6 +135,11 @@ _SOURCE = re.compile(
     r"says?|said|argue[sd]?|measure[sd]|assume[sd]|uses?|used|reports?|reported|proposed?|proposes|suggests?|suggested)\b"
 )
 """How a sentence says who says it."""
+_SAID_BY = re.compile(
+    r"\W*(?P<words>(?:an?|the|one of the|some|many|most)\s+(?:referees?|reviewers?|critics?|authors?|sceptics?|"
+    r"skeptics?|students?|opponents?|colleagues?|textbooks?))\b",
+    re.IGNORECASE,
+)
 _NOBODY = re.compile(
     r"We|You|One|It|This|That|These|They|He|She|Who|Which|Theory|Experiments?|Figures?|Tables?|Equations?"
 )
@@ -269,7 +274,7 @@ def context_of(sentence: str, behind: str = "") -> Context:
         proper = _PROPER.match(bare)
         if proper is not None and not _NO_PLACE.fullmatch(proper["words"]):
             return Context("place", proper["words"].lower())
-        source = _SOURCE.match(bare)
+        source = _SOURCE.match(bare) or _SAID_BY.match(bare)
         if source is not None and not _NOBODY.fullmatch(source["words"]):
             return Context("source", source["words"].lower())
         thing = _OF_A_THING.match(bare.lower())

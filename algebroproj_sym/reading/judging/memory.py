@@ -52,8 +52,6 @@ _IS = re.compile(r"\b(?:is|are)\W*$")
 _IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")
 _NAMED = re.compile(r"(?<=[a-z] )[A-Z]\b")
 """The letter of a thing in the text, as in "model B"."""
-_CAPITAL = re.compile(r"\s*(?!(?:Eqs?|Equation|I)\b)[A-Z][a-z]+\s")
-"""How a new sentence begins, though no full stop stands behind the formula before it."""
 _ONLY = re.compile(r"\W*([^.$]*?) only\b")
 """Words behind an equation that limit it, as in "in the first case only"."""
 
@@ -123,8 +121,7 @@ class Memory:
                 self._retract({self.display.place})
             for symbol in acted_on(display.before):
                 self.forget(symbol)
-            continues = same_part and not (self.ended or _CAPITAL.match(display.before))
-            self.carried = self.beside.sentence if continues else ""
+            self.carried = "" if self.ended or not same_part else self.beside.sentence
         before, self.display = self.display, display
         self.beside = beside(statement, self.carried)
         self.sentences[display.place] = last_sentence(display.before)

@@ -57,7 +57,7 @@ _DENIED = re.compile(
     r"(?:find|spot) the (?:errors?|mistakes?|flaws?|bugs?|slips?|catch|faults?|fallac\w+|wrong\w*|lies?|odd|tricks?|"
     r"misprints?|typos?)|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
-    r"on average|in the mean|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
+    r"on average|in the mean|(?:to|in) (?:an )?orders? of magnitude|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
     r"up to (?:(?:the|its|their) )?(?:scale|scaling|signs?|normali[sz]ation|factors?|constants?|multiples?|units|"
     r"phases?|permutations?|rotations?|isomorphism|translations?|higher|lower|first|second|rounding|noise|gauge|terms)\b|"
     r"(?:plus|and|with) some noise|"
@@ -385,8 +385,12 @@ def takes_back(words: str) -> bool:
 
 
 def has_ended(display: Display) -> bool:
-    """Whether a sentence ends with a display."""
-    return _LABELS.sub("", display.latex).rstrip().endswith(".") or display.after.lstrip().startswith(".")
+    """Whether a sentence ends with a display: a full stop stands there, or a new one begins behind it."""
+    stop = _LABELS.sub("", display.latex).rstrip().endswith(".") or display.after.lstrip().startswith(".")
+    return stop or _CAPITAL.match(display.after) is not None
+
+
+_CAPITAL = re.compile(r"\s*(?!(?:Eqs?|Equation|I)\b)[A-Z][a-z]+\s")
 
 
 def ends_clause(display: Display) -> bool:
@@ -460,7 +464,7 @@ _ARITHMETIC = re.compile(
     r"integer) (?:arithmetic|hardware|algebra|sums?|division|semirings?)|truncat(?:es?|ing|ed) (?:integer )?division|"
     r"rounding after each|(?:infinite )?cardinals?(?:ity)?|ordinals?|(?:do|does|need) not commute|non-?commut\w+|"
     r"(?:understood|taken|known|equal|equality|reduced|congruent|counted|hold|holds) modulo|"
-    r"equal in (?:law|distribution))\b"
+    r"equal in (?:law|distribution)|same law|saturates? at|up to (?:whole|full|integer) (?:turns?|cycles?))\b"
     r"|\$[^$]*[-+*/][^$]*\$ (?:stands for|denotes|means) the (?!sum|difference|product|quotient|ratio)",
     re.IGNORECASE,
 )

@@ -57,7 +57,8 @@ _DENIED = re.compile(
     r"(?:find|spot) the (?:errors?|mistakes?|flaws?|bugs?|slips?|catch|faults?|fallac\w+|wrong\w*|lies?|odd|tricks?|"
     r"misprints?|typos?)|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
     r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
-    r"on average|in the mean|(?:to|in) (?:an )?orders? of magnitude|almost (?:everywhere|surely)|up to (?:an?|some) (?!order)|roughly|"
+    r"on average|in the mean|(?:to|in) (?:an )?orders? of magnitude|almost (?:everywhere|surely)|"
+    r"up to (?:an?|some) (?!order)|roughly|"
     r"up to (?:(?:the|its|their) )?(?:scale|scaling|signs?|normali[sz]ation|factors?|constants?|multiples?|units|"
     r"phases?|permutations?|rotations?|isomorphism|translations?|higher|lower|first|second|rounding|noise|gauge|terms)\b|"
     r"(?:plus|and|with) some noise|"
@@ -387,10 +388,14 @@ def takes_back(words: str) -> bool:
 def has_ended(display: Display) -> bool:
     """Whether a sentence ends with a display: a full stop stands there, or a new one begins behind it."""
     stop = _LABELS.sub("", display.latex).rstrip().endswith(".") or display.after.lstrip().startswith(".")
-    return stop or _CAPITAL.match(display.after) is not None
+    return stop or _CAPITAL.match(display.after) is not None or _begins_anew(display.after.partition(".")[0])
 
 
-_CAPITAL = re.compile(r"\s*(?!(?:Eqs?|Equation|I)\b)[A-Z][a-z]+\s")
+_CAPITAL = re.compile(
+    r"\s*(?!(?:Eqs?|Equation|I|If|When|Whenever|Where|With|For|Unless|Provided|While|Here|As|In|On|At|These|This|From)\b)"
+    r"[A-Z][a-z]+\s"
+)
+"""How a new sentence begins, though no full stop stands before it; not those that may speak of the formula."""
 
 
 def ends_clause(display: Display) -> bool:

@@ -94,7 +94,8 @@ _SIGNS = (
         "a product may be another thing than that of numbers",
     ),
     (
-        r"\b(?:numbers?|numerals?|digits?|codes?|written|given|arithmetic)\b[^.]{0,20}\b(?:binary|hexadecimal|octal)\b"
+        r"\b(?:numbers?|numerals?|digits?|codes?|written|arithmetic)\b[^.]{0,20}\b(?:binary|hexadecimal|octal)\b"
+        r"|\b(?:binary|hexadecimal|octal) (?:numbers?|numerals?|digits?|codes?|arithmetic|notation|representations?)\b"
         r"|\bin (?:binary|hexadecimal|octal)\b",
         r"\d\d",
         "digits may be those of another base",

@@ -392,7 +392,8 @@ def has_ended(display: Display) -> bool:
 
 
 _CAPITAL = re.compile(
-    r"\s*(?!(?:Eqs?|Equation|I|If|When|Whenever|Where|With|For(?! (?:all|any|every|each))|Unless|Provided|While|Here|As|In|On|At|These|This|From)\b)"
+    r"\s*(?!(?:Eqs?|Equation|I|If|When|Whenever|Where|With|For(?! (?:all|any|every|each))|"
+    r"Unless|Provided|While|Here|As|In|On|At|These|This|From)\b)"
     r"[A-Z][a-z]+\s"
 )
 """How a new sentence begins, though no full stop stands before it; not those that may speak of the formula."""

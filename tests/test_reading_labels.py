@@ -70,3 +70,27 @@ def test_a_number_of_a_step_is_no_power(latex: str, follows: bool) -> None:
 )
 def test_a_t_above_a_letter_counts_steps_where_the_next_one_is_named(latex: str, read: str) -> None:
     assert read_document(document_of(latex))[0].read == read
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("v(0)", "v(1)"),
+        ("error (left)", "error (right)"),
+        ("a, b", "a, d"),
+        ("Höhe", "Größe"),
+        (r"\% error", r"\% gain"),
+        ("``left''", "``right''"),
+    ],
+)
+def test_words_that_name_what_is_equal_are_not_left_out(one, other):
+    apart = rf"\[ \text{{{one}}} = c \] Hence \[ \text{{{other}}} = c \]"
+    rows = rf"\begin{{align}} s &= c \\ \text{{{other}}} &= c \end{{align}}"
+    for text in (apart, rows):
+        assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize("words", ["or, in other words,", "(by symmetry)", "which is"])
+def test_words_that_lead_to_a_relation_are_left_out(words):
+    text = rf"\[ s = a + b \] \[ \text{{{words}}} = b + a \]"
+    assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict == "follows"

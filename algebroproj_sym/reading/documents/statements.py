@@ -108,6 +108,8 @@ def _goes_on_behind(pieces: Sequence[Piece], before: Statement, display: Display
     """Whether a display begins with a relation, so that it goes on with the one before it, perhaps behind words."""
     first = _without_idle(pieces)[:1]
     goes_on = bool(before.pieces and not before.condition) and begins_with_relation(first)
+    words = next((words for words in _FIRST_WORDS.findall(display.latex) if not _lead_on(words)), "")
+    goes_on = goes_on and not words
     return goes_on and before.display.part == display.part and _OTHERWISE.search(display.before) is None
 
 
@@ -233,7 +235,7 @@ def _behind_words(row: list[Piece], bare: Sequence[Piece]) -> list[Piece]:
     r"""Return a row without its first words if it goes on with a relation, as ``\text{or} &= a`` does."""
     end = _group_end(bare, 1)
     rest = _without_idle(bare[end:])
-    begins = begins_with_relation(rest) and not _names(_text_of(bare[1:end]))
+    begins = begins_with_relation(rest) and _lead_on(_text_of(bare[1:end]))
     return row[row.index(rest[0]) :] if begins else row
 
 
@@ -388,10 +390,17 @@ def _is_script(before: Sequence[Piece]) -> bool:
 
 def _names(words: str) -> bool:
     r"""Whether words before a relation name what is equal, as in ``\text{error} = a - b``, and do not lead to it."""
-    found = re.fullmatch(r"[a-zA-Z][\w.]*(?:[ ~-]+\w+){0,5}", words.strip(" {}~"))
-    return found is not None and _LEADS.search(words) is None
+    found = re.fullmatch(r"[a-zA-Z][\w.]*(?:[ ~,:/()\[\]'-]+[\w.]*){0,8}", words.strip(" {}~"))
+    return found is not None and not _lead_on(words)
 
 
+def _lead_on(words: str) -> bool:
+    r"""Whether words before a relation lead to it, as ``\text{or} = a`` and ``\text{(by symmetry)} = a`` do."""
+    said = words.strip(" {}~&")
+    return _LEADS.search(said) is not None or said.startswith("(") or re.search(r"\w", said) is None
+
+
+_FIRST_WORDS = re.compile(r"(?:^|\\\\)[\s&]*\\(?:text\w*|mbox|hbox|mathrm|mathsf|mathtt)\s*\{([^{}]*)\}[\s&]*(?=[=<>])")
 _LEADS = re.compile(
     r"\b(?:and|or|if|for|when|where|with|so|thus|hence|then|but|also|since|because|by|from|using|as|therefore|"
     r"that|i\.?e|is|are|gives?|yields?|equals?|we|have|get|be|let|again|finally|now|to|of course|otherwise|else)\b",

@@ -94,3 +94,23 @@ def test_words_that_name_what_is_equal_are_not_left_out(one, other):
 def test_words_that_lead_to_a_relation_are_left_out(words):
     text = rf"\[ s = a + b \] \[ \text{{{words}}} = b + a \]"
     assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        r"\text{new } s = a + b",
+        r"\text{half of } s = a + b",
+        r"\text{-}s = a + b",
+        r"\text{--}s = a + b",
+        r"s = a + b[1]",
+        r"s = a(1) + b",
+        r"s \overset{(mod 2)}{=} a + b",
+        r"s \overset{\text{wrong}}{=} a + b",
+        r"s \underset{\text{only in 2D}}{=} a + b",
+        "\n\\iffalse + \\else - \\fi s = a + b",
+    ],
+)
+def test_what_changes_an_equation_is_not_left_out(changed):
+    text = rf"\[ s = a + b \] Hence \[ {changed} \]"
+    assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict != "follows"

@@ -8,6 +8,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 from lark import Token, Tree
 
@@ -385,8 +386,9 @@ class Meanings:
                 and all(map(_is_number, other.children))
             ):
                 return "a number before a fraction may be added to it"
-            if isinstance(one, Tree) and one.data == "symbol" and _is_group(other) and _is_number(other):
-                return "a number in brackets may be that of a sample"
+        pairs = (pair for run in tree.find_data("run") for pair in pairwise(run.children))
+        if any(_is_symbol(one) and _is_group(other) and _is_number(other) for one, other in pairs):
+            return "a number in brackets may be that of a sample"
         changes = any(map(_CHANGES.search, symbols)) or any(True for _ in tree.find_data("slope"))
         for part in tree.iter_subtrees():
             head = str(part.children[0]) if part.children and isinstance(part.children[0], Token) else ""
@@ -503,6 +505,10 @@ def _sums_in(sides: Sequence[Formula]) -> Iterator[Formula]:
 
 def _is_number(tree: object) -> bool:
     return _text(tree)[:1].isdigit()
+
+
+def _is_symbol(tree: object) -> bool:
+    return isinstance(tree, Tree) and tree.data == "symbol"
 
 
 def _is_group(tree: object) -> bool:

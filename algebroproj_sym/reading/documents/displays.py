@@ -211,6 +211,9 @@ def _without_code(text: str) -> str:
     while match := _CODE.search(text, place):
         closing = rf"\end{{{match[1]}}}" if match[1] else match[2] or r"\fi"
         end = following(closing, match.end()) + len(closing)
+        other = following(r"\else", match.end())
+        if closing == r"\fi" and other < end and r"\if" not in text[match.end() : other]:
+            end = other + len(r"\else")
         kept += [text[place : match.start()], re.sub(r"[^\n]", " ", text[match.start() : end])]
         place = end
     return "".join([*kept, text[place:]])

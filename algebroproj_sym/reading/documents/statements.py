@@ -413,7 +413,11 @@ def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> boo
     last = first_text(reversed(before))
     if last in ("+", "-", "/", r"\cdot", r"\times") or last in RELATIONS:
         return words not in _BETWEEN
+    if re.search(r"\w", words) is None and set(words) & {*"-+*/–—−"}:
+        return True
     following = next((piece.text for piece in after if not piece.text.isspace() and piece.text not in _IDLE[:-2]), "")
+    if not _without_idle(before) and _CHANGES.fullmatch(words) and following not in _WIDE:
+        return True
     if following in RELATIONS and not _without_idle(before) and _names(words):
         return True
     if following == "_" and re.fullmatch(r"[a-zA-Z]+(?:-[a-zA-Z]+)*", words):
@@ -422,6 +426,12 @@ def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> boo
     return goes_on and any(not piece.text.isspace() for piece in before) and words not in _BETWEEN
 
 
+_CHANGES = re.compile(
+    r"(?:the )?(?:new|old|total|half|twice|double|minus|negative|mean|average|max\w*|min|minimum|net|inverse|change|rate|"
+    r"sum|square|root|left|right|true|false|not)(?: (?:of|in))?(?: the)?",
+    re.IGNORECASE,
+)
+"""Words before a letter that make another one of it."""
 _BETWEEN = frozenset(["and", "or", "if", "for", "when", "where", "with", "so", "thus", "hence", "then", "but"])
 
 

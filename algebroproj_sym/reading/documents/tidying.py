@@ -60,6 +60,11 @@ _JUSTIFIES = re.compile(
     re.DOTALL,
 )
 """What stands above = where it is an equality: a citation, a word, a sign of definitions; and no letter or limit."""
+_LIMITS = re.compile(
+    r"\b(?:mod|modulo|wrong|no|not|never|only|false|if|when|approx\w*|almost|roughly|small|large|w\.?p|a\.?s|in)\b",
+    re.IGNORECASE,
+)
+"""Words above or below = by which it is none, or holds in a case."""
 _EXTREMUM = re.compile(
     r"\\(?:operatorname\*?|mathrm|text|mathop)\{\\?arg(?:\\[,;! ])?\s*\\?(?:min|max)\}|\\arg\s*\\(?:min|max)"
 )
@@ -387,7 +392,7 @@ def _over(page: _Page, piece: Piece) -> bool:
     if above in _ACCENTS_ABOVE:
         page.waiting.put([renamed(piece, _ACCENTS_ABOVE[above]), *braced(piece, base)])
         return True
-    if relation == "=" and not _JUSTIFIES.fullmatch(above):
+    if relation == "=" and (_LIMITS.search(above) or not _JUSTIFIES.fullmatch(above)):
         relation = r"\equiv" if above == "!" else r"\questeq"
     defines = relation == "=" and re.search(r"def|triangle", above)
     if piece.text != r"\underset" and (relation in LETTERS or _LONE.fullmatch(relation)):

@@ -427,8 +427,8 @@ def _is_unit(before: Sequence[Piece], words: str, after: Sequence[Piece]) -> boo
 
 
 _CHANGES = re.compile(
-    r"(?:the )?(?:new|old|total|half|twice|double|minus|negative|mean|average|max\w*|min|minimum|net|inverse|change|rate|"
-    r"sum|square|root|left|right|true|false|not)(?: (?:of|in))?(?: the)?",
+    r"(?:the )?(?:new|old|total|half|twice|double|minus|negative|mean|average|max\w*|min|minimum|net|inverse|change|"
+    r"rate|sum|square|root|left|right|true|false|not)(?: (?:of|in))?(?: the)?",
     re.IGNORECASE,
 )
 """Words before a letter that make another one of it."""

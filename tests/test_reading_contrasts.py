@@ -97,6 +97,7 @@ def test_nothing_follows_from_a_case_that_is_over_or_by_an_inverse_that_does_not
         ("For the twin we get", True),
         ("The glacier of 1987 has", True),
         ("Solving for it, we find", False),
+        ("This gives the second cross equation", False),
     ],
 )
 def test_what_an_equation_rests_on_must_be_true_there_where_a_word_is_new(words, supposed):

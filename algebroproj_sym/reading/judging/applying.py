@@ -11,6 +11,8 @@ from algebroproj_sym.reading.judging.sentences import last_sentence, strange_wor
 from algebroproj_sym.reading.judging.verdicts import TRUE_HERE, Link, Reading
 from algebroproj_sym.reading.judging.words import beside, has_ended
 
+_NAME = re.compile(r"\b(?:the|an?) (?:[\w-]+ ){1,2}(?:equation|formula|identity|relation|law)\b", re.IGNORECASE)
+"""What an equation is called, as in "This gives the lens equation"."""
 _LINE = re.compile(r"\bline \d+(?: of [^,;]+)?")
 
 
@@ -51,6 +53,7 @@ def _with_lines(reading: Reading, link: Link, said: dict[str, _Said], displays: 
         return link
     here = reading.statement.display.place
     near = beside(reading.statement, "")
+    near = replace(near, sentence=_NAME.sub("", near.sentence))
     found: list[str] = []
     for line in dict.fromkeys(line for each in link.rests_on for line in _LINE.findall(each)):
         if line == str(reading.where) or (known := said.get(line)) is None:

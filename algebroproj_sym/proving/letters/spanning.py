@@ -67,7 +67,7 @@ class _Rows:
             self._rows[first] = rest.times(scale), {**made, place: scale}
 
     def factors_of(self, poly: Poly) -> dict[int, Fraction] | None:
-        """Return of what a polynomial is the sum; None if it is none."""
+        """Return the factors of the rows whose sum a polynomial is; None if there are none."""
         rest, factors = self._reduced(poly)
         return None if rest else {place: factor for place, factor in factors.items() if factor}
 

@@ -108,8 +108,7 @@ def _goes_on_behind(pieces: Sequence[Piece], before: Statement, display: Display
     """Whether a display begins with a relation, so that it goes on with the one before it, perhaps behind words."""
     first = _without_idle(pieces)[:1]
     goes_on = bool(before.pieces and not before.condition) and begins_with_relation(first)
-    words = next((words for words in _FIRST_WORDS.findall(display.latex) if not _lead_on(words)), "")
-    goes_on = goes_on and not words
+    goes_on = goes_on and all(map(_lead_on, _FIRST_WORDS.findall(display.latex)))
     return goes_on and before.display.part == display.part and _OTHERWISE.search(display.before) is None
 
 

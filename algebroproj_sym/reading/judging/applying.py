@@ -58,7 +58,9 @@ def _with_lines(reading: Reading, link: Link, said: dict[str, _Said], displays: 
     for line in dict.fromkeys(line for each in link.rests_on for line in _LINE.findall(each)):
         if line == str(reading.where) or (known := said.get(line)) is None:
             continue
-        since = " ".join(each.before for place, each in displays.items() if known.place < place <= here)
-        word = near.strange(known.words) or (known.is_limited and strange_word(since, known.words))
+        word = near.strange(known.words)
+        if known.is_limited and not word:
+            since = " ".join(each.before for place, each in displays.items() if known.place < place <= here)
+            word = strange_word(since, known.words)
         found += [f"{line} {TRUE_HERE}, where the word {word!r} is new"] if word else []
     return replace(link, hypotheses=(*link.hypotheses, *found))

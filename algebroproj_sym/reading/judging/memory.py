@@ -125,7 +125,7 @@ class Memory:
         before, self.display = self.display, display
         self.beside = beside(statement, self.carried)
         self.sentences[display.place] = last_sentence(display.before)
-        *_, own = display.before.split(HEADING)
+        own = display.before.rpartition(HEADING)[2]
         self.arithmetic = arithmetic_in(f"{own} {self.beside.behind}") or (self.arithmetic if same_part else "")
         if before is not display:
             self._end_cases(display)

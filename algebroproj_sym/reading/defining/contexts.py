@@ -61,6 +61,9 @@ _BEHIND = heard(
     re.NOFLAG,
 )
 """How the words behind an equation say where it holds."""
+_ONLY = re.compile(r"[\s,]*((?:but )?only (?:in|at|on|for|under|within|near|with|during)\b[^.;]*)", re.IGNORECASE)
+_INNER = re.compile(r"\((with(?:out)? [^()$]*)\)")
+"""A bracket that says in which presence something holds."""
 _FIXED = re.compile(r"\$\s*([a-z])\s*=\s*\d+\s*\$")
 _STEPS = re.compile(
     r"\b(?:if|when|once)\s+(?:we|you|one)\s+(?=(?:now\s+|then\s+)?(?:substitut|insert|plug|replac|put|multipl|divid|add|"
@@ -153,6 +156,8 @@ def context_behind(behind: str) -> Context:
     >>> context_behind("for even $n$. For odd"), context_behind("If so,")
     (Context(kind='range', words='for even $n$'), Context(kind='', words=''))
     """
+    if only := _ONLY.match(behind):
+        return Context("condition", only[1].lower())
     found = _BEHIND.match(behind)
     return context_of(re.sub(r"^(?:but )?only ", "", found[1])) if found else ANYWHERE
 
@@ -168,6 +173,8 @@ def context_of(sentence: str, behind: str = "") -> Context:
     step = _STEPS.search(f"{sentence} {behind}")
     bare = sentence if step is None else sentence[: step.start()] + sentence[step.end() :]
     bare = _COMMANDS.sub("", bare, count=1)
+    if inner := _INNER.search(bare):
+        return context_of(inner[1])
     found = _BEGINS.match(bare.lower())
     if found is None or found.lastgroup is None:
         proper = _PROPER.match(bare)

@@ -113,9 +113,9 @@ _SIDE = re.compile(
 MOST_WORDS = 12
 """How many words sentences have that are compared word by word."""
 _ARTICLES = frozenset(("the", "an", "this", "that", "these", "those"))
-_QUANTIFIERS = frozenset(("all", "every", "each", "any", "no", "most"))
+_QUANTIFIERS = frozenset(("all", "every", "each", "any", "no", "most", "one"))
 FORMULA = re.compile(r"\$[^$]*\$")
-_WORD = re.compile(r"[^\W\d_]{2,}")
+_WORD = re.compile(r"[^\W\d_]{2,}|\b[^\W\d_]\d{2,}")
 
 
 def without_formulas(text: str) -> str:

@@ -164,7 +164,7 @@ class Beside:
     @property
     def is_denied(self) -> bool:
         """Whether its own sentence says that it does not hold."""
-        return _DENIED.search(self._whole) is not None
+        return is_denied(self._whole)
 
     @property
     def is_rejected(self) -> bool:
@@ -304,6 +304,23 @@ def takes_back(words: str) -> bool:
     said = remark[1] if remark else ""
     of_it = _OF_IT.match(said) and (_DENIED.search(said) or heard(r"\b<corrects>").search(said))
     return bool(of_it or heard(r"\b<undoes>\b").search(said))
+
+
+def is_denied(sentence: str) -> bool:
+    """Whether a sentence says that what it leads to does not hold."""
+    return _DENIED.search(sentence) is not None
+
+
+def denies(words: str) -> bool:
+    """Whether a title, or the words before a list, say that nothing behind them is asserted.
+
+    Examples
+    --------
+    >>> denies("A myth"), denies("Which is right?"), denies("Sums")
+    (True, True, False)
+    """
+    said = last_sentence(words.rstrip(" \n{}.:"))
+    return words.rstrip(" \n{}.").endswith("?") or heard(r"\b<untrue>\b").search(said) is not None
 
 
 def has_ended(display: Display) -> bool:

@@ -48,3 +48,8 @@ def heard(form: str, flags: re.RegexFlag = re.IGNORECASE) -> re.Pattern[str]:
     'we want'
     """
     return re.compile(_written(form), flags)
+
+
+def says(form: str, words: str) -> bool:
+    """Whether words have a phrase with some effects, in a form as that of a pattern."""
+    return heard(form).search(words) is not None

@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator
 from typing import TypeVar
 
 from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.devices import heard, says
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of, split_pieces
 from algebroproj_sym.reading.parsing.grammar import parsed, symbols_in, without_brackets
@@ -299,7 +299,7 @@ def _kind_of(statement: Statement) -> str:
     if _DOUBTS.search(before[-200:]):
         return ""
     if match := _AFTER.match(after) or _ARE.match(after) or (_LET.search(before) and _BE.match(after)):
-        doubtful = _OF_IT.search(before) or heard(r"^\s*\$|^[^.;]*\b<if limits>\b").search(after[match.end() :])
+        doubtful = _OF_IT.search(before) or says(r"^\s*\$|^[^.;]*\b<if limits>\b", after[match.end() :])
         return "" if doubtful else _KINDS[(match.lastindex or 1) - 1]
     match = _BEFORE.search(before)
     if match is None or _OF.search(before[: match.start()]):

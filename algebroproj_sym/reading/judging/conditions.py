@@ -3,7 +3,7 @@
 Such an equation serves its own sentence, a sentence that goes on from it, and where words cite it.
 """
 
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.devices import heard, says
 from algebroproj_sym.reading.judging.sentences import without_formulas
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Parsed
@@ -27,18 +27,18 @@ def is_condition(beside: Beside, formula: Parsed) -> bool:
     """
     sentence = without_formulas(beside.sentence)
     number = _number_of(formula)
-    if _IF.search(sentence) or _CRITERION.search(sentence) or heard(r"\b<wanted>(?: that)?\W*$").search(sentence):
+    if _IF.search(sentence) or _CRITERION.search(sentence) or says(r"\b<wanted>(?: that)?\W*$", sentence):
         return True
-    if heard(r"\b<sought>\W*$|\b<wanted seeks>\b").search(sentence) and not any(
+    if says(r"\b<sought>\W*$|\b<wanted seeks>\b", sentence) and not any(
         each.data == "symbol" for each in formula.sides
     ):
         return True
     if number == "0" and (
         _LATER.match(beside.behind)
-        or not (heard(r"\b<sets>\W*$|^\W*$").search(sentence) or heard(r"\b<supposes concludes>\b").search(sentence))
+        or not (says(r"\b<sets>\W*$|^\W*$", sentence) or says(r"\b<supposes concludes>\b", sentence))
     ):
         return True
-    return bool(number) and heard(r"\b<wishes>\b").search(sentence) is not None and "," not in sentence
+    return bool(number) and says(r"\b<wishes>\b", sentence) and "," not in sentence
 
 
 def _number_of(formula: Parsed) -> str:

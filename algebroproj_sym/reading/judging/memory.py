@@ -29,11 +29,12 @@ from algebroproj_sym.reading.defining.recognising import (
 )
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, speaks_of
+from algebroproj_sym.reading.devices import says
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
 from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
-from algebroproj_sym.reading.judging.renaming import gives_its_name_away, letters_change, renamed_in
+from algebroproj_sym.reading.judging.renaming import renamed_in
 from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.sentences import (
@@ -128,7 +129,9 @@ class Memory:
             self.leave(display)
         same_part = self.beside.part == display.part
         if display is not self.display:
-            taken = takes_back(display.before) or is_acted_on(display.before) or gives_its_name_away(display.before)
+            taken = (
+                takes_back(display.before) or is_acted_on(display.before) or says(r"\b<same-letter>\b", display.before)
+            )
             if self.display is not None and taken:
                 self._retract({self.display.place})
             for symbol in acted_on(display.before):
@@ -174,7 +177,7 @@ class Memory:
         lead, *items = _LIST.split(own)
         if items and (denies(lead) or is_denied(last_sentence(lead.rstrip(" \n.:")))):
             self.denied = "false"
-        if letters_change(own):
+        if says(r"\b<letters-change>\b", " ".join(own.split())):
             self._retract_from(0)
 
     def _end_cases(self, display: Display) -> None:

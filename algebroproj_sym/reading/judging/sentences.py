@@ -3,7 +3,7 @@
 import re
 from collections.abc import Collection
 
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.devices import heard, says
 
 IN_THIS_CASE = heard(r"\b<known-case>\b")
 _CASE_BEFORE = re.compile(
@@ -41,7 +41,7 @@ def main_clause(sentence: str) -> str:
     last = clauses[-1] if clauses else ""
     concluded = any(each.startswith("then") for each in clauses[:-1])
     alone = concluded or not _GOES_ON.match(last)
-    return last if heard(r"\b<asserts>\b").search(FORMULA.sub(" ", last)) and alone else sentence
+    return last if says(r"\b<asserts>\b", FORMULA.sub(" ", last)) and alone else sentence
 
 
 def last_sentence(words: str) -> str:

@@ -13,7 +13,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.contexts import ANYWHERE
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.devices import says
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
@@ -47,7 +47,7 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     The letters are those of the equation that nothing gives, and above is where the display just above it begins.
     """
     match = _TO_ZERO.search(beside.sentence)
-    if match is None or heard(r"\b<otherwise>\b").search(beside.sentence):
+    if match is None or says(r"\b<otherwise>\b", beside.sentence):
         return []
     near = [each for each in premises[-MOST_TOGETHER:] if each.part == beside.part and each.place < beside.place]
     near = [each for each in near if each.place == above or not each.special]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from algebroproj_sym.reading.defining.contexts import without_steps
 from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.devices import heard, says
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.sentences import (
@@ -107,34 +107,30 @@ class Beside:
     @property
     def names(self) -> bool:
         """Whether its own sentence says what something is or stands for."""
-        return heard(r"\b<names>\b|\b<names-last>\W*$").search(self.sentence) is not None
+        return says(r"\b<names>\b|\b<names-last>\W*$", self.sentence)
 
     @property
     def tells(self) -> bool:
         """Whether its own sentence ends by saying what something is, and speaks of no equation or condition."""
         own = without_formulas(self.sentence)
-        return bool(heard(r"\b<tells>\W*$").search(own)) and not (
-            _EQUATIONS.search(own) or heard(r"\b<laws>\b").search(own) or self.case_of_sentence
+        return says(r"\b<tells>\W*$", own) and not (
+            _EQUATIONS.search(own) or says(r"\b<laws>\b", own) or self.case_of_sentence
         )
 
     @property
     def defines(self) -> bool:
         """Whether its last clause says that it is a definition, whatever was said of its letter before."""
-        return heard(r"\b<defined>\b").search(main_clause(self.sentence)) is not None and not self.case_of_sentence
+        return says(r"\b<defined>\b", main_clause(self.sentence)) and not self.case_of_sentence
 
     @property
     def speaks_of_a_length(self) -> bool:
         """Whether its own sentence speaks of a quantity that is never negative, such as a speed."""
-        return heard(r"\b<length>\b").search(self.sentence) is not None and "negative" not in without_formulas(
-            self.sentence
-        )
+        return says(r"\b<length>\b", self.sentence) and "negative" not in without_formulas(self.sentence)
 
     @property
     def speaks_of_a_root(self) -> bool:
         """Whether its own sentence speaks of a root, or of what is positive."""
-        return heard(r"\b<root>\b").search(self.sentence) is not None and "negative" not in without_formulas(
-            self.sentence
-        )
+        return says(r"\b<root>\b", self.sentence) and "negative" not in without_formulas(self.sentence)
 
     @property
     def lists(self) -> bool:
@@ -144,7 +140,7 @@ class Beside:
     @property
     def renews(self) -> bool:
         """Whether its own sentence speaks of another thing than the text before it."""
-        return heard(r"\b<renews>\b").search(without_laws(self.sentence)) is not None
+        return says(r"\b<renews>\b", without_laws(self.sentence))
 
     @property
     def is_conditional(self) -> bool:
@@ -159,7 +155,7 @@ class Beside:
     @property
     def supposes(self) -> bool:
         """Whether its own sentence supposes it."""
-        return heard(r"\b<supposes>\b").search(self.sentence) is not None
+        return says(r"\b<supposes>\b", self.sentence)
 
     @property
     def is_denied(self) -> bool:
@@ -169,7 +165,7 @@ class Beside:
     @property
     def is_rejected(self) -> bool:
         """Whether its own sentence says flatly that it does not hold."""
-        return heard(r"\b<rejects>\b").search(self._whole) is not None
+        return says(r"\b<rejects>\b", self._whole)
 
     @property
     def words(self) -> frozenset[str]:
@@ -255,9 +251,7 @@ def is_given_within(words: str, *, number: bool) -> bool:
     sentence = last_sentence(words)
     if _FORBIDS.search(sentence) or (
         number
-        and not (
-            heard(r"\W*(?!defines)(?:<defines>|in which)\b").match(sentence) or heard(r"\b<lets>\W*$").search(words)
-        )
+        and not (heard(r"\W*(?!defines)(?:<defines>|in which)\b").match(sentence) or says(r"\b<lets>\W*$", words))
     ):
         return False
     return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
@@ -302,8 +296,8 @@ def takes_back(words: str) -> bool:
     """
     remark = re.match(r"\W*([^.!]*)[.!](?=\s|$)", words)
     said = remark[1] if remark else ""
-    of_it = _OF_IT.match(said) and (_DENIED.search(said) or heard(r"\b<corrects>").search(said))
-    return bool(of_it or heard(r"\b<undoes>\b").search(said))
+    of_it = _OF_IT.match(said) and (is_denied(said) or says(r"\b<corrects>", said))
+    return bool(of_it) or says(r"\b<undoes>\b", said)
 
 
 def is_denied(sentence: str) -> bool:
@@ -320,7 +314,7 @@ def denies(words: str) -> bool:
     (True, True, False)
     """
     said = last_sentence(words.rstrip(" \n{}.:"))
-    return words.rstrip(" \n{}.").endswith("?") or heard(r"\b<untrue>\b").search(said) is not None
+    return words.rstrip(" \n{}.").endswith("?") or says(r"\b<untrue>\b", said)
 
 
 def has_ended(display: Display) -> bool:

@@ -320,3 +320,61 @@ def test_what_stands_roughly_for_a_value_is_given_behind_it(value):
 @pytest.mark.parametrize("latex", ["P(A) = a P(B) + P(C)", "V(x) = r + a V(y)"])
 def test_a_probability_or_the_value_of_a_state_is_not_given_by_others(latex):
     assert verdicts(rf"\[ P(C) + V(z) = 1 \] \[ {latex} \]")[-1] != "definition"
+
+
+WITH_SIGNS = [
+    r"The weight is \[ w(t) = \begin{cases} w & \text{$t \leq r$}, \\ 2 w & \text{$t > r$} \end{cases} \]",
+    r"The weight is \[ w(t) = \begin{cases} a \text{$t \leq r$}, \\ 2 a \text{$t > r$} \end{cases} \]",
+    r"It is \[ w = \begin{cases} a \in U, & \text{if } r = 0, \\ b \in V, & \text{otherwise} \end{cases} \]",
+    r"Let \[ A = \left( \begin{array}{cc} 2. & 1. \\ 0.5 & 4. \end{array} \right). \]",
+    r"The gain is \[ partial\_gain(x) = e^{g \cdot x} \]",
+    r"The new speeds are \begin{eqnarray} u^{n+1} = v^n - h q & & v^{n+1} = w^n - g q \end{eqnarray}",
+    r"\[ x_i^p F_i^p(x) > 0. \] The excess is \[ F_i^p(x) = G_i^p(x) - \bar{G}^p(x). \]",
+    r"\[ m^p \bar{F}^p(x) > 0. \] The mean is \[ \bar{F}^p(x) = \frac{1}{m^p} \sum_{j \in S^p} x_j^p G_j^p(x). \]",
+    r"\[ \mathcal{F} > 0. \] The information is \[ \mathcal{F}(\boldsymbol{\pi}) = \frac{n^k}{\prod_{i=1}^k \pi_i} \]",
+    r"The state is \[ (u^{n+1}, v^{n+1}) = L_{u,v}^{-1} (u^n, v^n) \]",
+    r"\[ q = h_c^2 + f \] The strain is \[ h_c^2 = \frac{2 G}{3 f^2}. \]",
+    r"\[ v + u > 0. \] If it is large, hence \[ v = \begin{pmatrix} v_0 \\ v_1 \end{pmatrix}. \]",
+]
+
+
+@pytest.mark.parametrize("latex", WITH_SIGNS)
+def test_a_letter_is_given_whatever_signs_stand_at_it_or_in_its_value(latex):
+    assert verdicts(latex)[-1] == "definition"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Instead, we write the step again, with the times at their places:",
+        "We take the weights ($w = 1$ if $j$ is near) and compute:",
+        "When $t > 0$,",
+    ],
+)
+def test_words_that_do_not_limit_an_equation_let_it_give_its_letter(words):
+    assert verdicts(rf"{USED} {words} \[ b = f \oplus g. \]")[-1] == "definition"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"The velocity is \[ u = \sum_i u_i = \sum_i m_i g_i. \]",
+        r"We have \[ d = x - y = u - v. \]",
+        r"\[ a > 0. \] The step is \[ h = a x = y. \]",
+    ],
+)
+def test_a_link_behind_what_gives_a_letter_says_what_new_letters_are(latex):
+    assert verdicts(latex)[-1] == "definition"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ x + y > 0. \] We have \[ d = x - y = y - x. \]",
+        r"We have \[ s = (x + y)^2 = x^2 + y^2. \]",
+        r"\[ x y = u v. \] It is wrong that \[ d = x - y = q. \]",
+        r"We have \[ a + b = c = 2 c. \]",
+    ],
+)
+def test_a_link_without_new_letters_on_one_side_alone_is_asked(latex):
+    assert verdicts(latex)[-1] != "definition"

@@ -98,7 +98,7 @@ _SIGNS = (
     (
         r"\b(?:numbers?|numerals?|digits?|codes?|written|arithmetic)\b[^.]{0,20}\b(?:binary|hexadecimal|octal)\b"
         r"|\b(?:binary|hexadecimal|octal) (?:numbers?|numerals?|digits?|codes?|arithmetic|notation|representations?)\b"
-        r"|\bin (?:binary|hexadecimal|octal)\b",
+        r"|\bin (?:binary|hexadecimal|octal)\b(?! (?!(?:is|was|has|does)\b)[a-z]+s\b)",
         r"\d\d",
         "digits may be those of another base",
     ),

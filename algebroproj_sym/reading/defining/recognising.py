@@ -12,14 +12,14 @@ from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, lone, symbols_in, trees_in, without_brackets
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 _VALUES = re.compile(r"(?:[a-zA-Z]{2,}|E|\\math(?:bb|ds)\{E\})(?:_.*)?")
 """Names of which one value may be given by others; no probability, and no value of a state."""
 _RANDOM = re.compile(r"[XYZ](?:_.*)?")
 _OPERATOR = re.compile(r"\\math(?:cal|scr|frak)(?![a-zA-Z])")
-_STEP = re.compile(r"[a-su-z]( [-+] \d)?")
+_STEP = re.compile(r"[a-su-z]( [-+] \d(?: \d)?)?")
 EQUALITIES = ("=", ":=", "=:", "≡")
 """The relations that say that two sides are equal."""
 
@@ -186,7 +186,15 @@ def argument_of(tree: Formula) -> Formula:
 
 
 def is_indexed_above(tree: Formula) -> bool:
-    r"""Whether a side is a letter with an index above it, as in ``w_t^n`` and ``x^{k+1}``, and hardly a power."""
+    r"""Whether a side is a letter with an index above it, as in ``w_t^n`` and ``x^{k+1}``, and hardly a power.
+
+    So is the value of a function of which the index stands before the argument, as in ``f^p(x)``, and a list of such.
+    """
+    parts = trees_in(tree)
+    if tree.data == "bracket" and len(items := trees_in(parts[0])) > 1:
+        return all(map(is_indexed_above, items))
+    applied = tree.data == "run" and [each.data for each in parts] == ["power", "bracket"]
+    tree = parts[0] if applied else tree
     base, exponent = tree.children if tree.data == "power" else (tree, tree)
     exponent = without_brackets(exponent, UNSEEN)
     if not (isinstance(base, Tree) and isinstance(exponent, Tree)) or base.data != "symbol" or base is exponent:
@@ -194,7 +202,11 @@ def is_indexed_above(tree: Formula) -> bool:
     if str(base.children[0]).startswith(r"\mathbf") and lone_letter(exponent):
         return True
     step = _STEP.fullmatch(" ".join(map(str, exponent.scan_values(lambda _: True))))
-    return step is not None and base.children[0] != "e" and (step[1] is not None or "_" in str(base.children[0]))
+    return (
+        step is not None
+        and base.children[0] != "e"
+        and (applied or step[1] is not None or "_" in str(base.children[0]))
+    )
 
 
 def is_step(left: Formula, right: Formula) -> bool:
@@ -233,20 +245,26 @@ def is_value_of_itself(left: Formula, right: Formula) -> bool:
 def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:
     """Whether an equation says one value of a function, and its value names the argument nowhere.
 
-    It does so in the indices of ``R(q) = a q_1 + b q_2``, and in the conditions of a distinction of cases.
+    It does so in ``R(q) = a q_1 + b q_2``, also of a bold q, and in the conditions of a distinction of cases.
     """
     if value.data == "cases":
         return False
     scripts = frozenset[str]().union(*map(letters_of_symbol, symbols_in(value)))
     tokens = [each for each in value.scan_values(lambda each: isinstance(each, Token)) if isinstance(each, Token)]
     shown = " ".join(each for each in tokens if each.type in ("CONDITION", "SHOWN") or " " in each)
-    named = any(each in scripts or re.search(_alone(each), shown) for each in parameters)
+    entries = {_thin(split_symbol(each)[0]) for each in symbols_in(value)}
+    named = any(each in scripts or _thin(each) in entries or re.search(_alone(each), shown) for each in parameters)
     return is_one_value(parameters, value) and not named
 
 
 def _alone(symbol: str) -> str:
     """Return a pattern for a letter among others, in whatever style."""
-    return rf"(?<![a-zA-Z\\]){re.escape(re.sub(r'[{}]|.math[a-z]+', '', symbol))}(?![a-zA-Z])"
+    return rf"(?<![a-zA-Z\\]){re.escape(_thin(symbol))}(?![a-zA-Z])"
+
+
+def _thin(symbol: str) -> str:
+    """Return a letter without its style: that of a vector is the one of its entries."""
+    return re.sub(r"[{}\s]|\\(?:math[a-z]+|boldsymbol|bm|vec)(?![a-z])", "", symbol)
 
 
 def says_more_than_a_number(value: Formula) -> bool:
@@ -285,9 +303,17 @@ def without_others(left: Formula, value: Formula) -> Formula:
         inside = trees_in(value.children[1])  # type: ignore[arg-type]
         if len(inside) != len(parameters) or not any(map(symbols_in, inside)) or (has_values(left) and value != left):
             return Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
+    if value.data == "cases" and parameters:
+        value = _without_letter(symbol, value)
     if value.data in ("norm", "absolute") and not parameters and [*symbols_in(value)] == [symbol]:
         return Tree("number", [Token("NUMBER", "1")])
     return Tree(value.data, [without_others(left, x) if isinstance(x, Tree) else x for x in value.children])
+
+
+def _without_letter(symbol: str, tree: Formula) -> Formula:
+    if lone(tree) == symbol:
+        return Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
+    return Tree(tree.data, [_without_letter(symbol, x) if isinstance(x, Tree) else x for x in tree.children])
 
 
 def without_own_indices(left: Formula, value: Formula) -> Formula:

@@ -26,7 +26,7 @@ from algebroproj_sym.reading.documents.slopes import slope_ahead
 from algebroproj_sym.reading.documents.systems import as_rows
 from algebroproj_sym.reading.documents.unicode import SIGNS_OF_UNICODE, accented
 from algebroproj_sym.reading.lexing.commands import BIG, BOXES, CLOSING, LETTERS, MAX_PIECES, RELATIONS, SIGNS, UPRIGHT
-from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, has_relation, is_closed
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, has_relation, is_closed, pieces_of
 
 _ENDS = frozenset((*RELATIONS, r"\left", r"\,", r"\;", r"\quad", r"\qquad", r"\\", r"\cdot", r"\times"))
 """Commands behind which braces hold no argument."""
@@ -247,6 +247,24 @@ def _binary(page: _Page, piece: Piece) -> bool:
 
 def _colon(page: _Page, piece: Piece) -> bool:
     return page.waiting.next == ":"
+
+
+def _name(page: _Page, piece: Piece) -> bool:
+    r"""Join letters with a line between them to a name, as in ``max\_speed``, where no command stands before them."""
+    text = "".join(each.text for each in page.out[-MOST_OF_NAME:])
+    behind = _OF_NAME.match("".join(each.text for each in page.waiting[: -MOST_OF_NAME - 1 : -1]))
+    found = re.search(r"(?<![\\a-zA-Z{])[a-zA-Z][a-zA-Z0-9]*$", text)
+    if found and behind:
+        del page.out[len(page.out) - len(found[0]) :]
+        for _ in pieces_of(behind[0]):
+            page.waiting.pop()
+        page.out.extend(at(piece, rf"\mathrm{{{found[0]}{behind[0].replace(chr(92) + '_', '')}}}"))
+    return bool(found and behind)
+
+
+_OF_NAME = re.compile(r"[a-zA-Z0-9]+(?:\\_[a-zA-Z0-9]+)*")
+MOST_OF_NAME = 40
+"""How many signs of a name stand on either side of a line."""
 
 
 def _percent(page: _Page, piece: Piece) -> bool:
@@ -536,6 +554,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     ((r"\right",), _right),
     (_UNSEEN, _without(1)),
     (_SIZES, _without(0)),
+    ((r"\_",), _name),
     ((r"\!", r"\_"), _without(0)),
     ((r"\color",), _without(1)),
     ((r"\rule",), _rule),

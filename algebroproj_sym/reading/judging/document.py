@@ -30,6 +30,7 @@ from algebroproj_sym.reading.judging.introducing import (
     gives_if_open,
     is_only_one,
     names_its_letter,
+    relates_new_letters,
     tells,
 )
 from algebroproj_sym.reading.judging.memory import Memory, where_of
@@ -267,6 +268,7 @@ class _Pass:
         if plain and self.survey.indices.counted:
             repeats = gives_at_other_index(self._standing(statement, found), found.sides[0], found.sides[1])
             definition = None if repeats else definition
+        begins = len(found.sides) > 2 and (definition is not None or tells(self.memory, statement, found, 0))
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None and not self.memory.ties(definition):
                 rests = rests_of(self.memory.vocabulary, definition.tree)
@@ -274,10 +276,10 @@ class _Pass:
                 links.append(Link("definition", rests_on=rests, asked=stated))
                 self.memory.tie(found.sides[:1])
                 continue
-            if relation == "∈" and index and (definition is not None or tells(self.memory, statement, found, 0)):
+            if relation == "∈" and index and begins:
                 links.append(Link("definition"))
                 continue
-            gives = index == 0 and definition is not None
+            gives = definition is not None if index == 0 else begins and relates_new_letters(self.memory, found, index)
             link, question = self._link(statement, found, index, place, gives=gives)
             links.append(link)
             if question is not None:

@@ -82,7 +82,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
     first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *memory.asserted})
     return (
         (index == 0 and introduces(memory, statement, formula))
-        or (index > 0 and is_matrix(right) and _are_new(memory, introduced_by(right), left, statement))
+        or (is_matrix(right) and _are_new(memory, introduced_by(right), left, statement))
         or (first and _gives(memory, statement, left, right))
         or (formula.relations[index] == ":=" and not memory.beside.is_rejected)
         or _is_free(memory, statement, left, right, value=index > 0)
@@ -91,6 +91,16 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         or any(_is_instance(memory, each, right) for each in others)
         or (index == 0 and (_brings(memory, statement, left, right) or _names_arguments(left, right)))
     )
+
+
+def relates_new_letters(memory: Memory, formula: Parsed, index: int) -> bool:
+    """Whether a side of a link has letters of which nothing was said, and the other one has not: it says what they are.
+
+    Nothing above the link can say anything of it.
+    """
+    known = memory.seen.union(memory.vocabulary.definitions, memory.given.whole.symbols)
+    ours, theirs = ({*symbols_in(side)} - known for side in formula.sides[index : index + 2])
+    return ours != theirs
 
 
 def _names_arguments(left: Formula, right: Formula) -> bool:
@@ -179,7 +189,8 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
     is_case = is_case_of(parameters, right) and not memory.survey.are_variables(parameters)
     is_case = is_case and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol))
     power = without_power(left) is not left and not memory.survey.meanings.is_label(left)
-    if (is_case and not memory.beside.defines) or (power and symbol in memory.asserted):
+    given = symbol in memory.given_at or any(left in (each.left, each.right) for each in memory.premises)
+    if (is_case and not memory.beside.defines) or (power and given):
         return False
     if not memory.beside.defines:
         condition = memory.beside.is_condition and not memory.beside.names

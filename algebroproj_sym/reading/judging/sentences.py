@@ -8,7 +8,7 @@ from algebroproj_sym.reading.devices import heard, says
 IN_THIS_CASE = heard(r"\b<known-case>\b")
 _CASE_BEFORE = re.compile(
     r"(?:^|[.:;}]\s*)\s*(?:and )?(?:if|when|for)\b[^.,;:]*"
-    r"\$[^$]*(?:[=<>]|\\(?:le|ge|ne|in|to)(?:q|slant)?(?![a-z]))[^$]*\$\s*:\s*$",
+    r"\$[^$]*(?:[=<>]|\\(?:le|ge|ne|in|to)(?:q|slant)?(?![a-z]))[^$]*\$\s*[:,]\s*$",
     re.IGNORECASE,
 )
 """A case that stands before a colon, and so before what holds in it: "If $n > 0$:"."""

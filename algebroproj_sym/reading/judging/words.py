@@ -36,6 +36,8 @@ _NO_CASE = re.compile(
     re.IGNORECASE,
 )
 """Words that give a name, or say what something is a case of: what they speak of is no condition."""
+_ASIDE = re.compile(r"\((?:[^()$]|\$[^$]*\$)*\)")
+"""A remark in brackets, which says nothing of the equation behind it."""
 HENCE = heard(r"\b<hence>\b")
 DEFINES = heard(r"(?:\b<defines>|(?:^|[.,;])\s*in which|,)\W*$")
 _FORBIDS = re.compile(r"\b(?:not|never|cannot|don['’]t)(?: \w+){0,2}\W*$", re.IGNORECASE)
@@ -95,7 +97,7 @@ class Beside:
     @property
     def is_condition(self) -> bool:
         """Whether the equation is the condition itself of which its sentence speaks: "If" stands in its own clause."""
-        clause = _NO_CASE.sub(" ", IN_THIS_CASE.sub(" then ", main_clause(self.sentence)))
+        clause = _NO_CASE.sub(" ", IN_THIS_CASE.sub(" then ", main_clause(_ASIDE.sub(" ", self.sentence))))
         return _FORM.search(clause) is None and _ONLY_SOMETIMES.search(clause) is not None
 
     @property

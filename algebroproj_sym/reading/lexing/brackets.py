@@ -16,6 +16,7 @@ from algebroproj_sym.reading.lexing.commands import (
     MATRIX,
     MAX_NESTING,
     OPENING,
+    RELATIONS,
     SIZE,
     TRANSPOSED,
     UPRIGHT,
@@ -245,11 +246,28 @@ def _read_cases(cursor: Cursor, start: int) -> None:
     cursor.emit("CASES")
     for row in split_pieces(body, (r"\\",)):
         value, *condition = split_pieces(_upright_scripts(row), ("&", r"\text", ",", r"\quad", r"\qquad"))
+        end = _end_of_value(value)
+        value, condition = value[:end], [value[end:], *condition]
         if not any(not piece.text.isspace() for piece in value):
             continue
         cursor.inner(value)
         cursor.emit("CONDITION", " ".join(filter(None, map(_without_braces, condition))))
     cursor.emit("ENDCASES")
+
+
+def _end_of_value(value: Sequence[Piece]) -> int:
+    r"""Return where the set to which a value belongs begins, or a condition in braces; else where the value ends."""
+    depth, start, before = 0, len(value), ""
+    for place, piece in enumerate(value):
+        if (depth, piece.text) == (0, r"\in"):
+            return place
+        if depth == 1 and piece.text in RELATIONS and start < place:
+            return start
+        if piece.text == "{" and not depth:
+            start = len(value) if before in ("_", "^") or before.startswith("\\") else place
+        depth += (piece.text == "{") - (piece.text == "}")
+        before = before if piece.text.isspace() else piece.text
+    return len(value)
 
 
 def _without_braces(part: Sequence[Piece]) -> str:

@@ -212,7 +212,7 @@ def _read_number(cursor: Cursor) -> None:
     start, digits = cursor.place, ""
     while cursor.index < len(cursor.pieces):
         text = cursor.text
-        if text == "." and digits and "." not in digits and cursor.peek(1) in SIGNS:
+        if text == "." and digits and "." not in digits and cursor.peek(1) in (*SIGNS, "", "&", r"\\"):
             cursor.index += 1
             break
         goes_on = (text == "." and "." not in digits) or (text.isspace() and digits)

@@ -334,6 +334,9 @@ WITH_SIGNS = [
     r"\[ \mathcal{F} > 0. \] The information is \[ \mathcal{F}(\boldsymbol{\pi}) = \frac{n^k}{\prod_{i=1}^k \pi_i} \]",
     r"The state is \[ (u^{n+1}, v^{n+1}) = L_{u,v}^{-1} (u^n, v^n) \]",
     r"\[ q = h_c^2 + f \] The strain is \[ h_c^2 = \frac{2 G}{3 f^2}. \]",
+    r"The weight is \[ w(t) = \begin{cases} \begin{cases} a & \text{$t \leq r$}, \\ b & \text{$t > r$} \end{cases} & "
+    r"\text{$h < k$} \\ c & \text{$h \geq k$} \end{cases} \]",
+    r"\[ x \sim N(a, v). \] Taking the limit allows any, where the first value is \[ v = p + k q. \]",
     r"\[ v + u > 0. \] If it is large, hence \[ v = \begin{pmatrix} v_0 \\ v_1 \end{pmatrix}. \]",
 ]
 
@@ -374,6 +377,9 @@ def test_a_link_behind_what_gives_a_letter_says_what_new_letters_are(latex):
         r"We have \[ s = (x + y)^2 = x^2 + y^2. \]",
         r"\[ x y = u v. \] It is wrong that \[ d = x - y = q. \]",
         r"We have \[ a + b = c = 2 c. \]",
+        r"\[ a > 0. \] We have \[ d = a x - y = 0. \]",
+        r"\[ a > 0. \] The step is \[ h = a x < y. \]",
+        r"We have \[ q = 1 \wedge r = s. \]",
     ],
 )
 def test_a_link_without_new_letters_on_one_side_alone_is_asked(latex):

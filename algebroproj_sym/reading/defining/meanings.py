@@ -98,7 +98,7 @@ _SIGNS = (
     (
         r"\b(?:numbers?|numerals?|digits?|codes?|written|arithmetic)\b[^.]{0,20}\b(?:binary|hexadecimal|octal)\b"
         r"|\b(?:binary|hexadecimal|octal) (?:numbers?|numerals?|digits?|codes?|arithmetic|notation|representations?)\b"
-        r"|\bin (?:binary|hexadecimal|octal)\b(?! (?!(?:is|was|has|does)\b)[a-z]+s\b)",
+        r"|\bin (?:binary|hexadecimal|octal)\b(?! (?:stars?|pulsars?|mergers?|alloys?|mixtures?)\b)",
         r"\d\d",
         "digits may be those of another base",
     ),
@@ -123,7 +123,8 @@ _BOUNDARY = re.compile(
     re.IGNORECASE,
 )
 """Words by which a curved d before a letter is its boundary."""
-_CHANGES = re.compile(r"/|dot|'")
+CHANGES = re.compile(r"/|dot|'")
+"""What stands in the symbol of a derivative."""
 _DEGREES = re.compile(
     r"\b(?:is|are|be|measured|given|expressed|angles?) in degrees\b|\bset to degrees\b", re.IGNORECASE
 )
@@ -292,7 +293,7 @@ class Meanings:
         """The letters that are functions: a factor is none that is called a function, and has no argument anywhere."""
         inverse = (symbol for each in _INVERSE.findall(self.words) for symbol in symbols_in_list(each))
         named = called(self.statements, _MAPS) | (called(self.statements, _FUNCTIONS) & self._applied)
-        return frozenset((*inverse, *(each for each in named if not _CHANGES.search(each))))
+        return frozenset((*inverse, *(each for each in named if not CHANGES.search(each))))
 
     @cached_property
     def _labelled(self) -> frozenset[tuple[str, bool]]:
@@ -377,7 +378,7 @@ class Meanings:
         pairs = (pair for run in tree.find_data("run") for pair in pairwise(run.children))
         if any(_is_symbol(one) and _is_group(other) and _is_number(other) for one, other in pairs):
             return "a number in brackets may be that of a sample"
-        changes = any(map(_CHANGES.search, symbols)) or any(True for _ in tree.find_data("slope"))
+        changes = any(map(CHANGES.search, symbols)) or any(True for _ in tree.find_data("slope"))
         for part in tree.iter_subtrees():
             head = str(part.children[0]) if part.children and isinstance(part.children[0], Token) else ""
             if part.data in ("function", "raised_function"):

@@ -179,10 +179,18 @@ def given_by(tree: Formula) -> str:
 
 
 def argument_of(tree: Formula) -> Formula:
-    r"""Return the letter of which a side is a function, as in ``\ln L`` and ``\cos t``; else the side itself."""
+    r"""Return the letter of which a side is a function, as in ``\ln L`` and ``- 2 \ln L``; else the side itself."""
+    *others, last = trees_in(tree) or [tree]
+    if tree.data in ("sum", "run") and all(each.data == "number" for each in others) and _has_no_plus(tree):
+        found = argument_of(last)
+        return tree if found is last else found
     inside = tree.children[-1] if tree.data == "function" else None
     lone = isinstance(inside, Tree) and len(inside.children) == 1 and defined_by(inside)[0]
     return inside if isinstance(inside, Tree) and lone else tree
+
+
+def _has_no_plus(tree: Formula) -> bool:
+    return tree.data == "run" or len(trees_in(tree)) == 1
 
 
 def is_indexed_above(tree: Formula) -> bool:
@@ -247,11 +255,11 @@ def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:
 
     It does so in ``R(q) = a q_1 + b q_2``, also of a bold q, and in the conditions of a distinction of cases.
     """
-    if value.data == "cases":
+    if _has_cases(value):
         return False
     scripts = frozenset[str]().union(*map(letters_of_symbol, symbols_in(value)))
     tokens = [each for each in value.scan_values(lambda each: isinstance(each, Token)) if isinstance(each, Token)]
-    shown = " ".join(each for each in tokens if each.type in ("CONDITION", "SHOWN") or " " in each)
+    shown = _thin(" ".join(each for each in tokens if each.type in ("CONDITION", "SHOWN") or " " in each))
     entries = {_thin(split_symbol(each)[0]) for each in symbols_in(value)}
     named = any(each in scripts or _thin(each) in entries or re.search(_alone(each), shown) for each in parameters)
     return is_one_value(parameters, value) and not named
@@ -263,13 +271,17 @@ def _alone(symbol: str) -> str:
 
 
 def _thin(symbol: str) -> str:
-    """Return a letter without its style: that of a vector is the one of its entries."""
-    return re.sub(r"[{}\s]|\\(?:math[a-z]+|boldsymbol|bm|vec)(?![a-z])", "", symbol)
+    """Return letters without their style: that of a vector is the one of its entries."""
+    return re.sub(r"[{}]|\\(?:math[a-z]+|boldsymbol|bm|vec)(?![a-z])", "", symbol).strip()
 
 
 def says_more_than_a_number(value: Formula) -> bool:
     """Whether a value has letters, entries or cases, or is a set or the like, which is only shown."""
-    return bool(symbols_in(value)) or is_matrix(value) or value.data in ("cases", "shown")
+    return bool(symbols_in(value)) or is_matrix(value) or value.data == "shown" or _has_cases(value)
+
+
+def _has_cases(value: Formula) -> bool:
+    return any(True for _ in value.find_data("cases"))
 
 
 def is_arithmetic(value: Formula) -> bool:

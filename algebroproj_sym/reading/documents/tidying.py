@@ -558,6 +558,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     ((r"\!", r"\_"), _without(0)),
     ((r"\color",), _without(1)),
     ((r"\rule",), _rule),
+    ((r"\lefteqn",), _framed(0, braces=False)),
     ((r"\resizebox",), _framed(2, braces=False)),
     ((r"\scalebox",), _framed(1, braces=False)),
     ((r"\textcolor", r"\colorbox", r"\raisebox"), _framed(1)),

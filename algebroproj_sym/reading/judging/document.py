@@ -167,7 +167,9 @@ class _Pass:
                 asked += questions
             if isinstance(found, Parsed) and found.relations:
                 shown = (symbols_in, operations_in, values_in)
-                self.memory.seen.update(*(each(side) for each in shown for side in found.sides))
+                said = {part for each in shown for side in found.sides for part in each(side)}
+                self.memory.seen |= said
+                self.memory.equated |= said if {*found.relations} & {*EQUALITIES} else set()
         return readings, asked
 
     def _inline(self, statement: Statement, formula: Parsed) -> None:
@@ -259,6 +261,9 @@ class _Pass:
                     links[start] = Link("definition")
                 elif gives_if_open(self.memory, statement, first) or names_its_letter(self.memory, statement, first):
                     links[start] = Link("definition", f"{OPEN}: {reason}")
+                for index in range(1, len(links) if links[0].verdict == "definition" else 1):
+                    if relates_new_letters(self.memory, found, index):
+                        links[index] = Link("definition", f"{OPEN}: {reason}")
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])
@@ -268,7 +273,7 @@ class _Pass:
         if plain and self.survey.indices.counted:
             repeats = gives_at_other_index(self._standing(statement, found), found.sides[0], found.sides[1])
             definition = None if repeats else definition
-        begins = len(found.sides) > 2 and (definition is not None or tells(self.memory, statement, found, 0))
+        begins = definition is not None or self._begins(statement, found)
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None and not self.memory.ties(definition):
                 rests = rests_of(self.memory.vocabulary, definition.tree)
@@ -296,6 +301,12 @@ class _Pass:
         self.memory.give_anew(found)
         self.memory.take(statement, found, defines=definition is not None)
         return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
+
+    def _begins(self, statement: Statement, formula: Parsed) -> bool:
+        """Whether a chain begins with an equation that gives the letter on its left."""
+        if formula.relations[1:] == () or formula.relations[0] not in EQUALITIES or not defined_by(formula.sides[0])[0]:
+            return False
+        return tells(self.memory, statement, formula, 0) or names_its_letter(self.memory, statement, formula)
 
     def _with_new_letter_first(self, formula: Parsed) -> Parsed:
         """Return a chain ``a b = s = c`` with s first, if s is a new letter: it says that s is a b, which is c."""

@@ -2,8 +2,12 @@
 
 from dataclasses import replace
 
+from lark import Tree
+
+from algebroproj_sym.reading.defining.dependence import letters_in
 from algebroproj_sym.reading.defining.derivatives import derivatives_in
 from algebroproj_sym.reading.defining.instances import numbers_put_in
+from algebroproj_sym.reading.defining.meanings import CHANGES
 from algebroproj_sym.reading.defining.premises import neighbours
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -35,7 +39,7 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.memory import Memory, where_of
 from algebroproj_sym.reading.judging.words import beside
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in, trees_in
 
 
 def definition_in(
@@ -82,7 +86,11 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
     first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *memory.asserted})
     return (
         (index == 0 and introduces(memory, statement, formula))
-        or (is_matrix(right) and _are_new(memory, introduced_by(right), left, statement))
+        or (
+            is_matrix(right)
+            and (index > 0 or _may_be_listed(memory, right))
+            and _are_new(memory, introduced_by(right), left, statement)
+        )
         or (first and _gives(memory, statement, left, right))
         or (formula.relations[index] == ":=" and not memory.beside.is_rejected)
         or _is_free(memory, statement, left, right, value=index > 0)
@@ -96,16 +104,34 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
 def relates_new_letters(memory: Memory, formula: Parsed, index: int) -> bool:
     """Whether a side of a link has letters of which nothing was said, and the other one has not: it says what they are.
 
-    Nothing above the link can say anything of it.
+    Nothing above the link can say anything of it.  A number is a condition, and an operation in a circle may stand
+    between two equations.  Letters over which a sum or an integral runs are none, nor are derivatives.
     """
-    known = memory.seen.union(memory.vocabulary.definitions, memory.given.whole.symbols)
-    ours, theirs = ({*symbols_in(side)} - known for side in formula.sides[index : index + 2])
-    return ours != theirs
+    left, right = sides = formula.sides[index : index + 2]
+    if formula.relations[index] not in EQUALITIES or operations_in(left) or not says_more_than_a_number(right):
+        return False
+    known = memory.seen.union(memory.vocabulary.definitions, memory.given.whole.symbols, *map(_bound_in, sides))
+    ours, theirs = ({*symbols_in(each)} - known for each in sides)
+    return any(memory.vocabulary.constant(each) is None and not CHANGES.search(each) for each in ours ^ theirs)
+
+
+def _bound_in(tree: Formula) -> set[str]:
+    """Return the letters in the limits of sums and integrals, and those by which is integrated."""
+    limits = (letters_in(str(each.children[0])) for each in tree.find_data("big"))
+    steps = {each for each in symbols_in(tree) if each.startswith("d ")}
+    return steps.union((each.removeprefix("d ") for each in steps), *limits)
 
 
 def _names_arguments(left: Formula, right: Formula) -> bool:
     """Whether an equation says on which letters one depends, as ``x = x(a, b)``."""
     return right.data == "call" and left.data == "symbol" and str(left.children[0]) == str(right.children[0])
+
+
+def _may_be_listed(memory: Memory, table: Formula) -> bool:
+    """Whether nothing has the entries of a matrix that a letter is said to have, and no words doubt it."""
+    return memory.seen.isdisjoint(introduced_by(table)) and not (
+        memory.beside.is_condition or memory.beside.is_rejected
+    )
 
 
 def _are_new(memory: Memory, symbols: frozenset[str], other: Formula, statement: Statement) -> bool:
@@ -157,9 +183,9 @@ def names_its_letter(memory: Memory, statement: Statement, formula: Parsed) -> b
     Then it says what the letter is, though nobody may be able to compute it.  Such an equation is no premise.
     """
     left, right = formula.sides[:2]
-    used = memory.seen.union(memory.given.whole.symbols, symbols_in(right), operations_in(right))
+    used = memory.equated.union(memory.given.whole.symbols, symbols_in(right), operations_in(right))
     return (
-        (named_on_left(left) not in used | {""} or value_on_left(left) not in {"", *memory.seen, *values_in(right)})
+        (named_on_left(left) not in used | {""} or value_on_left(left) not in {"", *memory.equated, *values_in(right)})
         and formula.relations[0] in EQUALITIES
         and says_more_than_a_number(right)
         and not is_case_of(defined_by(left)[1], right)
@@ -189,8 +215,7 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
     is_case = is_case_of(parameters, right) and not memory.survey.are_variables(parameters)
     is_case = is_case and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol))
     power = without_power(left) is not left and not memory.survey.meanings.is_label(left)
-    given = symbol in memory.given_at or any(left in (each.left, each.right) for each in memory.premises)
-    if (is_case and not memory.beside.defines) or (power and given):
+    if (is_case and not memory.beside.defines) or (power and (symbol in memory.given_at or _has_alone(memory, left))):
         return False
     if not memory.beside.defines:
         condition = memory.beside.is_condition and not memory.beside.names
@@ -200,6 +225,14 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
     by_more = others == right or says_more_than_a_number(others)
     circular = is_circular(symbol, others, memory.vocabulary)
     return by_more and not (circular and is_circular(symbol, others, _known_here(memory)))
+
+
+def _has_alone(memory: Memory, power: Formula) -> bool:
+    """Whether an equation above gives a power, or has its letter without it."""
+    above = [side for each in memory.premises for side in (each.left, each.right)]
+    above += [each.tree for each in memory.vocabulary.definitions.values()]
+    others = {symbol for each in above for symbol in symbols_in(put_in(each, {power: Tree("number", [])}))}
+    return power in above or not others.isdisjoint(symbols_in(power))
 
 
 def _known_here(memory: Memory) -> Vocabulary:

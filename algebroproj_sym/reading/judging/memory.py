@@ -77,6 +77,7 @@ class Memory:
         self.vocabulary = survey.vocabulary()
         self.asserted: dict[str, int] = {}
         self.seen = set[str]()
+        self.equated = set[str]()
         self.premises: list[Premise] = []
         self.stated: list[tuple[str, Premise]] = []
         self.alone: dict[str, int] = {}

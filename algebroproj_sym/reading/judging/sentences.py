@@ -7,7 +7,7 @@ from algebroproj_sym.reading.devices import heard, says
 
 IN_THIS_CASE = heard(r"\b<known-case>\b")
 _CASE_BEFORE = re.compile(
-    r"(?:^|[.:;}]\s*)\s*(?:and )?(?:if|when|for)\b[^.,;:]*"
+    r"(?:^|[.:;,}]\s*)\s*(?:and )?(?:if|when|for)\b[^.,;:]*"
     r"\$[^$]*(?:[=<>]|\\(?:le|ge|ne|in|to)(?:q|slant)?(?![a-z]))[^$]*\$\s*[:,]\s*$",
     re.IGNORECASE,
 )
@@ -20,6 +20,8 @@ _AND_THEN = re.compile(
     re.IGNORECASE,
 )
 """How a condition is followed by the main clause without a comma: "If there are two we can write"."""
+_OF_A_THING = re.compile(r"\s*(?:the|its|their|our|an?) (?!same\b)[a-z-]+\b", re.IGNORECASE)
+"""How a clause begins that names what an equation gives, as in "If it is closed, the area"."""
 _GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
 
 
@@ -41,7 +43,8 @@ def main_clause(sentence: str) -> str:
     last = clauses[-1] if clauses else ""
     concluded = any(each.startswith("then") for each in clauses[:-1])
     alone = concluded or not _GOES_ON.match(last)
-    return last if says(r"\b<asserts>\b", FORMULA.sub(" ", last)) and alone else sentence
+    asserts = says(r"<asserts>", FORMULA.sub(" ", last)) or (len(clauses) > 1 and _OF_A_THING.match(last))
+    return last if asserts and alone else sentence
 
 
 def last_sentence(words: str) -> str:

@@ -263,9 +263,12 @@ def _end_of_value(value: Sequence[Piece]) -> int:
             return place
         if depth == 1 and piece.text in RELATIONS and start < place:
             return start
-        if piece.text == "{" and not depth:
-            start = len(value) if before in ("_", "^") or before.startswith("\\") else place
-        depth += (piece.text == "{") - (piece.text == "}")
+        if not depth:
+            argument = piece.text != "{" or before in ("_", "^") or before.startswith("\\")
+            start = len(value) if argument else place
+        depth += (piece.text == "{" or piece.text.startswith(r"\begin{")) - (
+            piece.text == "}" or piece.text.startswith(r"\end{")
+        )
         before = before if piece.text.isspace() else piece.text
     return len(value)
 

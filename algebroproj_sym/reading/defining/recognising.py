@@ -276,8 +276,13 @@ def _thin(symbol: str) -> str:
 
 
 def says_more_than_a_number(value: Formula) -> bool:
-    """Whether a value has letters, entries or cases, or is a set or the like, which is only shown."""
-    return bool(symbols_in(value)) or is_matrix(value) or value.data == "shown" or _has_cases(value)
+    """Whether a value has letters, entries or cases, or is a set or the like, which is only shown; no bold zero has."""
+    return (
+        any(_thin(each) != "0" for each in symbols_in(value))
+        or is_matrix(value)
+        or value.data == "shown"
+        or _has_cases(value)
+    )
 
 
 def _has_cases(value: Formula) -> bool:

@@ -45,3 +45,13 @@ def test_what_holds_in_a_case_serves_no_longer_where_another_one_is_spoken_of(be
 )
 def test_a_case_goes_on_where_nothing_else_is_spoken_of(before, behind, then):
     assert last_of(rf"{before} \[ w = x + y \] {behind} {then} \[ w - x = y. \]").verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    ("words", "special"),
+    [(r"We see that $g = 2 c$.", False), (r"For $g = 2 c$,", True), (r"This is such that $g = 2 c$.", True)],
+)
+def test_that_is_no_at(words, special):
+    latex = rf"{words} We have \[ u v = k w. \] \section{{Next}} It is \[ u = \frac{{k w}}{{v}} + r. \]"
+    found = read_document(document_of(latex))[0].links[0].reason
+    assert ("may limit it" in found) is special

@@ -21,6 +21,8 @@ def texts(latex: str) -> list[str | None]:
             r"H = -\frac{a}{r^2} \frac{\partial}{\partial r}(r^2 \frac{\partial f}{\partial r})",
         ),
         (r"K = -\frac{1}{2} \dv[2]{t} + \frac{l}{t^2}", r"K = -\frac{1}{2} \frac{d^2}{dt^2} + \frac{l}{t^2}"),
+        (r"y = \cos[2](x) + \tan[-1](z)", r"y = \cos^2(x) + \tan^{-1}(z)"),
+        (r"\lefteqn{a b} = c", r"a b = c"),
         (r"x_\mrm{p} = 2 \mcal{E}", r"x_{\mathrm{p}} = 2 \mathcal{E}"),
         (r"L = \frac{l}{\sqrt{\Re_l}} + \frac{\Re}{2}", r"L = \frac{l}{\sqrt{\mathrm{Re}_l}} + \frac{\mathrm{Re}}{2}"),
         (r"F = \frac{A(\%)}{c}", r"F = \frac{A}{c}"),
@@ -248,3 +250,22 @@ def test_an_argument_that_has_one_reading_only_is_read_so():
     latex = r"\[ L = a - \log 2 \cosh \frac{1}{2} \sum_k z_k \] \[ L - a = - \log 2 \cosh \frac{1}{2} \sum_k z_k \]"
     found = read_document(document_of(latex), seconds=5)
     assert [each.verdict for each in found] == ["definition", "follows"]
+
+
+_WIDTH = r"\[ x = \frac{d p}{d + p s}. \] "
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (_WIDTH + r"Hence \[ p = \frac{d x}{d - x s}. \]", "follows"),
+        (_WIDTH + r"\[ y = \frac{d q}{d + p s}. \] Hence \[ q = \frac{d y}{d - x s}. \]", "follows"),
+        (r"\[ n = d + 1. \] \[ d z = a \, d x. \] Hence \[ z = a x. \]", "definition"),
+        (r"\[ n = d + 1. \] \[ \frac{d z}{d x} = a d. \] Hence \[ z = a d x. \]", "definition"),
+        (_WIDTH + r"\[ s = \int_0^d x \, dx. \] Hence \[ p = \frac{d x}{d - x s}. \]", "definition"),
+        (_WIDTH + r"Its derivative is short. Hence \[ p = \frac{d x}{d - x s}. \]", "definition"),
+    ],
+)
+def test_d_is_a_letter_where_each_equation_has_it_alone(latex: str, verdict: str) -> None:
+    """It is none where an equation has differentials alone, or where the document has any calculus."""
+    assert read_document(document_of(latex))[-1].verdict == verdict

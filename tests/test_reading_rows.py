@@ -124,3 +124,19 @@ def test_words_that_lead_from_one_equation_to_the_next_are_no_condition(words: s
 )
 def test_a_row_that_gives_a_letter_of_the_row_above_may_follow_from_it(latex: str, verdict: str) -> None:
     assert last_verdict(latex) == verdict
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (
+            r"\begin{eqnarray} u = a - b & & w = c \\ v = e & & x = f \end{eqnarray}",
+            ["u = a - b", "w = c", "v = e", "x = f"],
+        ),
+        (r"\begin{eqnarray} u &=& a && v &=& b \end{eqnarray}", ["u = a", "v = b"]),
+        (r"\begin{eqnarray} u &=& a + && b \end{eqnarray}", ["u = a + b"]),
+        (r"\begin{align} u &= a && = b \end{align}", ["u = a = b"]),
+    ],
+)
+def test_an_empty_column_holds_equations_apart(latex: str, expected: list[str]) -> None:
+    assert [each.read for each in read_document(document_of(latex))] == expected

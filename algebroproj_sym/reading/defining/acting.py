@@ -72,7 +72,7 @@ _STEMS = (
     # to use it
     "us|eliminat|substitut|insert|plug|integrat|differentiat|equat|factor|simplif|rewrit|rearrang|isolat|cancel|collect|"
     "sum|multipl|divid|add|subtract|appl|work|encod|realiz|build|construct|model|parametri[sz]|retain|plot|display|"
-    "illustrat|associat|connect|link|attach|mount|locat|plac|includ|"
+    "cod|implement|stor|sav|program|document|print|illustrat|associat|connect|link|attach|mount|locat|plac|includ|"
     # to be what it is
     "relat|provid|involv|situat|contain|bound|limit|restrict|constrain|distribut|cent(?:e?r)|clos|own|bas|contribut|exceed|"
     "equal|depend|differ|consist|satisf|obey|appear|occur|lie|act|exist|belong|correspond|point|serv|remain|stay|vanish|enter|"

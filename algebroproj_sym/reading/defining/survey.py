@@ -179,6 +179,21 @@ class Survey:
         return are_transposes(self._first_equations, self._prose)
 
     @cached_property
+    def _has_letter_d(self) -> bool:
+        """Whether d is a letter before another one: all equations with d x have d alone, too, without calculus."""
+        displays = (each.display.latex for each in self.statements)
+        if _CALCULUS.search(f"{self._prose} {' '.join(displays)}"):
+            return False
+        beside = list[bool]()
+        for sides in self._first_equations:
+            names = {symbol for side in sides for symbol in symbols_in(side)}
+            names |= {str(each.children[0]) for side in sides for each in side.find_data("big")}
+            divided = [each for each in names if _DERIVATIVE.match(each)]
+            if divided or any(each.startswith("d ") for each in names):
+                beside.append(all(map(_OF_A_SUM.match, divided)) and ("d" in names or bool(divided)))
+        return any(beside) and all(beside)
+
+    @cached_property
     def _operators(self) -> Operators | None:
         """Which operators there are that are applied to something."""
         return operators_in(self._first_equations)
@@ -195,7 +210,7 @@ class Survey:
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
-        if not (self.labels or self._has_transposes or self._operators):
+        if not (self.labels or self._has_transposes or self._operators or self._has_letter_d):
             return self._first
         return {id(each): self._parsed(each, self.labels) for each in self.statements}
 
@@ -214,7 +229,10 @@ class Survey:
         own = self.labels if labels is None else labels
         known = self.given.whole.symbols
         named = self._has_superscripts
-        is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
+        d_alone = not plain and self._has_letter_d
+        is_name = lambda name: (  # noqa: E731
+            name in known or name in own or (named and _has_index(name)) or (d_alone and name == "d")
+        )
         found = parsed(statement.pieces, is_name, self.functions, wide)
         found = found if plain or not self._has_transposes else with_transposes(found)
         if not plain and self._operators:
@@ -371,6 +389,13 @@ class Survey:
         return replace(found, no_numbers=found.no_numbers | matrices, named=named_otherwise(self.statements))
 
 
+_DERIVATIVE, _OF_A_SUM = re.compile(r"d[^/]*/d"), re.compile(r"d[^/]*/d[^_^]*[+-]")
+r"""A fraction with d above and below, and one that is no derivative: ``\frac{d x}{d + x}``."""
+_CALCULUS = re.compile(
+    r"differential|infinitesimal|derivativ|integra[lt]|calculus|\\i*o?int(?![a-z])|\\partial(?![a-z])|\\d*dot(?![a-z])",
+    re.IGNORECASE,
+)
+"""Words and signs of documents in which ``d x`` may be a differential."""
 _PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)
 _HALVES = re.compile(r"symmetr|covarian|correlat|inertia|missing|unknown entr", re.IGNORECASE)
 """Words of matrices of which one half may be printed, or of which not all is known."""

@@ -50,7 +50,7 @@ class BoundError(UnreadableError):
     """There is more to put into a formula than there may be."""
 
 
-_UNCOMPUTED = (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError)
+UNCOMPUTED = (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError)
 
 
 @dataclass(frozen=True)
@@ -83,6 +83,8 @@ class Definition:
     """The words beside what was said of the symbol before, and not beside this: where they return, it does not hold."""
     ranges: tuple[Parsed, ...] = ()
     """What is said beside it of the ranges of letters."""
+    holds: bool = True
+    """Whether it holds without a condition, though it may not be computed."""
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:
@@ -116,6 +118,7 @@ class Vocabulary:
         self.complexes = complexes
         self.imaginary = imaginary
         self.numbers: Numbers = "real"
+        self.is_flat = False
         self.dependence = dependence
         self.euler = euler
         self.uncomputed: Values | None = None
@@ -141,7 +144,7 @@ class Vocabulary:
             imaginary=self.imaginary,
             reals=self.reals,
         )
-        copied.numbers = self.numbers
+        copied.numbers, copied.is_flat = self.numbers, self.is_flat
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
@@ -181,6 +184,14 @@ class Vocabulary:
         found.forget()
         return found
 
+    def flat(self) -> Vocabulary:
+        """Return the vocabulary without definitions in which no letter is a vector or a matrix."""
+        found = self.copied()
+        found.is_flat = True
+        found.definitions.clear()
+        found.forget()
+        return found
+
     def complex_letters(self, symbols: Iterable[str]) -> frozenset[str]:
         """Return the symbols that are the imaginary unit, said to be complex, or given by what is."""
         units = self.complexes | {self.imaginary} - {""}
@@ -195,7 +206,7 @@ class Vocabulary:
         """Return which bound keeps the definition of a symbol from being computed; empty for none."""
         try:
             self.value(self.definitions[symbol].tree)
-        except _UNCOMPUTED as error:
+        except UNCOMPUTED as error:
             return str(error) if isinstance(error, BoundError) else ""
         return ""
 
@@ -207,7 +218,7 @@ class Vocabulary:
         """Return the shape of what a formula stands for; None if it has no entries."""
         try:
             return shape(self.value(tree))
-        except _UNCOMPUTED:
+        except UNCOMPUTED:
             return None
 
     def forget(self) -> None:
@@ -328,17 +339,19 @@ class Vocabulary:
 
     def is_matrix(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix, or may be one."""
-        return _is_accented(symbol) or symbol in self.kinds.open or self.is_no_number(symbol)
+        return not self.is_flat and (_is_accented(symbol) or symbol in self.kinds.open or self.is_no_number(symbol))
 
     def is_no_number(self, symbol: str) -> bool:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
         letter = before_condition(symbol)
-        if letter in self.kinds.averages.operators or _OF_EVENTS.match(symbol):
+        if self.is_flat or letter in self.kinds.averages.operators or _OF_EVENTS.match(symbol):
             return False
         return _BOLD.search(letter) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""
+        if self.is_flat:
+            return None
         if identity := _IDENTITY.fullmatch(symbol):
             return int(identity[1]), int(identity[1])
         return self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
@@ -358,6 +371,8 @@ class Vocabulary:
 
     def properties_of(self, symbol: str) -> tuple[str, ...]:
         """Return what a symbol is said to be, such as a rotation."""
+        if self.is_flat:
+            return ()
         return ("identity",) if _IDENTITY.fullmatch(symbol) else self._properties.get(symbol, ())
 
     def used_in(self, tree: Formula) -> list[Definition]:

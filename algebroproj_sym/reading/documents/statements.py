@@ -3,7 +3,6 @@
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 from algebroproj_sym.reading.documents.displays import Display, Document, label_of, tag_of, without_number
 from algebroproj_sym.reading.lexing.commands import CLOSING, MAPS, OPENING, RELATIONS, SIGNS
@@ -256,15 +255,17 @@ def _begins_with_sign(row: Sequence[Piece]) -> bool:
 
 
 def _columns(row: Sequence[Piece]) -> list[list[Piece]]:
-    """Return the equations that stand side by side, between marks of alignment; empty cells only make room."""
-    first, *others = split_pieces(row, ("&",), brackets=False)
-    cells = [first, *(cell for cell in others if _without_idle(cell))]
-    apart = {id(cell) for empty, cell in pairwise(others) if not _without_idle(empty) and has_relation(cell)}
+    """Return the equations that stand side by side, between marks of alignment; empty cells make room."""
+    every = split_pieces(row, ("&",), brackets=False)
+    kept = [place for place, cell in enumerate(every) if not place or _without_idle(cell)]
+    cells = [every[place] for place in kept]
     found: list[list[Piece]] = [[]]
     for place, cell in enumerate(cells):
         rest = [piece for each in cells[place : place + 2] for piece in each]
-        begins = (place >= 2 and place % 2 == 0 and has_relation(rest)) or id(cell) in apart
-        begins = begins and has_relation(found[-1]) and not ends_with_relation(_without_idle(found[-1]))
+        beside = first_text(reversed(_without_idle(found[-1]))), first_text(cell)
+        apart = place > 0 and kept[place] > kept[place - 1] + 1 and {*SIGNS}.isdisjoint(beside)
+        begins = (apart or (place >= 2 and place % 2 == 0)) and has_relation(found[-1]) and has_relation(rest)
+        begins = begins and not ends_with_relation(_without_idle(found[-1]))
         if begins and not begins_with_relation(_without_idle(rest)):
             found.append([])
         found[-1] += cell

@@ -71,6 +71,7 @@ _EXTREMUM = re.compile(
 """The place of a least or a greatest value, as it is written."""
 _LONE = re.compile(r"[a-zA-Z]|\\math[a-z]+\s*\{?\s*[a-zA-Z]\s*\}?")
 """A letter, perhaps in a style."""
+_WITH_POWERS = r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh", r"\log", r"\ln"
 _UNSEEN = frozenset((r"\index", r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _SIZES = frozenset(
     rf"\{name}"
@@ -210,6 +211,16 @@ def _framed(arguments: int, braces: bool = True) -> Callable[[_Page, Piece], boo
         return True
 
     return step
+
+
+def _power_in_brackets(page: _Page, piece: Piece) -> bool:
+    r"""Write ``\sin[2](x)`` as it is printed: a package of physics has the power of a function in square brackets."""
+    behind = "".join(each.text for each in page.waiting[-1:-12:-1])
+    if (power := re.match(r"\s*\[\s*(-?\d)\s*\]\s*(?=\()", behind)) is None:
+        return False
+    del page.waiting[-len(pieces_of(power.group())) :]
+    page.out.extend(at(piece, f"{piece.text}^{{{power[1]}}}"))
+    return True
 
 
 def _boxed(page: _Page, piece: Piece) -> bool:
@@ -558,6 +569,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     ((r"\!", r"\_"), _without(0)),
     ((r"\color",), _without(1)),
     ((r"\rule",), _rule),
+    (_WITH_POWERS, _power_in_brackets),
     ((r"\lefteqn",), _framed(0, braces=False)),
     ((r"\resizebox",), _framed(2, braces=False)),
     ((r"\scalebox",), _framed(1, braces=False)),

@@ -43,6 +43,7 @@ from algebroproj_sym.reading.judging.sentences import last_sentence
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
 from algebroproj_sym.reading.judging.supposing import (
+    goes_on_in_display,
     goes_on_with,
     is_denied_behind,
     leads_elsewhere,
@@ -149,6 +150,7 @@ class _Pass:
         self.survey = survey
         self.memory = Memory(survey)
         self.within: list[tuple[str, Premise]] = []
+        self.above = frozenset[str]()
         self.order = 0
 
     def all(self) -> tuple[list[Reading], list[Asked]]:
@@ -247,6 +249,8 @@ class _Pass:
         )
         links: list[Link] = []
         asked: list[Asked] = []
+        if display is not self.memory.display:
+            self.above = frozenset(self.memory.seen)
         self.memory.listen(statement)
         self.memory.ranges = tuple(self._ranges_beside(display, found))
         if reason := self.survey.meanings.reason(statement, found):
@@ -398,16 +402,20 @@ class _Pass:
         return sorted(letters - {*self.memory.vocabulary.definitions})
 
     def _explained_behind(self) -> Iterator[Premise]:
-        """Yield the equations within the text with which the sentence of a display goes on: "where $w^2 = k/m$"."""
+        r"""Yield the equations with which the sentence of a display goes on: "where $w^2 = k/m$", "where \[a = b\]"."""
         following = self.survey.statements[self.order : self.order + MOST_WITHIN]
         here = self.memory.display
         ended = here is None or has_ended(here)
+        above = here
         for each in following:
             found, display = self.survey.formulas[id(each)], each.display
             if display.environment != "inline":
-                if display is not self.memory.display:
+                if display is not above and not goes_on_in_display(display.before, first=above is here):
                     return
-            elif not goes_on_with(display.before, ended=ended):
+                if display is not here:
+                    yield from self._given_behind(each, found)
+                above = display
+            elif above is not here or not goes_on_with(display.before, ended=ended):
                 return
             elif (
                 isinstance(found, Parsed)
@@ -421,3 +429,11 @@ class _Pass:
                 said = names_behind(sentence, formula, display.after) and defined_by(found.sides[0])[0]
                 if said or supposes(replace(self.memory.beside, sentence=sentence), formula):
                     yield from self.memory.premises_of(each, found, found.sides)
+
+    def _given_behind(self, statement: Statement, formula: Parsed | UnreadableError) -> Iterator[Premise]:
+        """Yield an equation of a display that says what a letter is of which nothing was said before."""
+        if isinstance(formula, Parsed) and {*formula.relations} == {"="} and not statement.condition:
+            symbol = defined_by(formula.sides[0])[0]
+            known = {"", *self.above, *self.memory.vocabulary.definitions, *symbols_in(formula.sides[1])}
+            if symbol not in known and not self.survey.meanings.reason(statement, formula):
+                yield from self.memory.premises_of(statement, formula, formula.sides[:2])

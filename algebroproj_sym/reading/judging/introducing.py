@@ -73,7 +73,7 @@ def definition_in(
     given = symbol, parameters, right, where_of(statement), statement.display.part
     words, place = beside(statement, "").words, statement.display.place
     made = Definition(*given, explicit, not statement.condition, place=place, words=words, context=memory.context)
-    return replace(made, usable=made.usable and computes(made, memory.vocabulary))
+    return replace(made, usable=made.usable and computes(made, memory.vocabulary), holds=made.usable)
 
 
 def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> bool:

@@ -83,6 +83,19 @@ def goes_on_with(behind: str, *, ended: bool) -> bool:
     return goes_on and not (ended and words[:1].isupper())
 
 
+def goes_on_in_display(between: str, *, first: bool) -> bool:
+    """Whether a sentence goes on from a display to the next one that says what its letters are: "where", then "and"."""
+    return (_WHERE_ALONE if first else _AND_ALONE).fullmatch(between) is not None
+
+
+_WHERE_ALONE = re.compile(
+    r"\s*[.,;]?\s*(?:where|with|in which|here|and where)\s*,?\s*"
+    r"(?:we (?:have )?(?:defined?|introduced?|set|put|used?|write) (?:the \w+ )?)?:?\s*",
+    re.IGNORECASE,
+)
+_AND_ALONE = re.compile(r"\s*[.,;]?\s*(?:and|where|with)?\s*,?\s*", re.IGNORECASE)
+
+
 def names_behind(sentence: str, formula: str, behind: str) -> bool:
     """Whether words behind a display say what a letter is: "where $u = a b$ is the speed at the wall, and $w = a$"."""
     before = without_formulas(sentence.partition(formula)[0])

@@ -19,6 +19,7 @@ from algebroproj_sym.reading.defining.gradients import along_directions
 from algebroproj_sym.reading.defining.indices import excludes
 from algebroproj_sym.reading.defining.instances import powers_of
 from algebroproj_sym.reading.defining.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
+from algebroproj_sym.reading.defining.multiples import Multiples
 from algebroproj_sym.reading.defining.premises import (
     MOST_NEAR,
     MOST_PREMISES,
@@ -43,7 +44,15 @@ from algebroproj_sym.reading.judging.indexed import instance_of, instances, sour
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, regrouped, symbols_in, with_divided_angles
+from algebroproj_sym.reading.parsing.grammar import (
+    Formula,
+    Parsed,
+    put_in,
+    regrouped,
+    symbols_in,
+    with_divided_angles,
+)
+from algebroproj_sym.reading.parsing.grammar import lone as lone_letter
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""
@@ -112,6 +121,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_with_same_ends(standing, [Way(left, right, told), *(each for each in at_others if not each.under)]),
         *_without_arguments(standing, formula, index),
         *_with_columns(standing, formula, index),
+        *_as_multiples(standing, left, right),
     ]
     ways += [
         replace(way, vocabulary=other, reads=f"{' = '.join(map(other.text, way.sides))}, where I is the identity")
@@ -387,10 +397,10 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
-    """Yield a relation as one that stands in the same section, if none of its letters was given since then."""
+    """Yield a relation as one that stands above it in no case, or in its section: no letter of it was given since."""
     for each in standing.premises[-MOST_PREMISES:] if left != right else ():
         same = (each.left == left and each.right == right) or (each.left == right and each.right == left)
-        if not same or each.part != standing.part:
+        if not same or (each.special and each.part != standing.part):
             continue
         if all(standing.given_at.get(symbol, -1) <= each.place for symbol in each.symbols):
             said = each.said(f"{standing.vocabulary.text(left)} ", right)
@@ -440,6 +450,31 @@ def _with_columns(standing: Standing, formula: Parsed, index: int) -> Iterator[W
     names = {str(letter.children[0]): standing.vocabulary.text(column) for column, letter in letters.items()}
     if letters:
         yield from _changed(standing, formula, index, {}, partial(put_in, values=letters), names)
+
+
+def _as_multiples(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation in which what is not computed is one letter, also in the equations above it."""
+    above = applicable(standing.premises, standing.part, standing.cited)
+    multiples = Multiples(extended(standing.vocabulary, [each.gives for each in above if each.gives]))
+    if all(map(multiples.is_number, (left, right))):
+        return
+    try:
+        sides = multiples.changed(left), multiples.changed(right)
+    except UnreadableError:
+        return
+    flat = multiples.known(standing.vocabulary.definitions.values())
+    own = [*multiples.premises(standing.own)]
+    given = [each.gives for each in (*multiples.premises(above), *own) if each.gives is not None]
+    others = [each for each in given if each.symbol not in map(lone_letter, sides)]
+    wanted = {symbol for each in sides for symbol in symbols_in(each)}
+    near = [*multiples.premises(neighbours(standing.premises, standing.part, standing.cited)), *own]
+    solved = [one for each in near for one in _solutions(each, flat, wanted)]
+    for letters in ([], others, given, *([one] for one in solved), *([*others, one] for one in solved)):
+        known = extended(flat, letters)
+        if multiples.are_sums(known, sides):
+            made = {each: tree for each, tree in multiples.letters.items() if each in wanted}
+            named = ", ".join(f"{known.name(each)} is {known.text(tree)}" for each, tree in made.items())
+            yield Way(*sides, known, A_VALUE, f"{' = '.join(map(known.text, sides))}{named and ', where '}{named}")
 
 
 def _changed(

@@ -23,7 +23,7 @@ from algebroproj_sym.reading.lexing.names import bare_name
 
 NEAR = 250
 """How many characters beside a formula are searched for words about a case."""
-CASES = heard(r"\b<case>\b|(?:for|with|at|in which|where)\s+\$[^$]*=")
+CASES = heard(r"\b<case>\b|\b(?:for|with|at|in which|where|such that)\s+\$[^$]*=")
 CONDITIONAL = heard(r"\b<condition>\b")
 _DENIED = heard(r"\b<rejects denies>\b|\A\W*<unreal>\b|\b<wanted>(?: that)?\W*$")
 _OF_IT = heard(r"\s*(?:(?:but|however|yet|and),? )?<of-it>\b")

@@ -66,7 +66,8 @@ def read_fraction(cursor: Cursor) -> None:
     start = cursor.place
     cursor.index += 1
     above, below = cursor.group(), cursor.group()
-    derivative = _derivative(bare(above), bare(below)) if cursor.functions is not None else None
+    is_plain = cursor.functions is None or (bare(above).startswith("d") and cursor.known("d"))
+    derivative = None if is_plain else _derivative(bare(above), bare(below))
     if derivative is None:
         cursor.out.append(Token("FRACTION", r"\frac", start_pos=start))
         cursor.inner(above)

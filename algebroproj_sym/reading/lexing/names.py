@@ -170,7 +170,8 @@ def read_symbol(cursor: Cursor) -> None:
 
 def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
     """Read the scripts behind a letter: what is part of its name, and what is a power."""
-    if cursor.functions is not None and letter in DIFFERENTIALS and _at_factor(cursor):
+    differs = cursor.functions is not None and letter in DIFFERENTIALS and not cursor.known(letter)
+    if differs and _at_factor(cursor):
         _read_differential(cursor, letter, start)
         return
     primes, below, above = take_scripts(cursor)

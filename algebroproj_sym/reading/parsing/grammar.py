@@ -72,13 +72,13 @@ def _with_brackets_of_two(tree: Formula) -> Formula:
         (items,) = trees_in(tree)
         signs = [str(each) for part in items.find_data("product") for each in part.children if isinstance(each, Token)]
         if len(items.children) == 1 and signs.count("|") + signs.count("mid") == 1:
-            return Tree("symbol", [Token("SYMBOL", f"inner ({_printed(items)})")])
+            return Tree("symbol", [Token("SYMBOL", f"inner ({printed(items)})")])
     return Tree(tree.data, [_with_brackets_of_two(each) if isinstance(each, Tree) else each for each in tree.children])
 
 
-def _printed(tree: Formula) -> str:
+def printed(tree: Formula) -> str:
     """Return a formula as text that no other one has."""
-    inside = " ".join(_printed(each) if isinstance(each, Tree) else str(each) for each in tree.children)
+    inside = " ".join(printed(each) if isinstance(each, Tree) else str(each) for each in tree.children)
     return inside if tree.data in ("symbol", "opaque", "number", "items") else f"{tree.data} [{inside}]"
 
 

@@ -45,7 +45,7 @@ def test_no_other_display_says_it(latex):
 
 
 def test_an_equation_may_stand_in_several_sections():
-    step = r"The step is \[ x_n + E y_n = a. \] "
+    step = r"The step is \[ x_n + E y_n = a + z. \] "
     assert verdicts(r"\section{A} " + step + r"\section{B} " + step)[1] == "follows"
 
 
@@ -57,10 +57,11 @@ def test_an_equation_may_stand_in_several_sections():
         r"\section{B} Here $E$ denotes another number.",
         r"\section{B} We let \[ a = 2 b. \]",
         r"\section{B} If the lid is shut,",
+        r"\section{B} A step is good if",
     ],
 )
 def test_it_does_not_follow_where_its_letters_or_its_case_are_others(between):
-    step = r"the step is \[ x_n + E y_n = a. \] "
+    step = r"the step is \[ x_n + E y_n = a + z. \] "
     assert verdicts(rf"\section{{A}} If the lid is open, {step} {between} {step}")[-1] != "follows"
     if "lid" not in between:
         assert verdicts(rf"\section{{A}} So {step} {between} {step}")[-1] != "follows"

@@ -400,7 +400,8 @@ def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[
     """Yield a relation as one that stands above it in no case, or in its section: no letter of it was given since."""
     for each in standing.premises[-MOST_PREMISES:] if left != right else ():
         same = (each.left == left and each.right == right) or (each.left == right and each.right == left)
-        if not same or (each.special and each.part != standing.part):
+        elsewhere = each.part != standing.part
+        if not same or (elsewhere and (each.special or standing.beside.is_conditional)):
             continue
         if all(standing.given_at.get(symbol, -1) <= each.place for symbol in each.symbols):
             said = each.said(f"{standing.vocabulary.text(left)} ", right)

@@ -43,7 +43,7 @@ def main_clause(sentence: str) -> str:
     last = clauses[-1] if clauses else ""
     concluded = any(each.startswith("then") for each in clauses[:-1])
     alone = concluded or not _GOES_ON.match(last)
-    asserts = says(r"<asserts>", FORMULA.sub(" ", last)) or (len(clauses) > 1 and _OF_A_THING.match(last))
+    asserts = says(r"\b<asserts>\b", FORMULA.sub(" ", last)) or (len(clauses) > 1 and _OF_A_THING.match(last))
     return last if asserts and alone else sentence
 
 

@@ -25,6 +25,8 @@ STAGES = (
     *("study", "reporting", "pipeline", "exporting", "scaffolding", "cli", "plugin"),
 )
 
+STAGES_OF_READING = ("lexing", "documents", "parsing", "prose", "defining", "deriving", "judging", "reporting")
+
 
 def imported(path: Path) -> set[tuple[str, str]]:
     """Return each module that a file imports anywhere, also in a function, with a name that it takes from it, or ""."""
@@ -89,6 +91,17 @@ def test_a_stage_imports_no_later_one(stage: str, repository: Path) -> None:
     allowed = set(STAGES[: STAGES.index(stage) + 1])
     for file in files:
         assert imported_stages(file) <= allowed, file
+
+
+def test_a_stage_of_reading_imports_no_later_one(repository: Path) -> None:
+    root = repository / "algebroproj_sym" / "reading"
+    assert {path.parent.name for path in root.glob("*/__init__.py")} == {*STAGES_OF_READING}
+    for place, stage in enumerate(STAGES_OF_READING):
+        for file in (root / stage).glob("*.py"):
+            own = [
+                module.split(".")[2] for module, _ in imported(file) if module.startswith("algebroproj_sym.reading.")
+            ]
+            assert {*own} <= {*STAGES_OF_READING[: place + 1]}, file
 
 
 def test_the_replay_shares_no_code_with_the_rest_and_needs_the_standard_library_alone(repository: Path) -> None:

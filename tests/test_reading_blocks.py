@@ -3,8 +3,8 @@
 import pytest
 
 from algebroproj_sym.reading import document_of, read_document
-from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.lexing.pieces import pieces_of, with_blocks
 
 pytestmark = pytest.mark.usefixtures("decided_here")

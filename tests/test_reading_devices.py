@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from algebroproj_sym.reading.devices import DEVICES, EFFECTS, heard
+from algebroproj_sym.reading.prose.devices import DEVICES, EFFECTS, heard
 
 PLAIN = re.compile(r"([a-z][a-z' -]*)(\\w[*+]|s\?)?")
 
@@ -33,7 +33,7 @@ def listed():
 
 
 def test_the_page_lists_what_is_heard(repository):
-    assert listed() in (repository / "docs" / "explanation" / "reading.md").read_text(encoding="utf-8")
+    assert listed() in (repository / "docs" / "reference" / "words-heard.md").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("device", DEVICES, ids=lambda each: each.example)

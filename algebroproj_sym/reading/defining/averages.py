@@ -8,11 +8,11 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from algebroproj_sym.reading.defining.dependence import COUNTED, letters_in
-from algebroproj_sym.reading.defining.factors import MEAN
-from algebroproj_sym.reading.defining.phrases import symbols_in_list
-from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.parsing.factors import MEAN
 from algebroproj_sym.reading.parsing.grammar import Sides, lone, symbols_in, trees_in
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.phrases import symbols_in_list
 
 _ALWAYS = re.compile(r"\\math(?:bb|ds)\{E\}")
 _EXPECTED = re.compile(r"\bexpected values?\b|\bexpectations?\b", re.IGNORECASE)

@@ -7,7 +7,6 @@ from typing import Any
 from lark import Token
 
 from algebroproj_sym.reading.defining.dependence import index_of, require_no_value
-from algebroproj_sym.reading.defining.factors import MEAN
 from algebroproj_sym.reading.defining.parts import (
     MOST_TERMS,
     Part,
@@ -32,6 +31,7 @@ from algebroproj_sym.reading.defining.sizing import TABLE, Reader
 from algebroproj_sym.reading.defining.summing import Depends, arranged
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
+from algebroproj_sym.reading.parsing.factors import MEAN
 from algebroproj_sym.reading.parsing.gathering import _Gathering, transformed
 from algebroproj_sym.reading.parsing.grammar import Formula
 

@@ -12,9 +12,9 @@ from itertools import pairwise
 
 from lark import Tree
 
-from algebroproj_sym.reading.defining.factors import terms_of
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in
 
 ANY = "any"

@@ -17,12 +17,12 @@ from lark import Token
 
 from algebroproj_sym.reading.defining.averages import Averages, averages_in
 from algebroproj_sym.reading.defining.composing import composed_in
-from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, factors_of, head_of, inner_of, is_mean, terms_of
-from algebroproj_sym.reading.defining.inner import vectors_in
 from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
+from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, factors_of, head_of, inner_of, is_mean, terms_of
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, Sides, lone, symbols_in, trees_in
+from algebroproj_sym.reading.prose.inner import vectors_in
 
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
 """A capital of two frames, as ``{}^A R^B``: it takes one into the other."""

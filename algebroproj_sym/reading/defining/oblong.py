@@ -7,8 +7,8 @@ from typing import Any
 
 from lark import Tree
 
-from algebroproj_sym.reading.defining.factors import CAPITAL, base_of, head_of, terms_of
 from algebroproj_sym.reading.lexing.names import bare_name
+from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, head_of, terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, trees_in
 
 _SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)

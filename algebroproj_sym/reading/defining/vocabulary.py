@@ -12,17 +12,17 @@ import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import TooLargeError, require_bounded, shape
-from algebroproj_sym.reading.defining.contexts import ANYWHERE, Context
 from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free_symbols, is_among, summed_like
-from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import STYLES, VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
+from algebroproj_sym.reading.parsing.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 from algebroproj_sym.reading.parsing.writing import text_of
+from algebroproj_sym.reading.prose.contexts import ANYWHERE, Context
 
 MOST_DEFINITIONS = 20_000
 MOST_PARTS = 5_000

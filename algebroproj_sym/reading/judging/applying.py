@@ -4,20 +4,20 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from algebroproj_sym.reading.defining.contexts import context_of
-from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.describing import names_a_thing
-from algebroproj_sym.reading.judging.sentences import (
+from algebroproj_sym.reading.judging.verdicts import TRUE_HERE, Link, Reading
+from algebroproj_sym.reading.prose.contexts import context_of
+from algebroproj_sym.reading.prose.describing import names_a_thing
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.sentences import (
     are_of_two_things,
     last_sentence,
     sentences_of,
     strange_word,
     words_of,
 )
-from algebroproj_sym.reading.judging.verdicts import TRUE_HERE, Link, Reading
-from algebroproj_sym.reading.judging.words import beside, has_ended
+from algebroproj_sym.reading.prose.words import beside, has_ended
 
 _NAME = re.compile(r"\b(?:the|an?) (?:[\w-]+ ){1,2}(?:equation|formula|identity|relation|law)\b", re.IGNORECASE)
 """What an equation is called, as in "This gives the lens equation"."""

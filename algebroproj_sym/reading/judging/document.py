@@ -5,7 +5,6 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from algebroproj_sym.reading.defining.domains import range_in, ranges_said
-from algebroproj_sym.reading.defining.meanings import VARIES
 from algebroproj_sym.reading.defining.premises import (
     Premise,
 )
@@ -18,7 +17,6 @@ from algebroproj_sym.reading.defining.recognising import (
     operations_in,
     values_in,
 )
-from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
@@ -39,10 +37,16 @@ from algebroproj_sym.reading.judging.questions import (
     stated_by,
     used_by,
 )
-from algebroproj_sym.reading.judging.sentences import last_sentence
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.stationary import set_to_zero
-from algebroproj_sym.reading.judging.supposing import (
+from algebroproj_sym.reading.judging.survey import Survey
+from algebroproj_sym.reading.judging.verdicts import Link, Reading
+from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in
+from algebroproj_sym.reading.prose.meanings import VARIES
+from algebroproj_sym.reading.prose.sentences import last_sentence
+from algebroproj_sym.reading.prose.supposing import (
     goes_on_in_display,
     goes_on_with,
     is_denied_behind,
@@ -51,9 +55,7 @@ from algebroproj_sym.reading.judging.supposing import (
     states,
     supposes,
 )
-from algebroproj_sym.reading.judging.verdicts import Link, Reading
-from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
-from algebroproj_sym.reading.judging.words import (
+from algebroproj_sym.reading.prose.words import (
     ASKS,
     CASES,
     SAYS,
@@ -64,8 +66,6 @@ from algebroproj_sym.reading.judging.words import (
     is_given_within,
     is_item,
 )
-from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in
 
 _SAYS_THE_SAME = re.compile(r"(?:these|they|this|it) (?:is|are) (?:equivalent|equal|identical)\b")
 MOST_WITHIN = 12

@@ -15,13 +15,13 @@ from algebroproj_sym.expressions import text
 from algebroproj_sym.proving.reals.prove import may_agree
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.deriving.special import doubt_of_special
 from algebroproj_sym.reading.judging.questions import used_by
-from algebroproj_sym.reading.judging.sentences import strange_word, words_of
-from algebroproj_sym.reading.judging.special import doubt_of_special
-from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
+from algebroproj_sym.reading.prose.sentences import strange_word, words_of
+from algebroproj_sym.reading.prose.words import Beside
 
 NOT_COMPUTED = "has a value that is not computed"
 NOT_GIVEN = "its letters are not defined above it"

@@ -5,9 +5,6 @@ from dataclasses import replace
 from lark import Tree
 
 from algebroproj_sym.reading.defining.dependence import letters_in
-from algebroproj_sym.reading.defining.derivatives import derivatives_in
-from algebroproj_sym.reading.defining.instances import numbers_put_in
-from algebroproj_sym.reading.defining.meanings import CHANGES
 from algebroproj_sym.reading.defining.premises import neighbours
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -36,10 +33,13 @@ from algebroproj_sym.reading.defining.recognising import (
     without_power,
 )
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.deriving.derivatives import derivatives_in
+from algebroproj_sym.reading.deriving.instances import numbers_put_in
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.memory import Memory, where_of
-from algebroproj_sym.reading.judging.words import beside
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in, trees_in
+from algebroproj_sym.reading.prose.meanings import CHANGES
+from algebroproj_sym.reading.prose.words import beside
 
 
 def definition_in(

@@ -5,9 +5,6 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from algebroproj_sym.reading.defining.acting import acted_on, is_acted_on
-from algebroproj_sym.reading.defining.citing import apart_in, cited_in
-from algebroproj_sym.reading.defining.contexts import ANYWHERE, context_behind, last_context
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
@@ -27,17 +24,21 @@ from algebroproj_sym.reading.defining.recognising import (
     is_one_value,
     is_update,
 )
-from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, speaks_of
-from algebroproj_sym.reading.devices import says
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
-from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
-from algebroproj_sym.reading.judging.renaming import renamed_in
 from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of
-from algebroproj_sym.reading.judging.scopes import Scopes
-from algebroproj_sym.reading.judging.sentences import (
+from algebroproj_sym.reading.judging.survey import Survey
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.prose.acting import acted_on, is_acted_on
+from algebroproj_sym.reading.prose.citing import apart_in, cited_in
+from algebroproj_sym.reading.prose.conditions import goes_on, is_condition
+from algebroproj_sym.reading.prose.contexts import ANYWHERE, context_behind, last_context
+from algebroproj_sym.reading.prose.describing import described, is_same, names_a_thing
+from algebroproj_sym.reading.prose.devices import says
+from algebroproj_sym.reading.prose.renaming import renamed_in
+from algebroproj_sym.reading.prose.scopes import Scopes
+from algebroproj_sym.reading.prose.sentences import (
     are_of_two_things,
     last_sentence,
     main_clause,
@@ -46,7 +47,7 @@ from algebroproj_sym.reading.judging.sentences import (
     without_formulas,
     words_of,
 )
-from algebroproj_sym.reading.judging.words import (
+from algebroproj_sym.reading.prose.words import (
     Beside,
     arithmetic_in,
     beside,
@@ -55,7 +56,6 @@ from algebroproj_sym.reading.judging.words import (
     is_denied,
     takes_back,
 )
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 _IS = re.compile(r"\b(?:is|are)\W*$")
 _IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")

@@ -8,10 +8,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from itertools import permutations
 
-from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
-from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.judging.verdicts import Reading
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.phrases import symbols_in_list, symbols_of
 
 MOST_SEARCHED = 2000
 """Beside how many formulas the words are searched."""

@@ -11,11 +11,11 @@ from itertools import product
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.contexts import ANYWHERE
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
-from algebroproj_sym.reading.devices import says
-from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.prose.contexts import ANYWHERE
+from algebroproj_sym.reading.prose.devices import says
+from algebroproj_sym.reading.prose.words import Beside
 
 _FORMULA = r"\$[^$]*\$"
 _NAMED = rf"(?:the [a-z]+(?: [a-z]+)?|{_FORMULA})"

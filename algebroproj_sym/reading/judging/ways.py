@@ -9,17 +9,7 @@ from itertools import combinations
 
 from lark import Tree
 
-from algebroproj_sym.reading.defining.arguments import Changed, alike, known_without, premise_without, without_arguments
-from algebroproj_sym.reading.defining.components import columns_as_letters
 from algebroproj_sym.reading.defining.dependence import free_symbols, index_of, letters_of_symbol
-from algebroproj_sym.reading.defining.derivatives import computed, derivatives_in
-from algebroproj_sym.reading.defining.ends import with_same_ends
-from algebroproj_sym.reading.defining.factors import base_of
-from algebroproj_sym.reading.defining.gradients import along_directions
-from algebroproj_sym.reading.defining.indices import excludes
-from algebroproj_sym.reading.defining.instances import powers_of
-from algebroproj_sym.reading.defining.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
-from algebroproj_sym.reading.defining.multiples import Multiples
 from algebroproj_sym.reading.defining.premises import (
     MOST_NEAR,
     MOST_PREMISES,
@@ -32,18 +22,27 @@ from algebroproj_sym.reading.defining.premises import (
     neighbours,
     with_given,
 )
-from algebroproj_sym.reading.defining.rates import UNCHANGED
 from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
-from algebroproj_sym.reading.defining.solving import solution_of
-from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
+from algebroproj_sym.reading.deriving.arguments import Changed, alike, known_without, premise_without, without_arguments
+from algebroproj_sym.reading.deriving.components import columns_as_letters
+from algebroproj_sym.reading.deriving.derivatives import computed, derivatives_in
+from algebroproj_sym.reading.deriving.ends import with_same_ends
+from algebroproj_sym.reading.deriving.gradients import along_directions
+from algebroproj_sym.reading.deriving.indexed import instance_of, instances, sources_of
+from algebroproj_sym.reading.deriving.indices import excludes
+from algebroproj_sym.reading.deriving.instances import powers_of
+from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
+from algebroproj_sym.reading.deriving.multiples import Multiples
+from algebroproj_sym.reading.deriving.rates import UNCHANGED
+from algebroproj_sym.reading.deriving.solving import solution_of
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
-from algebroproj_sym.reading.judging.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
-from algebroproj_sym.reading.judging.words import Beside
+from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.factors import base_of
 from algebroproj_sym.reading.parsing.grammar import (
     Formula,
     Parsed,
@@ -53,6 +52,7 @@ from algebroproj_sym.reading.parsing.grammar import (
     with_divided_angles,
 )
 from algebroproj_sym.reading.parsing.grammar import lone as lone_letter
+from algebroproj_sym.reading.prose.words import Beside
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""

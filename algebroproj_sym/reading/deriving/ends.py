@@ -7,8 +7,8 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.indices import Indices
 from algebroproj_sym.reading.defining.premises import letter_of
+from algebroproj_sym.reading.deriving.indices import Indices
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, without_brackets
 
 MOST_APART = 3

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Collection
 
-from algebroproj_sym.reading.devices import heard, says
+from algebroproj_sym.reading.prose.devices import heard, says
 
 IN_THIS_CASE = heard(r"\b<known-case>\b")
 _CASE_BEFORE = re.compile(

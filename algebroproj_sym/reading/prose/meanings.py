@@ -12,15 +12,15 @@ from itertools import pairwise
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.acting import acted_on
-from algebroproj_sym.reading.defining.inner import products_in
-from algebroproj_sym.reading.defining.phrases import SET, called, symbols_in_list
-from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, symbols_in, trees_in
+from algebroproj_sym.reading.prose.acting import acted_on
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.inner import products_in
+from algebroproj_sym.reading.prose.phrases import SET, called, symbols_in_list
 
 ITERATE = "a power of a function may be its iterate"
 VARIES = "may be a different number each time"

@@ -2,10 +2,10 @@
 
 import re
 
-from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Display
-from algebroproj_sym.reading.judging.sentences import FORMULA, last_sentence, without_formulas
-from algebroproj_sym.reading.judging.words import CASES, Beside, ends_clause
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.sentences import FORMULA, last_sentence, without_formulas
+from algebroproj_sym.reading.prose.words import CASES, Beside, ends_clause
 
 _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"

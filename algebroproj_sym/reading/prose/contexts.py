@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.prose.devices import heard
 
 _KINDS = ("condition", "range", "state", "place", "time", "extent", "name", "sort", "presence")
 _AND = r"[^a-z$]*(?:(?:and|but|now|then|hence|thus|so|therefore|consequently)\W+)*"

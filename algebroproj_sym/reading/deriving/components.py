@@ -5,10 +5,10 @@ from itertools import count, pairwise
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.factors import terms_of
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.lexing.names import split_symbol, written
+from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, trees_in, without_brackets
 
 

@@ -8,13 +8,13 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.chains import chained, slope_of
-from algebroproj_sym.reading.defining.implicit import implicit
-from algebroproj_sym.reading.defining.integrating import integral_in, is_integral
 from algebroproj_sym.reading.defining.premises import extended, letter_of
-from algebroproj_sym.reading.defining.rates import ONE, UNCHANGED, ZERO, rate_of
-from algebroproj_sym.reading.defining.through import nested, through_arguments
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
+from algebroproj_sym.reading.deriving.chains import chained, slope_of
+from algebroproj_sym.reading.deriving.implicit import implicit
+from algebroproj_sym.reading.deriving.integrating import integral_in, is_integral
+from algebroproj_sym.reading.deriving.rates import ONE, UNCHANGED, ZERO, rate_of
+from algebroproj_sym.reading.deriving.through import nested, through_arguments
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets

@@ -5,7 +5,7 @@ The words that leave a letter as it is are listed.  Any other one changes it: wh
 
 import re
 
-from algebroproj_sym.reading.defining.phrases import symbols_in_list
+from algebroproj_sym.reading.prose.phrases import symbols_in_list
 
 NEAR = 200
 """How many characters on both sides of a letter are searched for what is done to it."""

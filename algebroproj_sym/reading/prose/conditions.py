@@ -3,10 +3,10 @@
 Such an equation serves its own sentence, a sentence that goes on from it, and where words cite it.
 """
 
-from algebroproj_sym.reading.devices import heard, says
-from algebroproj_sym.reading.judging.sentences import without_formulas
-from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Parsed
+from algebroproj_sym.reading.prose.devices import heard, says
+from algebroproj_sym.reading.prose.sentences import without_formulas
+from algebroproj_sym.reading.prose.words import Beside
 
 _IF = heard(
     r"\b<if>\b(?!(?s:.*)(?:[,;:]|\b(?:then|we|one|you|gives?|yields?|becomes?|reads?|holds?|hence|so|follows)\b))"

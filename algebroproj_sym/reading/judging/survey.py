@@ -8,38 +8,16 @@ from itertools import pairwise
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.acting import acted_on
-from algebroproj_sym.reading.defining.arguments import lone_arguments, omits_arguments
-from algebroproj_sym.reading.defining.components import columns_beside_matrices
 from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
-from algebroproj_sym.reading.defining.indices import Indices
-from algebroproj_sym.reading.defining.inner import is_given
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
 from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, labels_in, lone_letter, without_above
-from algebroproj_sym.reading.defining.meanings import (
-    Meanings,
-    dependences,
-    functions_called,
-    has_superscripts,
-    prose_of,
-)
-from algebroproj_sym.reading.defining.phrases import (
-    called,
-    columns_in,
-    complexes_in,
-    constants_in,
-    matrices_in,
-    named_otherwise,
-    properties_in,
-    reals_in,
-    sizes_in,
-    vectors_in,
-)
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments
+from algebroproj_sym.reading.deriving.components import columns_beside_matrices
+from algebroproj_sym.reading.deriving.indices import Indices
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
@@ -51,6 +29,28 @@ from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
 from algebroproj_sym.reading.parsing.operators import Operators, operators_in, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
+from algebroproj_sym.reading.prose.acting import acted_on
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.inner import is_given
+from algebroproj_sym.reading.prose.meanings import (
+    Meanings,
+    dependences,
+    functions_called,
+    has_superscripts,
+    prose_of,
+)
+from algebroproj_sym.reading.prose.phrases import (
+    called,
+    columns_in,
+    complexes_in,
+    constants_in,
+    matrices_in,
+    named_otherwise,
+    properties_in,
+    reals_in,
+    sizes_in,
+    vectors_in,
+)
 
 
 @dataclass(frozen=True)

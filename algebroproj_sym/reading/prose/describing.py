@@ -3,10 +3,10 @@
 import re
 from collections.abc import Iterator, Sequence
 
-from algebroproj_sym.reading.defining.phrases import symbols_in_list
-from algebroproj_sym.reading.devices import heard
-from algebroproj_sym.reading.judging.sentences import is_neutral, without_laws
-from algebroproj_sym.reading.judging.words import NEAR
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.phrases import symbols_in_list
+from algebroproj_sym.reading.prose.sentences import is_neutral, without_laws
+from algebroproj_sym.reading.prose.words import NEAR
 
 MOST_NOUNS = 4
 """How many words may name a thing."""

@@ -3,10 +3,10 @@
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from algebroproj_sym.reading.defining.indices import Indices, Item, excludes, indices_in, is_moved, told
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.deriving.indices import Indices, Item, excludes, indices_in, is_moved, told
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 MOST_INSTANCES = 6

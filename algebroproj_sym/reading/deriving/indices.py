@@ -13,9 +13,9 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import WORDS, index_of
-from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.prose.devices import heard
 
 Item = tuple[str, int]
 """A letter and what is added to it; a number has no letter, and what is no index stands as it is, with zero."""

@@ -9,9 +9,9 @@ from collections.abc import Callable
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.chains import slope_of
-from algebroproj_sym.reading.defining.rates import ONE
 from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
+from algebroproj_sym.reading.deriving.chains import slope_of
+from algebroproj_sym.reading.deriving.rates import ONE
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 HasRate = Callable[[str, str], bool]

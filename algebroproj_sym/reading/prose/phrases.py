@@ -16,11 +16,11 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import TypeVar
 
-from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
-from algebroproj_sym.reading.devices import heard, says
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of, split_pieces
+from algebroproj_sym.reading.parsing.factors import LIKE_IDENTITY
 from algebroproj_sym.reading.parsing.grammar import parsed, symbols_in, without_brackets
+from algebroproj_sym.reading.prose.devices import heard, says
 
 _KINDS = (
     "rotation",

@@ -4,12 +4,13 @@ import re
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from algebroproj_sym.reading.defining.contexts import without_steps
-from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
-from algebroproj_sym.reading.devices import heard, says
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.sentences import (
+from algebroproj_sym.reading.lexing.names import bare_name
+from algebroproj_sym.reading.prose.contexts import without_steps
+from algebroproj_sym.reading.prose.devices import heard, says
+from algebroproj_sym.reading.prose.phrases import symbols_in_list, symbols_of
+from algebroproj_sym.reading.prose.sentences import (
     FORMULA,
     IN_THIS_CASE,
     last_sentence,
@@ -19,7 +20,6 @@ from algebroproj_sym.reading.judging.sentences import (
     without_laws,
     words_of,
 )
-from algebroproj_sym.reading.lexing.names import bare_name
 
 NEAR = 250
 """How many characters beside a formula are searched for words about a case."""

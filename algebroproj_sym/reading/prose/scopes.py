@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.prose.devices import heard
 
 _SCOPES = re.compile(
     r"\\(?P<mark>begin|end)\{(?:(?P<example>example|exercise|problem|quote|quotation)"

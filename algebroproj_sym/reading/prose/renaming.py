@@ -1,7 +1,7 @@
 """Which letters words give another meaning from there on: "from here on $b$ is half of it", "$k$ is used for"."""
 
-from algebroproj_sym.reading.defining.phrases import symbols_in_list
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.phrases import symbols_in_list
 
 _RENAMES = heard(r"\b<renames>|\$([^$=]*)\$ <renames-behind>")
 

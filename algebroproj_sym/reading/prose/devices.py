@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
-_TABLE = (files("algebroproj_sym.reading") / "devices.txt").read_text(encoding="utf-8")
+_TABLE = (files("algebroproj_sym.reading.prose") / "devices.txt").read_text(encoding="utf-8")
 EFFECTS = dict(re.findall(r"^([a-z-]+) = (.*)$", _TABLE, re.MULTILINE))
 """The names of effects, each with what it means."""
 

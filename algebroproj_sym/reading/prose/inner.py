@@ -3,7 +3,7 @@ r"""Inner products ``\langle f, g \rangle``: which letters are vectors, and whet
 import re
 from collections.abc import Iterable, Iterator
 
-from algebroproj_sym.reading.defining.factors import terms_of
+from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, symbols_in, trees_in
 
 _NAMED = re.compile(r"\b(?:inner|scalar|dot)[- ]products?\b", re.IGNORECASE)

@@ -14,10 +14,10 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import entries, over, shape
-from algebroproj_sym.reading.defining.arguments import premise_without
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.values import with_values
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Definition, Vocabulary, is_operator
+from algebroproj_sym.reading.deriving.arguments import premise_without
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, printed, symbols_in, trees_in
 

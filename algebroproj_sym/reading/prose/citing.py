@@ -2,7 +2,7 @@
 
 import re
 
-from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.prose.devices import heard
 
 _APART = heard(r"\b<unlike>\b[^.,;$]{0,40}")
 _CITED = re.compile(

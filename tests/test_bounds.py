@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
@@ -83,8 +84,8 @@ def test_prove_refuses_what_is_too_large_by_name(made, message, argument):
 TOO_LARGE_FOR_CLAIMS = [name for name in LARGE if name not in ("many terms", "a huge matrix")]
 
 
-@pytest.mark.parametrize("name", TOO_LARGE_FOR_CLAIMS)
-@pytest.mark.parametrize("form", ["printed", "derived", "corrected", "constraints", "nonzero", "where"])
+@for_each("name", TOO_LARGE_FOR_CLAIMS)
+@for_each("form", ["printed", "derived", "corrected", "constraints", "nonzero", "where"])
 def test_a_claim_refuses_what_is_too_large_by_name(name, form):
     made, message = LARGE[name]
     value = made()

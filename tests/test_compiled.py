@@ -58,6 +58,7 @@ def assert_same(kernel, arguments, **options):
     assert all(same_bits(np.asarray(c), np.asarray(s)) for c, s in zip(compiled, source, strict=True))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", KERNELS)
 def test_the_bits_are_those_of_the_numpy_source(name):
     assert_same(KERNELS[name], arguments_of(KERNELS[name]))
@@ -170,7 +171,7 @@ def test_points_that_make_up_no_block(name):
         assert_same(KERNELS[name], [a[start:stop] for a in arguments])
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(12)
 @pytest.mark.parametrize("name", [name for name, kernel in KERNELS.items() if len(kernel.arguments) > 1])
 def test_one_point_of_an_argument_for_all_of_the_others(name):
     arguments = arguments_of(KERNELS[name], batch=(270,))

@@ -130,6 +130,7 @@ def test_a_sphere_is_an_ellipsoid_of_any_size(radius):
     assert str(critical.classify(np.diag([-(radius**2), 1, 1, 1])).kind) == "ellipsoid"
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("factor", [1e-300, 1e-100, -1.0, 1e100, 1e300])
 @pytest.mark.parametrize("kind", NORMAL_FORMS)
 def test_a_factor_does_not_change_the_kind(kind, factor):

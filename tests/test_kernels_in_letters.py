@@ -141,6 +141,7 @@ def test_on_fractions_a_function_gives_what_matrices_give(name, package, data):
     assert (found == expected).all()
 
 
+@pytest.mark.sampled(3)
 @every_kernel
 def test_all_sources_are_proved_and_errors_are_within_the_bound(name, package):
     verified = verify(lowered_here(name), package, 6)

@@ -177,6 +177,7 @@ def test_lines_stay_readable():
     assert list(map(bits, executed(program, inputs))) == list(map(bits, run(program, inputs)))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", [kernel.qualified_name for kernel in kernels() if not kernel.stages])
 def test_the_kernels_of_the_papers_are_printed_to_the_bit(name, lowered):
     program = lowered(name).program

@@ -97,6 +97,7 @@ def test_negations_of_the_program_are_counted():
     assert counted(-(x * y))[1] == 2
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     "kernel", [kernel for kernel in kernels() if not kernel.stages], ids=lambda k: k.qualified_name
 )

@@ -49,6 +49,7 @@ def extreme(k, shape, generator):
     return generator.choice([-1.0, 1.0, 1.0, 0.0], shape, p=[0.4, 0.4, 0.15, 0.05]) * numbers
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", RATIONAL)
 def test_nothing_overflows_or_underflows_within_the_range(name, lowered):
     low = lowered(name)
@@ -170,6 +171,7 @@ def moved(generator, exponents):
     return changed
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("seed", range(4))
 def test_small_coordinates_keep_their_digits_in_an_intersection(seed):
     """Hill climbing over the exponents, down to 1e-30, finds no entry that a sum such as 1 - x has swallowed."""

@@ -6,7 +6,7 @@ from algebroproj_sym.reading import document_of, read_document
 from algebroproj_sym.reading.defining.survey import Survey
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 
 def last_verdict(latex: str) -> str:

@@ -5,6 +5,7 @@ import json
 
 import pytest
 import sympy
+from cases import for_each
 from sympy import Eq, Identity, Matrix, MatrixSymbol, cos, pi, sin, sqrt, tan
 
 from algebroproj_sym import Section, prove
@@ -317,7 +318,7 @@ FORGERIES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "change"), FORGERIES.values(), ids=FORGERIES)
+@for_each(("name", "change"), FORGERIES.values())
 def test_a_forged_entry_is_refused(records, name, change):
     assert replay_claim(forged(records[name], lambda record: None)).status == "replayed"
     result = replay_claim(forged(records[name], change))

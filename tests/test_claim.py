@@ -268,7 +268,7 @@ def test_every_printed_number_of_the_papers_is_parsed_back():
             assert sympy.sympify(statement_text(claim.printed)).is_Number
 
 
-def test_every_claim_of_the_papers_survives_pickling():
+def test_claims_of_the_papers_survive_pickling():
     claims = select()[::8]
     assert pickle.loads(pickle.dumps(claims)) == claims
 

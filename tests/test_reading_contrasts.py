@@ -127,3 +127,65 @@ def test_what_holds_somewhere_must_be_true_where_words_since_then_are_new():
     text = "For the left lens the focus is\n\\[ f = 2 p q. \\]\n%s has\n\\[ p = 3 r. \\]\nHence\n\\[ f = 6 r q. \\]"
     found = [read_document(document_of(text % each, latex=True), seconds=5)[-1] for each in ("The mirror", "It")]
     assert [(each.verdict, each.supposes) for each in found] == [("follows", True), ("follows", False)]
+
+
+CHANGED = [
+    (r"\section{One} We have", r"\section{Two} Part II swaps the two names. We have"),
+    ("We have", "From here on the letters change places. We have"),
+    ("The sum is", "In this section sums run from one. It is"),
+    (r"\section{A myth} We have", r"\section{Facts} We have"),
+    (r"One of the following holds: \begin{itemize} \item", r"\item We have $f = 2$. \end{itemize} Hence"),
+    (r"Which is right? \begin{enumerate} \item", r"\end{enumerate} We obtain"),
+    (r"\textbf{Exercise.} Suppose that", r"\textbf{Remark.} We have"),
+    (r"The stress is\footnote{Only in the elastic range.}", "After the break we have"),
+    ("The cost (without tax) is", "The cost (with tax) is"),
+    ("In the epoch J2000 we have", "In the epoch B1950 we have"),
+    ("After $a$ steps we have", "Then we increase $a$ by one. We have"),
+]
+
+
+@pytest.mark.parametrize(("says", "implied"), [(SAYS, IMPLIED), ("q = 2 a b", r"\frac q2 = a b")])
+@pytest.mark.parametrize(("one", "other"), CHANGED)
+def test_nothing_follows_where_letters_changed_or_nothing_was_asserted(one, other, says, implied):
+    assert last(one, says + ".", other, implied) != "follows"
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("Two rods are given. The former has", "The latter has"),
+        ("The monthly average has", "On this Tuesday we have"),
+        ("We bet that it is", "We lost the bet. We have"),
+        ("Our pump has", "Our neighbour has a pump as well. It has"),
+        ("We have", r"Where the printer had \verb|-|s left, we have"),
+        (r"\section{The old theory} We have", r"\section{The new theory} We have"),
+        ("The day before has", "This has changed. We have"),
+    ],
+)
+def test_it_must_be_true_where_a_sentence_between_has_a_new_word(one, other):
+    text = rf"\documentclass{{x}}\begin{{document}}{one} \[ {SAYS}. \] {other} \[ {IMPLIED}. \]"
+    found = read_document(document_of(text, latex=True), seconds=5)[-1]
+    assert found.verdict != "follows" or found.supposes
+
+
+@pytest.mark.parametrize("unit", [r"a b = c d \text{ dB}", r"a b = c d \text{ up to sign}"])
+def test_words_in_a_formula_are_words_of_it(unit):
+    text = f"We have \\[ {SAYS}. \\] Hence \\[ {unit}. \\]"
+    found = read_document(document_of(text, latex=True), seconds=5)[-1]
+    assert found.verdict != "follows" or found.supposes
+
+
+def test_an_equality_with_a_dot_must_be_exact():
+    found = read_document(document_of(r"\[ a \doteq b + c. \] Hence \[ a - b = c. \]", latex=True), seconds=5)[-1]
+    assert (found.verdict, found.supposes) == ("follows", True)
+
+
+@pytest.mark.parametrize(
+    "between",
+    ["This is the first equation. Hence", "Here $a$ is the width. We get", "We divide by the volume. So", r"So"],
+)
+def test_a_sentence_of_a_step_between_supposes_nothing(between):
+    found = read_document(document_of(f"We have \\[ {SAYS}. \\] {between} \\[ {IMPLIED}. \\]", latex=True), seconds=5)[
+        -1
+    ]
+    assert (found.verdict, found.supposes) == ("follows", False)

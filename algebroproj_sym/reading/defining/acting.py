@@ -30,7 +30,10 @@ _OF = (
     r"(?:(?:the|its|our|each|both) )?(?:(?!derivative|gradient|slope|rate|logarithm|norm|differential|variation)[\w-]+ "
     rf"(?:of|in) (?:the |its |our |both )?)?(?:{_BEFORE_A_NOUN})??"
 )
-_ORDERED = re.compile(rf"(?:\b(?:[Ww]e|[Yy]ou|[Oo]ne|us|[Tt]hen|[Nn]ow|[Nn]ext),? {_MEANWHILE}|^\W*)([A-Za-z]+) {_OF}$")
+_ORDERED = re.compile(
+    rf"(?:\b(?:[Ww]e|[Yy]ou|[Oo]ne|us|[Tt]hen|[Nn]ow|[Nn]ext),? {_MEANWHILE}|^\W*)"
+    rf"(?!(?:we|you|one|us|i|they|it) )([A-Za-z]+) {_OF}$"
+)
 _GOES_ON = re.compile(
     r"\s*(?:$|[.,;]|(?:by|to|with|into|onto|in|from|for|until|at|again|back|around|about|over|off|out|away|after|before|"
     r"and|so|up|down|once|twice|every|each|whenever|while)\b)"

@@ -10,16 +10,13 @@ from dataclasses import dataclass
 from algebroproj_sym.reading.defining.dependence import COUNTED, letters_in
 from algebroproj_sym.reading.defining.factors import MEAN
 from algebroproj_sym.reading.defining.phrases import symbols_in_list
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Sides, lone, symbols_in, trees_in
 
 _ALWAYS = re.compile(r"\\math(?:bb|ds)\{E\}")
 _EXPECTED = re.compile(r"\bexpected values?\b|\bexpectations?\b", re.IGNORECASE)
-_OTHERWISE = re.compile(
-    r"\benerg(?:y|ies|etic)\b|\berror functions?\b|\bmodul(?:us|i)\b|\belectric|\bfields?\b|\bfinite elements?\b"
-    r"|\bnot linear\b|\bnon-?linear expect",
-    re.IGNORECASE,
-)
+_OTHERWISE = heard("<no-average>")
 _FORMULA = r"\$([^$]*)\$"
 _BE = r"(?:is|are|be|being) (?:(?:an?|the|all|both|now|assumed) )*"
 _DRAWN = r"(?:random|poisson|binomial|geometric|stochastic|gaussian|normally|uniformly|distributed|drawn|uncertain)"

@@ -2,12 +2,9 @@
 
 import re
 
-_APART = re.compile(
-    r"\b(?:unlike|contrary to|in contrast (?:to|with)|as opposed to|instead of|rather than|other than|"
-    r"different(?:ly)? from|except(?: for)?|but not)\b[^.,;$]{0,40}",
-    re.IGNORECASE,
-)
-"""Words that name an equation from which nothing follows."""
+from algebroproj_sym.reading.devices import heard
+
+_APART = heard(r"\b<unlike>\b[^.,;$]{0,40}")
 _CITED = re.compile(
     r"\\(?:eqref|ref|autoref|cref|Cref|labelcref)\s*\{([^{}]*)\}|\{(?:eq|numref)\}`([^`]*)`|\((\d+(?:\.\d+)*[a-z]?)\)"
 )

@@ -13,6 +13,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.dependence import WORDS, index_of
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
@@ -41,13 +42,6 @@ _UNEQUAL = re.compile(
 )
 _HOLDS = frozenset({"hold", "holds", "valid", "true", "apply", "applies", "defined", "so", "case"})
 _SOME = re.compile(r"\b(?:some|certain|one)\s+(?:index\s+)?\$\s*([a-zA-Z])(?![a-zA-Z])")
-_EXCLUDES = re.compile(
-    r"interior|inner|outer|off|diagonal|distinct|different|differs?|others?|odd|even|except|unless|remaining|exists?|"
-    r"nois[ey]|noisy|random\w*|drawn|disturbances?|boundar(?:y|ies)|unequal|var(?:y|ies|ying)|chang(?:es?|ing)|anew|"
-    r"depends?|special|instead|however|unlike|but|initial\w*|alternat\w+|replaced|updated|adapt\w+|periodic|switch\w*|"
-    r"model|scenario|variant|input|output|inlet|outlet|internal|mean|maxim\w+|minim\w+|average"
-)
-"""Words beside an equation by which it may not hold at every index, or by which what has no index may change."""
 
 
 @dataclass(frozen=True)
@@ -221,7 +215,7 @@ def _is_plain(symbol: str) -> bool:
 
 def excludes(words: Collection[str]) -> bool:
     """Whether words say that an equation may not hold at every index."""
-    return ("not" in words and not _HOLDS.isdisjoint(words)) or any(map(_EXCLUDES.fullmatch, words))
+    return ("not" in words and not _HOLDS.isdisjoint(words)) or any(map(heard("<changes>").fullmatch, words))
 
 
 def indices_in(symbols: Iterable[str], indices: Indices) -> frozenset[str]:

@@ -15,6 +15,7 @@ from lark import Token, Tree
 from algebroproj_sym.reading.defining.acting import acted_on
 from algebroproj_sym.reading.defining.inner import products_in
 from algebroproj_sym.reading.defining.phrases import SET, called, symbols_in_list
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
@@ -115,17 +116,8 @@ _SIGNS = (
     (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
 )
 """What the text says, which LaTeX it concerns, and why an equation with it is not decided."""
-_CONVENTION = re.compile(
-    r"\b(?:repeated|double|twice[- ]occurring) (?:indices|index|subscripts)\b|\bsummation convention\b"
-    r"|\bEinstein(?:'s)? (?:summation|convention|notation)\b",
-    re.IGNORECASE,
-)
-_SUPERSCRIPTS = re.compile(
-    r"\bas (?:a |an |its |their )?(?:upper )?superscripts?\b|\bupper (?:index|indices)\b"
-    r"|\bsuperscripts? (?:is|are|denotes?|indicates?|labels?|refers?|stands?|numbers?|marks?|identif\w+)\b"
-    r"(?! (?:the )?(?:transpos|invers|conjug|adjoint|power|exponent))",
-    re.IGNORECASE,
-)
+_CONVENTION = heard("<convention>")
+_SUPERSCRIPTS = heard("<superscripts>")
 _BOUNDARY = re.compile(
     r"\bboundar[^.$]*\$\\partial|\$\\partial[^$]*\$ (?:be|is|denotes) (?:the|an?|its) [^.$]{0,30}\bboundar",
     re.IGNORECASE,
@@ -135,11 +127,7 @@ _CHANGES = re.compile(r"/|dot|'")
 _DEGREES = re.compile(
     r"\b(?:is|are|be|measured|given|expressed|angles?) in degrees\b|\bset to degrees\b", re.IGNORECASE
 )
-_BASES = re.compile(
-    r"\blogarithms? (?:is |are )?(?:taken )?(?:to|of|with) (?:the )?base|\b(?:decadic|common|binary) logarithm"
-    r"|\blogarithms? (?:is|are) (?:decadic|common|binary|decimal)\b",
-    re.IGNORECASE,
-)
+_BASES = heard("<bases>")
 _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order-?(?:terms)?|noise|etc\.?")
 """Names that stand for another thing each time."""
 _ORDER = re.compile(

@@ -17,49 +17,39 @@ from collections.abc import Iterable, Iterator
 from typing import TypeVar
 
 from algebroproj_sym.reading.defining.factors import LIKE_IDENTITY
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of, split_pieces
 from algebroproj_sym.reading.parsing.grammar import parsed, symbols_in, without_brackets
 
-_ALONE = r"(?: matrix|(?=\s*(?:[.,;)]|and\b|$)))"
 _KINDS = (
-    (r"rotation matrix", "rotation"),
-    (rf"(?:symmetric )?positive[- ]definite(?: symmetric)?{_ALONE}", "positive definite"),
-    (rf"(?:skew[- ]?symmetric|anti-?symmetric){_ALONE}", "skew"),
-    (rf"symmetric{_ALONE}", "symmetric"),
-    (r"(?:orthogonal|orthonormal) matrix", "orthogonal"),
-    (rf"diagonal{_ALONE}", "diagonal"),
-    (r"unit(?:[- ](?:length|norm))? vector", "unit"),
-    (r"identity(?: matrix)?", "identity"),
-    (
-        r"(?:(?:error|noise|sample|state|process|measurement|prior|posterior) )*(?<!cross )covariance matrix",
-        "covariance",
-    ),
+    "rotation",
+    "positive definite",
+    "skew",
+    "symmetric",
+    "orthogonal",
+    "diagonal",
+    "unit",
+    "identity",
+    "covariance",
 )
-_ANY = "|".join(f"({kind})" for kind, _ in _KINDS)
-_AFTER = re.compile(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_ANY = "|".join(f"(<is-{kind.replace(' ', '-')}>)" for kind in _KINDS)
+_SEVERAL = heard(_ANY).pattern.replace("matrix", "matrices").replace("vector", "vectors")
+_AFTER = heard(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])", re.NOFLAG)
 _ARE = re.compile(
     r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*are\s+(?:the )?"
-    rf"(?:{_ANY.replace('matrix', 'matrices').replace('vector', 'vectors')})(?![\w-])"
+    rf"(?:{_SEVERAL})(?![\w-])"
 )
-_BE = re.compile(rf"^\$?\s*be\s+(?:an? |the )?(?:{_ANY})(?![\w-])")
+_BE = heard(rf"^\$?\s*be\s+(?:an? |the )?(?:{_ANY})(?![\w-])", re.NOFLAG)
 _LET = re.compile(r"\blet(?: the \w+)?\s*\$?$", re.IGNORECASE)
-_BEFORE = re.compile(rf"(?<![\w-])(?:{_ANY})\s*$")
+_BEFORE = heard(rf"(?<![\w-])(?:{_ANY})\s*$", re.NOFLAG)
 _OF = re.compile(r"\bof (?:the |an? )?[\w -]*$")
 _OF_TWO = re.compile(r"[_^]\{?[^{}]*?(\w)\W*(?!\1)\w")
 """What is below the covariance matrix of one thing with another one, which is not symmetric."""
 _ADJECTIVES = ("skew", "symmetric", "diagonal", "positive definite")
 """What may belong to another noun, unless "matrix" follows."""
-_DOUBTS = re.compile(
-    r"\b(?:if|when|whenever|unless|not|nor|neither|none|whether|no longer|assum\w+|suppos\w+|non)\b[^.]*$",
-    re.IGNORECASE,
-)
-_LIMITED = re.compile(
-    r"^\s*\$|"
-    r"^[^.;]*\b(?:if|iff|when|whenever|unless|provided|only|except|times|plus|minus|multiplied|scaled|divided|up to)\b",
-    re.IGNORECASE,
-)
-_NO = re.compile(r"\b(?:no|not|never|neither|nor|none|without)\b(?: [\w-]+){0,3} ?\$?$", re.IGNORECASE)
+_DOUBTS = heard(r"\b<if doubts>\b[^.]*$")
+_NO = heard(r"\b<no>\b(?: [\w-]+){0,3} ?\$?$")
 _NOT = re.compile(r"^\$?\s*(?:(?:does|do|is|are|need|can|must) ?not|fails|is (?:false|wrong|impossible))\b")
 _OF_IT = re.compile(
     r"\bof(?: the| an?)?(?: (?:matrix|matrices|vectors?|tensors?))?\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$"
@@ -90,12 +80,6 @@ _IS_CALLED = re.compile(
     r"^\$?\s*(?:now |here |then )?(?:is|be|denotes|represents|stands for|means)\s+(?:now |here )?"
     r"(?:the|an?|our|its)\s+([^.,;$]*)"
 )
-_HAS_PROPERTIES = re.compile(
-    r"rotat|orient|attitud|matri|orthogon|pose|transform|direction|map|frame|basis|unit|normal|vector|axis|identity|"
-    r"symmetric|diagonal|skew|positive|tensor|inertia|metric|hessian|same|versor|cross",
-    re.IGNORECASE,
-)
-"""Words for what may have one of the properties."""
 _OF_NOISE = re.compile(r"\b(?:noise|(?:co)?variance|resistance|radius|gas constant|range)\s*$", re.IGNORECASE)
 _LISTED_BEFORE = re.compile(r"(?:^|[:,;(]|\band)\s*$")
 _LISTED_BEHIND = re.compile(
@@ -130,7 +114,7 @@ def _called_otherwise(statements: Iterable[Statement]) -> Iterator[tuple[str, in
         if each.display.environment == "inline":
             before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
             behind = _IS_CALLED.match(after)
-            if _OF_NOISE.search(before) or (behind and not _HAS_PROPERTIES.search(behind[1])):
+            if _OF_NOISE.search(before) or (behind and not heard("<has-property>").search(behind[1])):
                 yield from ((symbol, each.display.part) for symbol in symbols_in_list(each.latex, 1))
 
 
@@ -223,14 +207,6 @@ _CONSTANT_BEHIND = re.compile(
 )
 
 
-_CHANGES_BEHIND = re.compile(
-    r"(?:(?:now|then|also|slowly|may|can|will) )*(?:grow|chang|var[yi]|increas|decreas|shrink|diminish|decay)\w*\b"
-    r"|(?:is|are) (?:not|no longer) (?:constant|fixed)\b|is constant\.[^.$]* (?:it|this) (?:is|does) not\b",
-    re.IGNORECASE,
-)
-"""Words behind a letter by which it changes somewhere, though it is constant elsewhere."""
-
-
 def constants_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that words call constant, as in "with constant $m$ and $k$" and "$m$ is fixed"."""
     found, changing = set[str](), set[str]()
@@ -238,7 +214,7 @@ def constants_in(statements: Iterable[Statement]) -> frozenset[str]:
         if each.display.environment == "inline":
             before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
             sentence = re.split(r"[.;]", f"{before} "[-200:])[-1]
-            if _CHANGES_BEHIND.match(after):
+            if heard("<varies>").match(after):
                 changing |= {*symbols_in_list(each.latex)}
             if _DOUBTS.search(sentence) or _NO.search(before):
                 continue
@@ -323,12 +299,12 @@ def _kind_of(statement: Statement) -> str:
     if _DOUBTS.search(before[-200:]):
         return ""
     if match := _AFTER.match(after) or _ARE.match(after) or (_LET.search(before) and _BE.match(after)):
-        doubtful = _OF_IT.search(before) or _LIMITED.search(after[match.end() :])
-        return "" if doubtful else _KINDS[(match.lastindex or 1) - 1][1]
+        doubtful = _OF_IT.search(before) or heard(r"^\s*\$|^[^.;]*\b<if limits>\b").search(after[match.end() :])
+        return "" if doubtful else _KINDS[(match.lastindex or 1) - 1]
     match = _BEFORE.search(before)
     if match is None or _OF.search(before[: match.start()]):
         return ""
-    kind = _KINDS[(match.lastindex or 1) - 1][1]
+    kind = _KINDS[(match.lastindex or 1) - 1]
     return "" if kind in _ADJECTIVES and not match[0].strip().endswith("matrix") else kind
 
 

@@ -39,6 +39,7 @@ from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
@@ -373,31 +374,9 @@ class Survey:
 _PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)
 _HALVES = re.compile(r"symmetr|covarian|correlat|inertia|missing|unknown entr", re.IGNORECASE)
 """Words of matrices of which one half may be printed, or of which not all is known."""
-_SPECIAL = re.compile(
-    r"\b(?:idempoten\w+|nilpoten\w+|involut(?:ions?|ory|ive)|booleans?|(?:the|an?|two) bits? \$|truth[- ]values?|"
-    r"logical(?= (?:and|or|not|operat|variable|value|expression|matri|mask|"
-    r"formula|connective))|exclusive or|xor|"
-    r"binary (?:variables?|values?|digits?|numbers?|vectors?|masks?|images?|strings?|codes?|labels?|matri\w+|"
-    r"indicators?|decisions?|operat\w+)|zeros? or ones?|ones? or zeros?|\$?0\$? or \$?1|\$?1\$? or \$?0|"
-    r"(?:plus or minus|\$?\\pm\$?) ?(?:one|1)|bernoulli|indicators?|masks?|masked|"
-    r"kronecker\w*(?:['’]s)? (?:delta|symbol)|"
-    r"heaviside|(?:unit )?step functions?|unit steps?|projectors?|anti-?commut\w+|grassmann\w*|wedge products?|"
-    r"exterior (?:algebra|product|derivative|calculus)|(?:one|two|three|[k1-3])-forms?|clifford|geometric algebra|"
-    r"spinors?|ising|fermion\w*|(?:quaternion|imaginary) units?|octonions?|split-complex|dual (?:numbers?|units?)|"
-    r"finite field|galois|field (?:with|of) (?:two|three|\$?\d+\$?) elements|characteristic (?:two|three|\$?\d)|"
-    r"roots? of unity|signum|parity)\b",
-    re.IGNORECASE,
-)
-"""Words by which values or products may be others than those of real numbers."""
+_SPECIAL = heard(r"\b<special>\b")
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
-_OF_TIME = re.compile(
-    r"\btime[- ](?:depend|var[iy]|chang)\w*|\bnon-?autonomous|\bnon-?stationary|\bunsteady|\btransient"
-    r"|(?<!how )\b(?:depend(?:s|ing)?|chang(?:es|ing)|var(?:ies|ying)|drift(?:s|ing)|evolv(?:es|ing)|grow(?:s|ing)|"
-    r"decay(?:s|ing)|(?:de|in)creas(?:es|ing)|explicit\w*|arguments?)\b[^.;]{0,40}\btime\b"
-    r"|\b(?:switched|ramped|turned|modulated|driven) (?:\w+ )?(?:on|off|up|down|slowly|by)\b",
-    re.IGNORECASE,
-)
-"""Words by which functions may have the time as an argument that is not written."""
+_OF_TIME = heard("<of-time>")
 _LESS = frozenset(("<", ">", "<=", ">=", "≪", "≫", "≲", "≳"))
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 

@@ -5,9 +5,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from algebroproj_sym.reading.defining.contexts import context_of
-from algebroproj_sym.reading.documents.displays import Display
+from algebroproj_sym.reading.devices import heard
+from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.sentences import last_sentence, strange_word, words_of
+from algebroproj_sym.reading.judging.describing import names_a_thing
+from algebroproj_sym.reading.judging.sentences import (
+    are_of_two_things,
+    last_sentence,
+    sentences_of,
+    strange_word,
+    words_of,
+)
 from algebroproj_sym.reading.judging.verdicts import TRUE_HERE, Link, Reading
 from algebroproj_sym.reading.judging.words import beside, has_ended
 
@@ -16,51 +24,97 @@ _NAME = re.compile(r"\b(?:the|an?) (?:[\w-]+ ){1,2}(?:equation|formula|identity|
 _LINE = re.compile(r"\bline \d+(?: of [^,;]+)?")
 
 
+_TITLE = re.compile(HEADING + r".*")
+_HARMLESS = heard(
+    r"\s*(?:(?:here|now|then|next|first),? )?(?:we|let us) (?:now |then |first )?"
+    r"(?:<step>|us|appl|solv|add|subtract|squar)\w*\b"
+    r"|\s*(?:here|and|with|where)?,? ?\$[^$=]*\$ (?:is|denotes) (?:the|its|an?) (?:\w+ ){0,3}\w+$"
+)
+"""A sentence between two equations by which nothing changes."""
+
+
 @dataclass(frozen=True)
 class _Said:
-    """The words of the sentences of a line."""
+    """The words of the sentences of a display."""
 
     words: frozenset[str]
     """All of them."""
-    place: int
-    """Where its first display begins."""
     is_limited: bool
-    """Whether a sentence begins with where it holds."""
+    """Whether its sentence begins with where it holds."""
+
+
+@dataclass(frozen=True)
+class _Text:
+    """The words of a document."""
+
+    said: dict[str, dict[int, _Said]]
+    """What is said beside the displays of each line, by their places."""
+    displays: dict[int, Display]
+    """By their places."""
+    titles: dict[int, str]
+    """Of the sections in which they stand."""
+    first: dict[str, int]
+    """Where the display begins before which a word stands first."""
+
+    def new_between(self, start: int, end: int) -> str:
+        """Return a word of the whole sentences between two displays that stands in no text before the first one.
+
+        A sentence that only tells of a step, or what a letter is, has none.
+        """
+        since = (each.before for place, each in self.displays.items() if start < place <= end)
+        said = (
+            each for words in since for each in sentences_of(_TITLE.sub("", words))[:-1] if not _HARMLESS.match(each)
+        )
+        return next(
+            (each for each in sorted(words_of(" ".join(said))) if names_a_thing(each) and self.first[each] > start), ""
+        )
+
+    def new_in_title(self, start: int, end: int) -> str:
+        """Return a word of the title above a display, if the title above another one says the same of another thing."""
+        there, here = (self.titles[place] for place in (start, end))
+        return strange_word(here, words_of(there)) if are_of_two_things(there, here) else ""
 
 
 def with_what_is_true_here(readings: Sequence[Reading], statements: Sequence[Statement]) -> list[Reading]:
     """Return readings in which what follows names the lines that may be true of another thing only.
 
-    They are those of which the sentence has not all words of the sentence of the equation.  If it begins with where it
-    holds, it must have those of all sentences since then.
+    They are those of which the sentence has not all words of the sentence of the equation, and those with a sentence
+    behind them that has a word which is new there.  If a line begins with where it holds, it must have the words of all
+    sentences since then.
     """
-    said: dict[str, _Said] = {}
     displays = {each.display.place: each.display for each in statements if each.display.environment != "inline"}
-    for each in statements:
-        display, where = each.display, str(each.display.where)
+    conditions = {each.display.place: each.condition for each in statements}
+    text, title = _Text({}, displays, {}, {}), ""
+    for place, display in displays.items():
         sentence = last_sentence(display.before)
-        words = words_of(f"{sentence} {'' if has_ended(display) else display.after.partition('.')[0]}")
-        limited = bool(context_of(sentence).kind)
-        known = said.get(where, _Said(frozenset(), display.place, is_limited=False))
-        said[where] = _Said(known.words | words, known.place, is_limited=known.is_limited or limited)
-    return [
-        replace(each, links=tuple(_with_lines(each, link, said, displays) for link in each.links)) for each in readings
-    ]
+        behind = "" if has_ended(display) else display.after.partition(".")[0]
+        words = words_of(f"{sentence} {conditions[place]} {behind}")
+        found = text.said.setdefault(str(display.where), {})
+        found[place] = _Said(words, bool(context_of(sentence).kind))
+        title = (_TITLE.findall(display.before) or [title])[-1]
+        text.titles[place] = title
+        for word in words_of(display.before):
+            text.first.setdefault(word, place)
+    return [replace(each, links=tuple(_with_lines(each, link, text) for link in each.links)) for each in readings]
 
 
-def _with_lines(reading: Reading, link: Link, said: dict[str, _Said], displays: dict[int, Display]) -> Link:
+def _with_lines(reading: Reading, link: Link, text: _Text) -> Link:
     if link.verdict != "follows":
         return link
     here = reading.statement.display.place
     near = beside(reading.statement, "")
-    near = replace(near, sentence=_NAME.sub("", near.sentence))
+    near = replace(near, sentence=f"{_NAME.sub('', near.sentence)} {reading.statement.condition}")
     found: list[str] = []
     for line in dict.fromkeys(line for each in link.rests_on for line in _LINE.findall(each)):
-        if line == str(reading.where) or (known := said.get(line)) is None:
+        above = {place: each for place, each in text.said.get(line, {}).items() if place < here}
+        if not above:
             continue
-        word = near.strange(known.words)
-        if known.is_limited and not word:
-            since = " ".join(each.before for place, each in displays.items() if known.place < place <= here)
-            word = strange_word(since, known.words)
+        known = frozenset().union(*(each.words for each in above.values()))
+        word = near.strange(known) or text.new_between(max(above), here) or text.new_in_title(max(above), here)
+        if not word and any(each.is_limited for each in above.values()):
+            since = " ".join(each.before for place, each in text.displays.items() if min(above) < place <= here)
+            word = strange_word(since, known)
+        if not word and any(r"\doteq" in text.displays[place].latex for place in above):
+            word = "doteq"
         found += [f"{line} {TRUE_HERE}, where the word {word!r} is new"] if word else []
     return replace(link, hypotheses=(*link.hypotheses, *found))

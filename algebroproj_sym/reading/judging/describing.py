@@ -4,30 +4,15 @@ import re
 from collections.abc import Iterator, Sequence
 
 from algebroproj_sym.reading.defining.phrases import symbols_in_list
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.judging.sentences import is_neutral, without_laws
 from algebroproj_sym.reading.judging.words import NEAR
 
 MOST_NOUNS = 4
 """How many words may name a thing."""
 _TOKEN = re.compile(r"[^\W\d_][\w'’-]*|\$[^$]*\$|[^\w\s]")
-_MINOR = re.compile(
-    r"let|lets|put|set|where|with|when|if|while|but|nor|not|only|than|per|about|over|under|within|without|around|"
-    r"denot\w*|call\w*|nam\w+|stands?|represents?|means?|being|choos\w+|pick\w*|suppos\w+|assum\w+|consider\w*|"
-    r"i|he|she|they|you|some|no|such|like|so|more|less|most|very|too|ever|even|still|yet|once|either|neither|"
-    r"solve\w*|minimi[sz]e|maximi[sz]e|plot\w*|eliminate|isolate|introduce|measure",
-    re.IGNORECASE,
-)
-"""The words at which a name ends, besides those of a derivation."""
-_GENERAL = re.compile(
-    r"new|old|given|corresponding|respective|total|unknown|known|particular|certain|first|second|third|last|"
-    r"other|another|single|whole|small|large|general|simple|main|following|same|next|different|left|right|"
-    r"solutions?|unknowns?|results?|answers?|mathematical|rows?|columns?|"
-    r"constants?|numbers?|coefficients?|parameters?|scalars?|symbols?|functions?|arguments?|inputs?|outputs?|points?|"
-    r"data|objects?|items?|elements?|entry|entries|components?|index|indices|values?|quantit(?:y|ies)|letters?|"
-    r"variables?|matrix|matrices|vectors?|terms?|factors?|expressions?",
-    re.IGNORECASE,
-)
-"""The words that may be of anything."""
+_MINOR = heard("<ends-name>")
+_GENERAL = heard("<of-anything>")
 _ADJECTIVE = re.compile(
     r"(?:[^e]ed|ly)$|^(?:surround|involv|remain|correspond|result|follow|preced|exist|includ|contain)ing$"
 )

@@ -33,7 +33,7 @@ from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.conditions import goes_on, is_condition
 from algebroproj_sym.reading.judging.describing import described, is_same, names_a_thing
-from algebroproj_sym.reading.judging.renaming import gives_its_name_away, renamed_in
+from algebroproj_sym.reading.judging.renaming import gives_its_name_away, letters_change, renamed_in
 from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of
 from algebroproj_sym.reading.judging.scopes import Scopes
 from algebroproj_sym.reading.judging.sentences import (
@@ -45,13 +45,24 @@ from algebroproj_sym.reading.judging.sentences import (
     without_formulas,
     words_of,
 )
-from algebroproj_sym.reading.judging.words import Beside, arithmetic_in, beside, has_ended, takes_back
+from algebroproj_sym.reading.judging.words import (
+    Beside,
+    arithmetic_in,
+    beside,
+    denies,
+    has_ended,
+    is_denied,
+    takes_back,
+)
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 
 _IS = re.compile(r"\b(?:is|are)\W*$")
 _IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")
 _NAMED = re.compile(r"(?<=[a-z] )[A-Z]\b")
 """The letter of a thing in the text, as in "model B"."""
+_LIST = re.compile(r"\\begin\{(?:itemize|enumerate)\}")
+_LIST_ENDS = re.compile(r"\\end\{(?:itemize|enumerate)\}")
+_NOTE = re.compile(r"\\footnote\{([^{}]*)")
 _ONLY = re.compile(r"\W*([^.$]*?) only\b")
 """Words behind an equation that limit it, as in "in the first case only"."""
 
@@ -84,6 +95,7 @@ class Memory:
         self.conditions = set[int]()
         self.sentences: dict[int, str] = {}
         self.arithmetic = ""
+        self.denied = ""
         self.running = set[int]()
         self.part = 0
         self.valued = set[str]()
@@ -123,7 +135,11 @@ class Memory:
                 self.forget(symbol)
             self.carried = "" if self.ended or not same_part else self.beside.sentence
         before, self.display = self.display, display
+        if display is not before:
+            self._hear_of_all(display)
         self.beside = beside(statement, self.carried)
+        if self.denied:
+            self.beside = replace(self.beside, condition=f"{self.beside.condition} {self.denied}")
         self.sentences[display.place] = last_sentence(display.before)
         own = display.before.rpartition(HEADING)[2]
         self.arithmetic = arithmetic_in(f"{own} {self.beside.behind}") or (self.arithmetic if same_part else "")
@@ -148,6 +164,18 @@ class Memory:
         if words_of(display.before):
             self.introduced = self.beside.introduces
         self.ended = has_ended(display)
+
+    def _hear_of_all(self, display: Display) -> None:
+        """Take notice of a title, or of words before a list, that deny what stands behind them."""
+        *above, own = display.before.split(HEADING)
+        if above or _LIST_ENDS.search(own):
+            title = own.partition("\n")[0] if above else ""
+            self.denied = "false" if denies(title) else ""
+        lead, *items = _LIST.split(own)
+        if items and (denies(lead) or is_denied(last_sentence(lead.rstrip(" \n.:")))):
+            self.denied = "false"
+        if letters_change(own):
+            self._retract_from(0)
 
     def _end_cases(self, display: Display) -> None:
         """Take notice of the cases that are over: whole sentences, or clauses before the main one, speak of others."""
@@ -216,7 +244,9 @@ class Memory:
         passing = inline and bool(own.kind) and not own.is_of_things
         if (own.kind and not passing) or self.part != display.part:
             self.held, self.held_at = ANYWHERE if passing else own, display.place
-        behind = ANYWHERE if inline or has_ended(display) else context_behind(display.after)
+        note = _NOTE.search(sentences[-1]) or _NOTE.match(display.after.lstrip())
+        ended = inline or has_ended(display)
+        behind = context_behind(note[1]) if note else ANYWHERE if ended else context_behind(display.after)
         self.context = own if passing else behind if behind.kind else self.held
         self.part = display.part
 

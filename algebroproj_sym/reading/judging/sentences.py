@@ -3,12 +3,9 @@
 import re
 from collections.abc import Collection
 
-IN_THIS_CASE = re.compile(
-    r"\b(?:(?:in|for) (?:this|that|which|such a|the (?:\w+ )?(?!limit|station|stead|ideal|special)[a-z]+) case|"
-    r"(?:for|in) the (?:special )?case of|under (?:this|these|that|those) (?:assumption|condition)s?)\b",
-    re.IGNORECASE,
-)
-"""Words for a case of which an earlier sentence speaks, so that they are no condition themselves."""
+from algebroproj_sym.reading.devices import heard
+
+IN_THIS_CASE = heard(r"\b<known-case>\b")
 _CASE_BEFORE = re.compile(
     r"(?:^|[.:;}]\s*)\s*(?:and )?(?:if|when|for)\b[^.,;:]*"
     r"\$[^$]*(?:[=<>]|\\(?:le|ge|ne|in|to)(?:q|slant)?(?![a-z]))[^$]*\$\s*:\s*$",
@@ -23,30 +20,7 @@ _AND_THEN = re.compile(
     re.IGNORECASE,
 )
 """How a condition is followed by the main clause without a comma: "If there are two we can write"."""
-_ASSERTS = re.compile(
-    r"\b(?:then|we|one|it|this|is|are|be|becomes?|gives?|yields?|holds?|reads?|has|have|equals?|follows|"
-    r"results?|reduces?|simplif(?:y|ies)|obeys?|satisf(?:y|ies)|will)\b",
-    re.IGNORECASE,
-)
 _GOES_ON = re.compile(r"\s*(?:and|or|but|nor)\b(?!\s+(?:then|we|hence|so|thus|therefore)\b)", re.IGNORECASE)
-_NEUTRAL = re.compile(
-    r"a|an|the|this|that|these|those|it|its|we|one|us|our|which|whose|what|both|all|each|any|every|and|or|of|to|into|in|"
-    r"from|by|on|as|at|with|for|between|is|are|be|been|was|has|have|had|can|may|will|must|do|does|now|also|again|then|"
-    r"here|there|above|below|previous|following|follow\w*|hence|thus|thereby|therefore|so|consequently|get|"
-    r"gets|obtain\w*|find|finds|found|arriv\w+|giv\w+|yield\w*|becom\w+|equal\w*|substitut\w+|insert\w*|plug\w*|"
-    r"combin\w+|rearrang\w+|result\w*|lead\w*|simpl\w+|other words|equivalent\w*|impl(?:y|ies|ying)|differentia\w+|"
-    r"expan\w+|rewrit\w+|reduc\w+|turn\w* into|writ\w+|express\w*|form\w*|equations?|eqs?|eqn|eqns|relations?|"
-    r"definitions?|defin\w+|identit(?:y|ies)|formulas?|formulae|terms?|sides?|factors?|hand|using|use\w*|"
-    r"appl\w+|recall\w*|not(?:e|ing) that|see|show\w*|comput\w+|calculat\w+|evaluat\w+|perform\w*|tak\w+|"
-    r"squaring|multipl\w+|divid\w+|divis\w+|add\w*|subtract\w*|sum\w*|product\w*|collect\w*|factor\w*|"
-    r"derivativ\w*|respect|time|compact\w*|explicit\w*|direct\w*|finally|easily|readily|straightforward\w*|immediate\w*|"
-    r"equation|expression\w*|quantit(?:y|ies)|values?|letters?|variables?|used|matrix|matrices|vector|vectors|"
-    r"back|out|up|together|after|since|because|known|via|through|thanks|according|algebra\w*|manipulation\w*|steps?|"
-    r"fact|sections?|chapters?|ref|eqref|label|cref|autoref|indeed|clearly|obviously|moreover|furthermore|"
-    r"same|just|solv\w+|eliminat\w+|not(?:e|ed|ice|icing)|chain|rules?",
-    re.IGNORECASE,
-)
-"""The words of a derivation, which name nothing that an equation could be of."""
 
 
 def main_clause(sentence: str) -> str:
@@ -67,7 +41,7 @@ def main_clause(sentence: str) -> str:
     last = clauses[-1] if clauses else ""
     concluded = any(each.startswith("then") for each in clauses[:-1])
     alone = concluded or not _GOES_ON.match(last)
-    return last if _ASSERTS.search(FORMULA.sub(" ", last)) and alone else sentence
+    return last if heard(r"\b<asserts>\b").search(FORMULA.sub(" ", last)) and alone else sentence
 
 
 def last_sentence(words: str) -> str:
@@ -118,7 +92,7 @@ def are_of_two_things(one: str, other: str) -> bool:
 
 def is_neutral(word: str) -> bool:
     """Whether a word is one of those of a derivation."""
-    return _NEUTRAL.fullmatch(word) is not None
+    return heard("<neutral>").fullmatch(word) is not None
 
 
 def without_laws(text: str) -> str:
@@ -129,16 +103,9 @@ def without_laws(text: str) -> str:
     >>> without_laws("By Newton's second law, it is")
     ', it is'
     """
-    return _SIDE.sub("", _LAW.sub("", text))
+    return _SIDE.sub("", heard("<law>", re.NOFLAG).sub("", text))
 
 
-_LAW = re.compile(
-    r"(?:[A-Z][\w-]*(?:['’]s?)?\s+)*(?:(?:[Ff]irst|[Ss]econd|[Tt]hird)\s+)?"
-    r"\b[Ll]aws?\b(?: of (?:motion|cosines|sines))?"
-    r"|\b(?:[Bb]alance|[Cc]onservation|[Ee]quilibrium) of (?:the )?"
-    r"(?:forces|moments|torques|energy|momentum|mass|charge)\b"
-    r"|\b(?:[Ff]orce|[Mm]oment|[Tt]orque|[Ee]nergy|[Mm]omentum|[Mm]ass|[Cc]harge) balance\b"
-)
 _SIDE = re.compile(
     r"\b(?:left|right)(?:[ -]?hand)?[ -](?:sides?|terms?|factors?)\b|\b(?:[Oo]n|[Tt]o|[Ff]rom) the (?:left|right)\b"
     r"|\b[Oo]n the other hand\b"
@@ -146,9 +113,9 @@ _SIDE = re.compile(
 MOST_WORDS = 12
 """How many words sentences have that are compared word by word."""
 _ARTICLES = frozenset(("the", "an", "this", "that", "these", "those"))
-_QUANTIFIERS = frozenset(("all", "every", "each", "any", "no", "most"))
+_QUANTIFIERS = frozenset(("all", "every", "each", "any", "no", "most", "one"))
 FORMULA = re.compile(r"\$[^$]*\$")
-_WORD = re.compile(r"[^\W\d_]{2,}")
+_WORD = re.compile(r"[^\W\d_]{2,}|\b[^\W\d_]\d{2,}")
 
 
 def without_formulas(text: str) -> str:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import permutations
 
 from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.judging.verdicts import Reading
 
@@ -16,49 +17,17 @@ MOST_SEARCHED = 2000
 """Beside how many formulas the words are searched."""
 NEAR = 200
 """How many characters before a letter are searched for a case."""
-_NEGATIVE = re.compile(
-    r"\$([^$=<>]*)\$ (?:(?:may|can|could|might) (?:also )?be|is|are) (?:negative|of (?:either|any) sign)"
-    r"|\$([^$=<>]*?) ?(?:<|\\lt|\\le|\\leq) ?0 ?\$"
-    r"|\$([^$=<>]*)\$(?: and \$([^$=<>]*)\$)? (?:be|is|are)\b[^.$]{0,30}\bnegative (?:numbers?|charges?|values?)\b"
-)
-_ZERO = re.compile(
-    r"\$([^$=<>]*)\$ (?:(?:(?:may|can|could|might) (?:also )?)?(?:be|is|becomes) (?:exactly |identically )?zero\b"
-    r"|vanish(?:es)?\b)"
-    r"|\b(?:at rest|that is|so|hence|thus|therefore|let|suppose|since|because|as|have|where|with|"
-    r"(?:at|on|in|along) (?:the|an?|its|this) \w+(?: \w+){0,3}?),? \$([^$=<>]*?) ?= ?0\$",
-    re.IGNORECASE,
-)
-_SINGULAR = re.compile(
-    r"\$([^$=<>]*)\$ (?:(?:is|be|are|being|becomes|remains|may be|can be) (?:\w+ly )?(?:an? )?"
-    r"(?:singular|degenerate|rank[- ]deficient|non-?invertible|not (?:an )?(?:invertible|regular|of full rank)|"
-    r"without (?:an )?inverse)\b"
-    r"|(?:has|have|having|with) (?:an? |the )?(?:\w+ )?(?:rank[- ](?:defect|deficiency)|null ?space|kernel|"
-    r"(?:zero|vanishing) (?:determinant|eigenvalue)|(?:linearly )?dependent (?:columns|rows))\b"
-    r"|(?:has|have) (?:not full rank|no inverse|no full rank))"
-    r"|\bsingular (?:\w+ ){0,2}\$([^$=<>]*)\$"
-    r"|\b(?:rank[- ](?:defect|deficiency)|null ?space|kernel) of (?:the )?(?:\w+ ){0,2}\$([^$=<>]*)\$"
-    r"|\$\\det ?\(?([^$=<>]*?)\)? ?= ?0\$",
-    re.IGNORECASE,
-)
-_ACROSS = r"(?:orthogonal|perpendicular|normal)"
-_ORTHOGONAL = re.compile(
-    rf"\b{_ACROSS} (?:vectors )?\$([^$=<>]*)\$ and \$([^$=<>]*)\$"
-    rf"|\$([^$=<>]*)\$ and \$([^$=<>]*)\$ are (?:\w+ )?{_ACROSS}\b"
-    rf"|\$([^$=<>]*)\$ (?:is|are) (?:\w+ )?{_ACROSS} to \$([^$=<>]*)\$",
-    re.IGNORECASE,
-)
+_NEGATIVE = heard("<negative>", re.NOFLAG)
+_ZERO = heard("<zero>")
+_SINGULAR = heard("<singular>")
+_ORTHOGONAL = heard("<orthogonal>")
 _PRODUCT = re.compile(r"\W*(?:dot\W*)?(\w+)(?:\W*\.T\W*\*|, )\W*(\w+)\W*")
 """A product of two vectors, perhaps with a sign."""
 _FACTOR = re.compile(r"(?:^|(?<=\*))(?:det\(\w+\)|\w+)(?=\*|$)(?![^()]*\))")
 """A letter, or a determinant, that is a factor of a product."""
 _INVERTED = re.compile(r"\b(\w+)(?:\.T)?\*\*\(?-")
 """What has a negative power."""
-_UNLESS = re.compile(
-    r"\b(?:if|iff|when|whenever|unless|whether|until|except|provided|not|never|neither|nor|no longer|cannot|case)\b"
-    r"[^.;]*$",
-    re.IGNORECASE,
-)
-"""Words before a letter by which it is not said to be zero."""
+_UNLESS = heard(r"\b<if unsaid>\b[^.;]*$")
 
 
 def denied_by_words(document: Document) -> frozenset[str]:

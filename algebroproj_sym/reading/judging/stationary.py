@@ -13,6 +13,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.contexts import ANYWHERE
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.judging.words import Beside
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
@@ -24,11 +25,6 @@ _TO_ZERO = re.compile(
     r"(?:derivatives?|gradients?|expressions?))"
     rf"(?P<of>\s+of\s+{_NAMED})?(?P<by>\s+with\s+respect\s+to\s+{_NAMED}(?:(?:,|\s+and)\s+{_NAMED})*)?"
     r"\s+(?:equal\s+)?to\s+(?:zero|\$(?:0|\\mathbf\{0\})\$)",
-    re.IGNORECASE,
-)
-_OTHERWISE = re.compile(
-    r"\b(?:not|without|instead|rather|before|than|if|unless|cannot|never|avoid\w*|second|wrong\w*|but|though|except|"
-    r"generally|in general|always)\b",
     re.IGNORECASE,
 )
 _SEVERAL = re.compile(r"them|both|these|\w+s$", re.IGNORECASE)
@@ -51,7 +47,7 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     The letters are those of the equation that nothing gives, and above is where the display just above it begins.
     """
     match = _TO_ZERO.search(beside.sentence)
-    if match is None or _OTHERWISE.search(beside.sentence):
+    if match is None or heard(r"\b<otherwise>\b").search(beside.sentence):
         return []
     near = [each for each in premises[-MOST_TOGETHER:] if each.part == beside.part and each.place < beside.place]
     near = [each for each in near if each.place == above or not each.special]

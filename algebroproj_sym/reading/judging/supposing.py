@@ -2,6 +2,7 @@
 
 import re
 
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.judging.sentences import FORMULA, last_sentence, without_formulas
 from algebroproj_sym.reading.judging.words import CASES, Beside, ends_clause
@@ -25,18 +26,7 @@ _THEN = re.compile(
 )
 """How a sentence goes on behind a formula that it supposes: with its main clause."""
 _WHERE = re.compile(r"\W*(?:where|with|in which|and where)\b(?!\s+(?:we|i|the)\b)", re.IGNORECASE)
-_APART = re.compile(
-    r"\b(?:but|however|although|though|while|whereas|whilst|unlike|except|unless|not|[a-z]+n['’]t|no|none|never|nor|"
-    r"neither|without|otherwise|instead|rather|generally?|either|contrast|opposite|contrary|compare\w*|versus|earlier|"
-    r"previous\w*|former\w*|latter|first|second|third|last|other|another|old|new|until|than|would|could|might|even|"
-    r"whether|only|far|away|before|after|later|elsewhere|still|despite|yet|always|every|any|all|each|most|some|many|"
-    r"ignor\w+|neglect\w*|drop\w*|approximat\w*|roughly|about|almost|nearly|small|large|limit\w*|instance|example|"
-    r"worst|wrong|avoid\w*|forbid\w*|forbade|forget|exclud\w*|remov\w*|replac\w*|chang\w*|different\w*|vary\w*|varies|"
-    r"both|fail\w*|false|lift\w*|relax\w*|abandon\w*|violat\w*|grow\w*|leav\w*|los[et]\w*|truth|real\w*|actual\w*|"
-    r"ceas\w*|stop\w*|long|hand|he|she|they|who|else|so far|beyond|arbitrary|free\w*|released?)\b",
-    re.IGNORECASE,
-)
-"""Words by which a formula in a sentence may be of another case than the equation at its end."""
+_APART = heard(r"\b<apart>\b")
 _ELSEWHERE = re.compile(
     r"\b(?:at|in|on|for|inside|outside|near|under|over|above|below|behind|with|from|to|towards?|along|around|between)\s+"
     r"(?!(?:the|this|that)\s+(?:form|case|equations?|expressions?|formulas?|relations?|above|following)\b|"
@@ -55,12 +45,6 @@ _STATES = re.compile(
 """The words right before a formula that its sentence states."""
 _AND_ANOTHER = re.compile(r"\$[^$]*\$,?\s+and\s*$")
 _GOES_ON = re.compile(r"\s+and\s+\$|,?\s+(?:where|with)\s+\$[^$=]*\$\s+(?:is|are|denotes?|stands? for)\b")
-_WANTS = re.compile(
-    r"\b(?:want|wish|hope|need|try|tries|claim\w*|guess\w*|expect\w*|must|should|show\w*|prov(?:e|es|ed|ing)|verif\w+|"
-    r"check\w*|ask\w*|desir\w+|goal|aim|call\w*|simulat\w+|figure|table|code|would|initial\w*|final|at time)\b|\?",
-    re.IGNORECASE,
-)
-"""Words of what a sentence does not state, but wants or asks, or of a single moment."""
 _INSIDE = re.compile(r"\([^()$]*\)")
 _ORDER = re.compile(r"[<>≠≤≥≈∼∈]|\\(?:n?e?q?[lg]e?q?q?|neq?|approx|sim|in|lt|gt|to|ll|gg|not)(?![a-zA-Z])")
 
@@ -84,7 +68,7 @@ def states(beside: Beside, display: Display) -> bool:
     lead = beside.sentence
     while (more := _AND_ANOTHER.sub("", lead)) != lead:
         lead = more
-    apart = any(each.search(beside.sentence) for each in (CASES, _APART, _WANTS))
+    apart = any(each.search(beside.sentence) for each in (CASES, _APART, heard(r"\b<wants>\b|\?")))
     ends = ends_clause(display) or _GOES_ON.match(display.after) is not None
     return _STATES.search(lead) is not None and ends and not (apart or beside.is_conditional)
 

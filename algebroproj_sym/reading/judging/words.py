@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from algebroproj_sym.reading.defining.contexts import without_steps
 from algebroproj_sym.reading.defining.phrases import symbols_in_list, symbols_of
+from algebroproj_sym.reading.devices import heard
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.sentences import (
@@ -22,88 +23,11 @@ from algebroproj_sym.reading.lexing.names import bare_name
 
 NEAR = 250
 """How many characters beside a formula are searched for words about a case."""
-CASES = re.compile(
-    r"\b(?:if|when|whenever|case|cases|assum\w+|suppose|approximat\w*|small|large|neglect\w*|limit\w*|either|roots?|"
-    r"wrong|solutions?|otherwise|instead|special\w*|let|mod|modulo|convention|sign|opposite|alternative\w*|except|unless|"
-    r"setting|choos\w+|solv\w+|equilibrium|condition\w*|requir\w+|impos\w+|vanish\w*|equation of|not|never|without|"
-    r"at rest|fixed|steady|stationary|extrem\w+|optim\w+|complementary|provided|absence|ignor\w+|drop\w*|error|"
-    r"erroneous\w*|mistak\w+|false|doubled|halved|tripled|quadrupled|in half|peak|rms|reduced)\b"
-    r"|(?:for|with|at|in which|where)\s+\$[^$]*=",
-    re.IGNORECASE,
-)
-"""Words by which an equation may be about a case, so that it contradicts nothing."""
-CONDITIONAL = re.compile(
-    r"\b(?:if|when|whenever|unless|provided(?! (?:by|to|in|with)\b)|"
-    r"(?:in|for) (?:the|this|that) (?:special |particular )?case|"
-    r"for (?:very |sufficiently |all )?(?:small|large|weak|thin|low|high|slow|fast|short|long))\b",
-    re.IGNORECASE,
-)
-"""Words by which an equation in their sentence is a condition, or holds under one, and so defines nothing."""
-_REJECTED = re.compile(
-    r"\b(?:false|wrong|incorrect|untrue|nonsense|mistak\w+|erroneous\w*|never|cannot be|refuted|dispro\w+|absurd|"
-    r"(?:a|was) slip|typo|misprint\w*|erratum|errata|impossible|contradict\w*|invalid|untenable|neither|nor|no longer|"
-    r"naive\w*|tempt\w+|sign error|in error|ceases?|fails? (?:to hold|in general)|if only|wrongly|"
-    r"earlier (?:version|draft|edition)|(?<!one )(?<!as )(?:writes|claims|asserts|believes|claimed|believed|wrote)"
-    r"(?! (?:it|this|them) (?:as|in)\b)|"
-    r"not (?:\w+ )?(?:true|equal|hold|follow|valid|correct|right|so|work|the case)|"
-    r"superseded|obsolete|outdated|retracted|withdrawn|fallac(?:y|ies|ious))\b",
-    re.IGNORECASE,
-)
-"""Words by which an equation in their sentence is said not to hold."""
-_DENIED = re.compile(
-    _REJECTED.pattern + r"|\A\W*(?:were|had) (?:the|an?|its?|this|that|we|all|there)\b|\b(?:"
-    r"(?:would|might) (?:be|hold|have|give|mean|imply|follow)|"
-    r"conjectur\w*|alleg\w+|nobody|no one|students|beginners|jok(?:e|es|ing)|imagine|pretend|ideally|folk\w*|"
-    r"(?:find|spot) the (?:errors?|mistakes?|flaws?|bugs?|slips?|catch|faults?|fallac\w+|wrong\w*|lies?|odd|tricks?|"
-    r"misprints?|typos?)|prove or \w+|first attempt|the opposite|off by|fails?|breaks? down|"
-    r"(?:want|wish|hope|aim|try|have|intend|remains?|is|are) to (?:show|prove|establish|be (?:shown|proved|proven))|"
-    r"on average|in the mean|(?:to|in) (?:an )?orders? of magnitude|almost (?:everywhere|surely)|"
-    r"up to (?:an?|some) (?!order)|roughly|"
-    r"up to (?:(?:the|its|their) )?(?:scale|scaling|signs?|normali[sz]ation|factors?|constants?|multiples?|units|"
-    r"phases?|permutations?|rotations?|isomorphism|translations?|higher|lower|first|second|rounding|noise|gauge|terms)\b|"
-    r"(?:plus|and|with) some noise|"
-    r"(?:is|be) (?:enough|sufficient) (?:that|if)|suffices? (?:that|if)|we (?:want|wish|demand)(?: that)?(?=\W*$)|"
-    r"unlikely|doubt\w*|hardly|scarcely|seldom|rarely|sometimes(?! (?:also )?(?:called|written|denoted|named))|"
-    r"apparently|seemingly|at first (?:sight|glance)|rule of thumb|rumou?r\w*|hearsay|myth|counter-?example|bug|"
-    r"(?<!as )(?:one|you|we) (?:might|may|could) (?:guess|think|expect|suspect|believe)|"
-    r"(?:exactly|at most) one of(?! which| them)|open (?:problem|question) (?:to|whether|if)|"
-    r"(?:it|this|that|which)\b[^.,;$]{0,40} (?:must|has to) be (?:discarded|rejected|dismissed)|"
-    r"(?:it|this|which) is (?:spurious|extraneous|unphysical)|"
-    r"holds? for no|none of (?:the|these|those|our|them)\b[^.$]{0,40} (?:satisf\w+|obey\w*|fulfil\w*|met)|"
-    r"not (?:every|all|each)\b[^.$]{0,30} (?:satisf\w+|obeys?|fulfils?)|(?:not |un)known whether|"
-    r"no evidence|"
-    r"differ\w* (?:\w+ )?from the (?:prediction|formula|law|theory|rule)|refuses? to|"
-    r"there (?:is|are|was|were) no [a-z]+ (?:\w+ )?(?:at|for|in) which|"
-    r"opponents?|critics|symbolically|speculat\w*|paradox\w*|to (?:leading|lowest|zeroth|first|second) order)\b",
-    re.IGNORECASE,
-)
-"""Words by which an equation in their sentence is not asserted."""
-_OF_IT = re.compile(
-    r"\s*(?:(?:but|however|yet|and),? )?(?:this|that|it|which|the (?:claim|formula|equation|result)|ours?|erratum|"
-    r"corrig\w+|(?:in |equation )?\(\d+\)|(?:in |equation )?\\eqref\S+)\b",
-    re.IGNORECASE,
-)
-"""How a sentence begins that speaks of the equation before it."""
-_UNDOES = re.compile(
-    r"\b(?:spoils?|destroys?|invalidates?|falsif(?:y|ies)|violates?|rules?) (?:this|that|it)\b(?! (?:section|case))"
-    r"|\b(?:drop|relax|remov|abandon|lift|discard)(?:e|ing)? (?:this|that|the|these|our) (?:\w+ )?"
-    r"(?:assumption|hypothes[ie]s|restriction|condition|constraint)s?\b"
-    r"|\b(?:absurd|contradiction|contradictory|impossible|is (?:mistaken|wrong|in error))\b",
-    re.IGNORECASE,
-)
-"""Words of another thing by which the equation before them does not hold."""
-_OTHERWISE = re.compile(r"\b(?:opposite|the other way round|read\s+\$[^$]*\$\s+for)\b|\bread\s+\$", re.IGNORECASE)
-_NOT_QUITE = re.compile(
-    r"\b(?:approximat\w*|neglect\w*|limit\w*|setting|equilibrium|at rest|steady|stationary|extrem\w+|absence|ignor\w+|"
-    r"drop\w*|false|without|except)\b",
-    re.IGNORECASE,
-)
-"""Words by which an equation is not quite what a letter is, wherever they stand in its sentence."""
-_ONLY_SOMETIMES = re.compile(
-    CONDITIONAL.pattern + r"|\b(?:cases?|assum\w+|suppos\w+|otherwise|instead|special\w*(?! (?:form|structure)))\b",
-    re.IGNORECASE,
-)
-"""Words by which an equation says what a letter is in a case; in its own clause, that it is the condition itself."""
+CASES = heard(r"\b<case>\b|(?:for|with|at|in which|where)\s+\$[^$]*=")
+CONDITIONAL = heard(r"\b<condition>\b")
+_DENIED = heard(r"\b<rejects denies>\b|\A\W*<unreal>\b|\b<wanted>(?: that)?\W*$")
+_OF_IT = heard(r"\s*(?:(?:but|however|yet|and),? )?<of-it>\b")
+_ONLY_SOMETIMES = heard(r"\b<condition partly>\b")
 _FORM = re.compile(r"\b(?:assum\w+|suppos\w+)\b.*\b(?:form|given by|as)\W*$", re.IGNORECASE | re.DOTALL)
 """What is assumed to have a form is given by it."""
 _NO_CASE = re.compile(
@@ -112,28 +36,12 @@ _NO_CASE = re.compile(
     re.IGNORECASE,
 )
 """Words that give a name, or say what something is a case of: what they speak of is no condition."""
-HENCE = re.compile(
-    r"\b(?:hence|thus|thereby|therefore|so that|so|(?<!as )follows|consequently|gives?|"
-    r"(?:we|you|one) (?:gets?|obtains?|finds?|ha(?:ve|s)|arrives?)|giving|yields?|yielding|"
-    r"becomes?|equals|substitut\w+|insert\w+|plugging|combin\w+|rearrang\w+|results? in|"
-    r"resulting|leads? to|leading to|simplif\w+|that is|in other words|equivalent\w*|impl(?:y|ies|ying)|replacing|"
-    r"differentiat\w+|expanding|rewrit\w+|reduces? to|turns into|as a result|be (?:written|expressed)|is expressed)\b",
-    re.IGNORECASE,
-)
-"""Words by which an equation is said to follow from what is above it."""
-DEFINES = re.compile(
-    r"(?:\bwhere|(?:^|[.,;])\s*in which|\bwith|\bdefin\w+|\bdenot\w+|\blet|\bput|\bset|\bhere|\band|,)\W*$",
-    re.IGNORECASE,
-)
-"""Words before an inline formula by which it is a definition."""
-_DIRECTLY = re.compile(r"\W*(?:where|in which|with|here|and|let|put|set|define|denote)\b", re.IGNORECASE)
+HENCE = heard(r"\b<hence>\b")
+DEFINES = heard(r"(?:\b<defines>|(?:^|[.,;])\s*in which|,)\W*$")
 _FORBIDS = re.compile(r"\b(?:not|never|cannot|don['’]t)(?: \w+){0,2}\W*$", re.IGNORECASE)
-_LETS = re.compile(r"\b(?:let|put|set|defin\w+|denot\w+)\W*$", re.IGNORECASE)
-SAYS = re.compile(r"(?:\b(?:is|are|by|as|becomes|equals)|:)\W*$", re.IGNORECASE)
-"""Words before an inline formula by which it is one, if nothing else in the document gives its letter."""
+SAYS = heard(r"(?:\b<says>|:)\W*$")
 
-ASKS = re.compile(r"\W*(?:exercises?|problems?|questions?|quiz|tasks?|puzzle|homework)\b", re.IGNORECASE)
-"""How a sentence begins that asks: what it gives holds for its answer alone."""
+ASKS = heard(r"\W*<asks>\b")
 
 
 @dataclass(frozen=True)
@@ -180,7 +88,7 @@ class Beside:
         """
         behind = "" if _begins_anew(self.behind) else self.behind
         clause = main_clause(self.sentence)
-        found = _NOT_QUITE.search(f"{self.sentence} {self.condition} {behind}")
+        found = heard(r"\b<roughly>\b").search(f"{self.sentence} {self.condition} {behind}")
         found = found or _ONLY_SOMETIMES.search(f"{'' if _FORM.search(clause) else clause} {self.condition} {behind}")
         return found.group() if found else ""
 
@@ -199,28 +107,34 @@ class Beside:
     @property
     def names(self) -> bool:
         """Whether its own sentence says what something is or stands for."""
-        return _NAMES.search(self.sentence) is not None
+        return heard(r"\b<names>\b|\b<names-last>\W*$").search(self.sentence) is not None
 
     @property
     def tells(self) -> bool:
         """Whether its own sentence ends by saying what something is, and speaks of no equation or condition."""
         own = without_formulas(self.sentence)
-        return bool(_TELLS.search(own)) and not (_EQUATIONS.search(own) or _LAWS.search(own) or self.case_of_sentence)
+        return bool(heard(r"\b<tells>\W*$").search(own)) and not (
+            _EQUATIONS.search(own) or heard(r"\b<laws>\b").search(own) or self.case_of_sentence
+        )
 
     @property
     def defines(self) -> bool:
         """Whether its last clause says that it is a definition, whatever was said of its letter before."""
-        return _DEFINED.search(main_clause(self.sentence)) is not None and not self.case_of_sentence
+        return heard(r"\b<defined>\b").search(main_clause(self.sentence)) is not None and not self.case_of_sentence
 
     @property
     def speaks_of_a_length(self) -> bool:
         """Whether its own sentence speaks of a quantity that is never negative, such as a speed."""
-        return _LENGTH.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
+        return heard(r"\b<length>\b").search(self.sentence) is not None and "negative" not in without_formulas(
+            self.sentence
+        )
 
     @property
     def speaks_of_a_root(self) -> bool:
         """Whether its own sentence speaks of a root, or of what is positive."""
-        return _ROOT.search(self.sentence) is not None and "negative" not in without_formulas(self.sentence)
+        return heard(r"\b<root>\b").search(self.sentence) is not None and "negative" not in without_formulas(
+            self.sentence
+        )
 
     @property
     def lists(self) -> bool:
@@ -230,7 +144,7 @@ class Beside:
     @property
     def renews(self) -> bool:
         """Whether its own sentence speaks of another thing than the text before it."""
-        return _ANEW.search(without_laws(self.sentence)) is not None
+        return heard(r"\b<renews>\b").search(without_laws(self.sentence)) is not None
 
     @property
     def is_conditional(self) -> bool:
@@ -245,17 +159,17 @@ class Beside:
     @property
     def supposes(self) -> bool:
         """Whether its own sentence supposes it."""
-        return _SUPPOSES.search(self.sentence) is not None
+        return heard(r"\b<supposes>\b").search(self.sentence) is not None
 
     @property
     def is_denied(self) -> bool:
         """Whether its own sentence says that it does not hold."""
-        return _DENIED.search(self._whole) is not None
+        return is_denied(self._whole)
 
     @property
     def is_rejected(self) -> bool:
         """Whether its own sentence says flatly that it does not hold."""
-        return _REJECTED.search(self._whole) is not None
+        return heard(r"\b<rejects>\b").search(self._whole) is not None
 
     @property
     def words(self) -> frozenset[str]:
@@ -286,7 +200,7 @@ class Beside:
     @property
     def dropped(self) -> frozenset[str]:
         """The marks that letters lose from there on, as in "we drop the tilde": what had none was another letter."""
-        found = frozenset(each.lower() for each in _DROPS.findall(self.before))
+        found = frozenset(each.lower() for each in heard(r"\b<drops>\b").findall(self.before))
         return frozenset("'" if each == "prime" else rf"\{each}" for each in found)
 
     def amount(self, known: Collection[str]) -> str:
@@ -296,7 +210,7 @@ class Beside:
 
     def wider(self, known: Collection[str]) -> str:
         """Return a word of its own sentence by which it holds where it was not said to hold; empty for none."""
-        found = (each.lower() for each in _WIDER.findall(without_formulas(self._whole)))
+        found = (each.lower() for each in heard(r"\b(<wider>)\b").findall(without_formulas(self._whole)))
         return next((each for each in found if each not in known), "")
 
     @property
@@ -307,9 +221,11 @@ class Beside:
     @property
     def exchanged(self) -> frozenset[str]:
         """The letters that are not what they were in its own sentence, as in "replacing $x$ by $-x$"."""
-        found = [each for match in _REVERSES.finditer(self.sentence) for each in symbols_of(match[1])]
-        found += [each for pair in _SWAPPED.findall(self.sentence) for one in pair for each in symbols_of(one)]
-        for verb in _EXCHANGES.finditer(self.sentence):
+        found = [each for match in heard(r"\b<reverses>").finditer(self.sentence) for each in symbols_of(match[1])]
+        found += [
+            each for pair in heard(r"<swapped>").findall(self.sentence) for one in pair for each in symbols_of(one)
+        ]
+        for verb in heard(r"\b<exchanges>").finditer(self.sentence):
             one, other = (frozenset(symbols_of(each)) for each in verb.groups())
             found += [*(one | other)] if one & other or _SWAPS.match(verb[0]) else []
         return frozenset(found)
@@ -337,7 +253,12 @@ def is_given_within(words: str, *, number: bool) -> bool:
     Where it gives a number, they begin the sentence: "where $b = 0$", and not "lines with $b = 0$".
     """
     sentence = last_sentence(words)
-    if _FORBIDS.search(sentence) or (number and not (_DIRECTLY.match(sentence) or _LETS.search(words))):
+    if _FORBIDS.search(sentence) or (
+        number
+        and not (
+            heard(r"\W*(?!defines)(?:<defines>|in which)\b").match(sentence) or heard(r"\b<lets>\W*$").search(words)
+        )
+    ):
         return False
     return DEFINES.search(words) is not None and not CONDITIONAL.search(sentence)
 
@@ -367,7 +288,7 @@ def is_item(before: str, after: str) -> bool:
     return ends and bool(items and leading) and not items[-1] and "?" not in leading and not CASES.search(leading)
 
 
-_EXAMPLE = re.compile(r"[\s,(]*\b(?:(?:for|as an?) (?:example|instance)\b|say,|such as\b|e\.\s?g\.)", re.IGNORECASE)
+_EXAMPLE = heard(r"[\s,(]*\b<example>")
 _ITEM = re.compile(r"\n\s*(?:[*+-]|\d+[.)]|\\item)[ \t]+")
 
 
@@ -381,8 +302,25 @@ def takes_back(words: str) -> bool:
     """
     remark = re.match(r"\W*([^.!]*)[.!](?=\s|$)", words)
     said = remark[1] if remark else ""
-    of_it = _OF_IT.match(said) and (_DENIED.search(said) or _OTHERWISE.search(said))
-    return bool(of_it or _UNDOES.search(said))
+    of_it = _OF_IT.match(said) and (_DENIED.search(said) or heard(r"\b<corrects>").search(said))
+    return bool(of_it or heard(r"\b<undoes>\b").search(said))
+
+
+def is_denied(sentence: str) -> bool:
+    """Whether a sentence says that what it leads to does not hold."""
+    return _DENIED.search(sentence) is not None
+
+
+def denies(words: str) -> bool:
+    """Whether a title, or the words before a list, say that nothing behind them is asserted.
+
+    Examples
+    --------
+    >>> denies("A myth"), denies("Which is right?"), denies("Sums")
+    (True, True, False)
+    """
+    said = last_sentence(words.rstrip(" \n{}.:"))
+    return words.rstrip(" \n{}.").endswith("?") or heard(r"\b<untrue>\b").search(said) is not None
 
 
 def has_ended(display: Display) -> bool:
@@ -414,42 +352,13 @@ def _case_in(words: str) -> str:
     return " ".join(found.group().split())[:20] if found else ""
 
 
-_NAMES = re.compile(
-    r"\b(?:where|denot\w+|defin\w+|given by|(?:is|are) the|stands? for|"
-    r"(?:is|are) (?:then |here )?(?:computed|calculated|evaluated|determined|expressed|set|chosen|modell?ed))\b"
-    r"|\b[Tt]he\b[^,]* (?:is|are)(?: just| simply)?\W*$|"
-    r"\b(?:writ(?:e|ten)|expresse?d?|computed?|calculated?|modell?(?:ed)?|give[ns]?|find|found)\b[^,;]* as\W*$|"
-    r"\bwith\b[^,]*\bterms?\W*$",
-    re.IGNORECASE,
-)
-_DEFINED = re.compile(r"\b(?:is|are|be) (?:\w+ )?defined (?:as|by|to be)\b|\bwe (?:\w+ )?define\b", re.IGNORECASE)
-_TELLS = re.compile(r"\b(?:is|are|given by|defined (?:as|by)|denoted (?:as|by)|written as)\W*$", re.IGNORECASE)
-_LAWS = re.compile(r"\b(?:conservation|continuity|dynamics|kinematics|problem|model)\b", re.IGNORECASE)
-_LENGTH = re.compile(
-    r"\b(?:speed|length|distance|radius|norm|magnitude|modulus|amplitude|period|wavelength|deviation|width|temperature|"
-    r"volume|mass|density)\b",
-    re.IGNORECASE,
-)
-_ROOT = re.compile(r"\b(?:positive|(?:square )?roots?)\b", re.IGNORECASE)
 _SEVERAL = re.compile(r"\b(?:are|were|have|give|read|become|follow|equal)\b(?![^.]*\b(?:we|you|it)\b)", re.IGNORECASE)
-_EQUATIONS = re.compile(
-    r"\b(?:equations?|relations?|conditions?|expressions?|laws?|balances?|formula\w*|constraints?|identit(?:y|ies)|"
-    r"definitions?|systems?|we|rules?|steps?|results?|facts?|there|same|equal)\b",
-    re.IGNORECASE,
-)
-_SUPPOSES = re.compile(r"\b(?:suppos(?:e|ing)|assum(?:e|ing)|let)\b", re.IGNORECASE)
-_AMOUNTS = re.compile(
-    r"\b(per|together|total|altogether|reciprocal|twice|half|double|two|three|four|five|six|ten|both|percent|plain|degrees|"
-    r"radians|mean|average|monthly|daily|yearly|real|gross|net)\b"
-    r"(?! (?:equations?|relations?|sides?|terms?|expressions?|formula\w*|steps?|numbers?$))",
-    re.IGNORECASE,
-)
-"""Words by which a formula may be of another amount, or in another unit, than the same formula above it."""
+_EQUATIONS = heard(r"\b<equations>\b")
+_AMOUNTS = heard(r"\b(<amount>)\b(?! (?:equations?|relations?|sides?|terms?|expressions?|formula\w*|steps?|numbers?$))")
 _VARIABLES = re.compile(
     r"\b(?:functions? of|at (?:fixed|constant)|(?:holding|keeping)) ((?:\$[^$=]*\$(?:, and |, | and )?)+)",
     re.IGNORECASE,
 )
-_WIDER = re.compile(r"\b(all|every|everywhere|always|away|relaxed|violated)\b", re.IGNORECASE)
 _ANY = re.compile(r"\b(?:any|all|every|each|arbitrary)\b (?:[a-z]+ ){0,2}\$([^$=<>]*)\$", re.IGNORECASE)
 
 
@@ -465,37 +374,12 @@ def arithmetic_in(words: str) -> str:
     return " ".join(found.group().split()) if found else ""
 
 
-_ARITHMETIC = re.compile(
-    r"\b(?:(?:interval|floating-point|single-precision|double-precision|modular|tropical|max-plus|min-plus|saturat\w+|"
-    r"integer) (?:arithmetic|hardware|algebra|sums?|division|semirings?)|truncat(?:es?|ing|ed) (?:integer )?division|"
-    r"rounding after each|(?:infinite )?cardinals?(?:ity)?|ordinals?|(?:do|does|need) not commute|non-?commut\w+|"
-    r"(?:understood|taken|known|equal|equality|reduced|congruent|counted|hold|holds) modulo|"
-    r"equal in (?:law|distribution)|same law|saturates? at|up to (?:whole|full|integer) (?:turns?|cycles?))\b"
-    r"|\$[^$]*[-+*/][^$]*\$ (?:stands for|denotes|means) the (?!sum|difference|product|quotient|ratio)",
-    re.IGNORECASE,
-)
-_DROPS = re.compile(r"\bdrop(?:ping|ped|s)? (?:the|all) (tilde|hat|bar|overline|prime)s?\b", re.IGNORECASE)
-_ANEW = re.compile(
-    r"\b(?:now|new|another|other|next|second|third|instead|let|suppose|assume|consider|take|example|instance|define\w*|"
-    r"denote\w*|this time)\b",
-    re.IGNORECASE,
+_ARITHMETIC = heard(
+    r"\b<arithmetic>\b|\$[^$]*[-+*/][^$]*\$ (?:stands for|denotes|means) the (?!sum|difference|product|quotient|ratio)"
 )
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
-_REVERSES = re.compile(
-    r"\b(?:doubl|halv|tripl|negat|revers|flipp|invert|rescal|mirror)ing (?:the \w+ )?\$([^$=]*)\$", re.IGNORECASE
-)
-_EXCHANGES = re.compile(
-    r"\b(?:replac|substitut|exchang|interchang|swapp?|switch|writ|put|tak)\w* (?:the \w+ )?\$([^$]*)\$ "
-    r"(?:by|with|for|and|in place of|instead of) (?:the \w+ )?\$([^$]*)\$",
-    re.IGNORECASE,
-)
-"""Words by which one formula takes the place of another: of the same letter, or both of each other."""
-_SWAPPED = re.compile(
-    r"\$([^$]*)\$ and \$([^$]*)\$ (?:are |being |have been )?(?:ex|inter)?(?:changed|swapped|switched|reversed)",
-    re.IGNORECASE,
-)
 _SWAPS = re.compile(r"\b(?:ex|inter)?chang\w* |swap|switch", re.IGNORECASE)
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")

@@ -145,6 +145,7 @@ def ratios(chosen, found, point):
     ]
 
 
+@pytest.mark.sampled(3)
 def test_no_error_is_larger_than_its_bound(chosen):
     """Hill climbing over bits, from several points, never gets beyond the bound; it does get near."""
     found = analysis(straight_line(chosen))

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 
 from algebroproj_sym import Section
@@ -54,7 +55,7 @@ def status(claim, *pieces, **options):
     return audited(claim, Quotations("demo.txt", {claim.number: quote}), SYMBOLS).status
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("latex", "expected"),
     [
         (r"\frac{\mu_1 - 1}{u_2}", (mu1 - 1) / u2),
@@ -89,7 +90,7 @@ def test_blocks_make_one_matrix():
     assert side() == expected
 
 
-@pytest.mark.parametrize(
+@for_each(
     "latex",
     [
         *("", "x +", r"\frac{x}", r"\mathbf{q} x", r"\frac{x}{0}", r"\mathbf{M} + x", r"x / \mathbf{u}"),

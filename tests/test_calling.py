@@ -357,8 +357,8 @@ def test_tensors_need_what_speaks_for_them(monkeypatch):
         optics.scale(1.0, Tensor())
 
 
-@pytest.mark.parametrize("function", [optics.scale, projection.mu_from_center, correlation.epipoles])
-@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.complex128, object])
+@for_each("function", [optics.scale, projection.mu_from_center, correlation.epipoles])
+@for_each("dtype", [np.float32, np.float64, np.complex128, object])
 def test_a_single_point_is_written_to_out_by_the_numpy_source_as_well(function, dtype):
     source = without_twin(function)
     signature = function.__globals__[f"_{function.__name__.upper()}_SIGNATURE"]

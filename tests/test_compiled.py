@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from cases import for_each
 
 import algebroproj
 from algebroproj._runtime.backend import calls
@@ -213,8 +214,8 @@ def test_a_short_call_leaves_to_numpy_what_needs_preparation(kernel, prepared):
     assert calls[twin_of(kernel)](*prepared(*arguments_of(kernel, batch=(6,)))) is None
 
 
-@pytest.mark.parametrize("name", ["projection.project", "optics.scale", "correlation.epipoles", "critical.invariants"])
-@pytest.mark.parametrize("batch", [(), (0,), (1,), (7,), (600,), (3, 1, 5), (2, 0)])
+@for_each("name", ["projection.project", "optics.scale", "correlation.epipoles", "critical.invariants"])
+@for_each("batch", [(), (0,), (1,), (7,), (600,), (3, 1, 5), (2, 0)])
 def test_a_short_call_gives_what_numpy_gives(name, batch):
     kernel = KERNELS[name]
     points = math.prod(batch)

@@ -403,7 +403,7 @@ FORGERIES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "forge"), FORGERIES.values(), ids=FORGERIES)
+@for_each(("name", "forge"), FORGERIES.values())
 def test_forged_evidence_is_rejected(records, name, forge):
     forged = copy.deepcopy(records[name])
     forge(forged)
@@ -589,7 +589,7 @@ OTHER_DERIVATIVES = {
 }
 
 
-@pytest.mark.parametrize(("name", "forge"), OTHER_DERIVATIVES.values(), ids=OTHER_DERIVATIVES)
+@for_each(("name", "forge"), OTHER_DERIVATIVES.values())
 def test_forged_derivatives_are_rejected(name, forge):
     kind, form, letter, direction, true, _, letters = DERIVATIVES[name]
     forged = record_of(f"{kind}({form}, {letter}, {direction})", true, dict(letters))

@@ -689,7 +689,7 @@ def false_claim(instead, number="1.2"):
 TRUE = equal("x + y", "y + x")
 
 
-@pytest.mark.parametrize(
+@for_each(
     "ledger",
     [
         book(),
@@ -727,7 +727,7 @@ def test_a_claim_that_differs_by_a_blank_is_no_second_claim():
 # Honest answers of unusual form
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("lhs", "rhs", "hypotheses"),
     [
         ("α + Matrix", "Matrix + α", []),

@@ -250,8 +250,8 @@ def test_the_trace_of_what_is_zero_is_zero_if_it_is_square(shape, holds):
             checking._multiple(algebra, shapes, multiple, zeros)
 
 
-@pytest.mark.parametrize("size", [1, 2, 3, 4])
-@pytest.mark.parametrize("name", [name for name in RULES if "adjugate" in name or "inverse" in name])
+@for_each("size", [1, 2, 3, 4])
+@for_each("name", [name for name in RULES if "adjugate" in name or "inverse" in name])
 def test_definitions_hold_for_explicit_matrices(name, size):
     matrix = sympy.Matrix(size, size, lambda i, j: (i + 2) ** j + (i == j))
     text = RULES[name].replace("(n)", f"({size})")
@@ -259,9 +259,9 @@ def test_definitions_hold_for_explicit_matrices(name, size):
     assert value == 0 or value.is_zero_matrix
 
 
-@pytest.mark.parametrize("inner", [1, 2, 3])
-@pytest.mark.parametrize("size", [1, 2, 3])
-@pytest.mark.parametrize("name", ["determinant of a product", "determinant of a rank-one update", "Schur complements"])
+@for_each("inner", [1, 2, 3])
+@for_each("size", [1, 2, 3])
+@for_each("name", ["determinant of a product", "determinant of a rank-one update", "Schur complements"])
 def test_laws_of_determinants_hold_for_explicit_matrices(name, size, inner):
     generator = random.Random(size + 10 * inner)
     of_vectors, of_blocks = "rank-one" in name, "Schur" in name
@@ -876,7 +876,7 @@ ERRORS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("ask", "message"), ERRORS.values(), ids=ERRORS)
+@for_each(("ask", "message"), ERRORS.values())
 def test_bad_input_gets_a_named_error(ask, message):
     with pytest.raises(LetterError, match=re.escape(message)):
         ask()

@@ -78,9 +78,7 @@ def test_a_question_of_another_form_is_an_error_and_no_traceback(entry, value):
     assert told(**asked).keys() & {"error", "verdict"}
 
 
-@pytest.mark.parametrize(
-    "question", ["", "null", "[]", "{}", "5", '{"do": "eval"}', '{"do": []}', "{" * 99999, "[" * 99999]
-)
+@for_each("question", ["", "null", "[]", "{}", "5", '{"do": "eval"}', '{"do": []}', "{" * 99999, "[" * 99999])
 def test_what_is_no_question_is_an_error_and_no_traceback(question):
     assert json.loads(answer(question)).keys() == {"error"}
 

@@ -5,6 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -337,7 +338,7 @@ def test_an_abbreviation_is_computed_once_however_often_it_is_used():
     assert [step.operator for step in program.steps].count("+") == 1
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("where", "form", "derived"),
     [
         ({u: x * y, v: x * y}, u + v, 2 * x * y),
@@ -349,7 +350,6 @@ def test_an_abbreviation_is_computed_once_however_often_it_is_used():
         ({u: x * y, v: x + y, w: x * y}, u + v + w, 2 * x * y + x + y),
         ({u: x + y}, x, x),
     ],
-    ids=str,
 )
 def test_abbreviations_may_be_equal_opposite_trivial_or_unused(where, form, derived):
     program = of_xy(derived, form, where).plain

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from cases import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -115,7 +116,7 @@ def nested(*operators):
     return lines_of(left) + lines_of(right)
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("operators", "left", "right"),
     [
         ("++", "x + y + z", "x + (y + z)"),

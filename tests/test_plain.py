@@ -147,8 +147,8 @@ def test_the_interface_is_that_of_the_function(name):
     assert function.__doc__ in plain.__doc__
 
 
-@pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.correlation_matrix"])
-@pytest.mark.parametrize("count", [0, 1, 31, 32, 33, 64, 129, 20_000])
+@for_each("name", ["projection.projection_matrix", "correlation.correlation_matrix"])
+@for_each("count", [0, 1, 31, 32, 33, 64, 129, 20_000])
 def test_batches_of_any_length_and_memory_of_any_layout(name, count):
     kernel = KERNELS[name]
     function = plain_of(kernel)
@@ -304,7 +304,7 @@ CALL(f, 32, (const real (*)[2])data[0] + first, (real (*)[1])data[1] + first)
 """
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("old", "new"),
     [
         ("in0)[2]", "in0)[3]"),

@@ -5,6 +5,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from cases import for_each
 
 import algebroproj
 from algebroproj import optics, orientation, projection
@@ -127,8 +128,8 @@ def test_results_are_written_where_the_arguments_were():
     assert np.array_equal(rows[:, 4:7], expected)
 
 
-@pytest.mark.parametrize("part", [slice(0, 5), slice(1, 6), slice(2, 7), slice(4, None, -1), slice(0, 10, 2)])
-@pytest.mark.parametrize("size", [1.0, 1e-200])
+@for_each("part", [slice(0, 5), slice(1, 6), slice(2, 7), slice(4, None, -1), slice(0, 10, 2)])
+@for_each("size", [1.0, 1e-200])
 def test_results_are_written_over_arguments(part, size):
     """Arrays in the usual layout are written at once, unless they share memory with an argument."""
     memory = np.linspace(1, 2, 10) * size

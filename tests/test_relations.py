@@ -108,7 +108,7 @@ WIDER = {
 """Assumptions that do not suffice, or that the point of a refutation violates."""
 
 
-@pytest.mark.parametrize(("name", "given"), [(name, given) for name in WIDER for given in WIDER[name]])
+@for_each(("name", "given"), [(name, given) for name in WIDER for given in WIDER[name]])
 def test_an_assumption_that_is_dropped_or_a_range_that_is_wider_is_refused(records, name, given):
     record = records[name]
     assert replay_claim(forged(record)).status == "replayed"

@@ -53,6 +53,7 @@ def planted(name, old, new):
     return SimpleNamespace(__name__="planted", **{module: SimpleNamespace(**{function_name: changed})})
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", NAMES[::15])
 def test_shipped_functions_are_verified(name, lowered):
     """Some of them, and with their compiled versions; a build does this for all."""

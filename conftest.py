@@ -155,6 +155,12 @@ def decided_here(monkeypatch):
     monkeypatch.setattr("algebroproj_sym.reading.judging.questions.outcomes", outcomes)
 
 
+@pytest.fixture
+def verdicts_alone(decided_here, monkeypatch):
+    """As `decided_here`; no change is looked for by which what does not follow would."""
+    monkeypatch.setattr("algebroproj_sym.reading.judging.deciding.MOST_ASKED", 0)
+
+
 @pytest.fixture(scope="session")
 def repository() -> Path:
     return Path(__file__).resolve().parent

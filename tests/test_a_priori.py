@@ -145,6 +145,7 @@ def ratios(chosen, found, point):
     ]
 
 
+@pytest.mark.sampled(3)
 def test_no_error_is_larger_than_its_bound(chosen):
     """Hill climbing over bits, from several points, never gets beyond the bound; it does get near."""
     found = analysis(straight_line(chosen))
@@ -448,7 +449,7 @@ def checker(made_once, tmp_path):
     return shutil.copytree(made_once("checker", compile_all), tmp_path / "checker")
 
 
-@pytest.mark.whole
+@pytest.mark.coq
 @needs_coq
 def test_coq_accepts_the_bounds_and_rejects_mutants(checker):
     """The theorems are accepted, rest on the listed axioms; mutants, wider ranges and singular points fail."""

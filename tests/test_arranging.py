@@ -5,6 +5,7 @@ import pickle
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -152,7 +153,7 @@ def test_a_name_that_is_also_a_symbol_explains_nothing(section):
     assert in_names(claim, "printed") is None
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("written", "expected"),
     [
         ("(A + B) * C", r"\left(\mathbf{A} + \mathbf{B}\right) \mathbf{C}"),

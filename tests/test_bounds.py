@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
@@ -83,8 +84,8 @@ def test_prove_refuses_what_is_too_large_by_name(made, message, argument):
 TOO_LARGE_FOR_CLAIMS = [name for name in LARGE if name not in ("many terms", "a huge matrix")]
 
 
-@pytest.mark.parametrize("name", TOO_LARGE_FOR_CLAIMS)
-@pytest.mark.parametrize("form", ["printed", "derived", "corrected", "constraints", "nonzero", "where"])
+@for_each("name", TOO_LARGE_FOR_CLAIMS)
+@for_each("form", ["printed", "derived", "corrected", "constraints", "nonzero", "where"])
 def test_a_claim_refuses_what_is_too_large_by_name(name, form):
     made, message = LARGE[name]
     value = made()
@@ -162,7 +163,7 @@ def test_witnesses_count_towards_the_time_limit(tmp_path):
     assert "witness, x, position 1: expected an operator" in result.output
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("given", "message"),
     [
         ({"z": 1}, r"witness: expected values for symbols that occur \(x, y\), got one for 'z'"),
@@ -196,8 +197,8 @@ def test_a_witness_may_be_given_by_names_and_as_text(given):
     assert proof.certificate["witness"] == {"x": "1", "y": "1"}
 
 
-@pytest.mark.parametrize("argument", ["constraints", "nonzero"])
-@pytest.mark.parametrize("given", [x - 1, {x - 1}, 1, None, iter([x]), {x: 1}, "x"])
+@for_each("argument", ["constraints", "nonzero"])
+@for_each("given", [x - 1, {x - 1}, 1, None, iter([x]), {x: 1}, "x"])
 def test_conditions_are_a_sequence(argument, given):
     with pytest.raises(TypeError, match=f"{argument}: expected a sequence of expressions, got "):
         prove(x, y, **{argument: given})

@@ -114,6 +114,7 @@ def ulps(low, program):
     return np.array(found, dtype=float)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("name", ["normal_case.from_orientation", "correlation.correlation_from_cameras"])
 def test_no_entry_errs_much_more_than_with_twice_the_digits_throughout(name, lowered):
     """Not even where another one, so near several singularities that it may, errs by many units in the last place."""

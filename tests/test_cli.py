@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 
 from algebroproj_sym.cli import main
@@ -153,7 +154,7 @@ def test_a_claim_that_is_not_as_declared_exits_with_1(tmp_path):
     assert "1 verdict is not as declared" in result.output
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("arguments", "message"),
     [
         (("check", "nosuch"), "expected one of the papers bridges, critical1996, fundamentals1996,"),

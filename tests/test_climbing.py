@@ -13,6 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "benchmarks"))
 import climbing
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("name", "steps", "least"), [("seven", 12, 2500), ("five", 8, 20)])
 def test_no_count_is_wrong(name, steps, least):
     pairs = [pair for _, compared, _ in climbing.climb(name, steps, seed=3) for pair in compared]

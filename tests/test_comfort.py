@@ -11,6 +11,7 @@ from importlib import import_module
 
 import click
 import pytest
+from cases import for_each
 from click.testing import CliRunner
 
 from algebroproj_sym.cli import SUMMARIES, group, main, steps
@@ -82,7 +83,7 @@ def test_the_commands_that_help_shows_exist():
     assert set(shown) <= set(SUMMARIES)
 
 
-@pytest.mark.parametrize("command", list(SUMMARIES))
+@for_each("command", list(SUMMARIES))
 def test_every_command_has_a_help_with_one_sentence_first(command):
     output = run(command, "--help")
     assert output.exit_code == 0

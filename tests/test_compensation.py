@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from cases import for_each
 
 from algebroproj_sym.declaring import kernels
 from algebroproj_sym.generating.compensation import compensated, with_sums_rounded_twice
@@ -34,7 +35,7 @@ def erased(program):
     return calls, tuple(map(of, program.outputs))
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(12)
 @pytest.mark.parametrize("throughout", [False, True])
 @pytest.mark.parametrize("name", [name for name in NAMES if name != "critical.quadric"])
 def test_without_changes_of_digits_the_program_is_the_one_it_was(name, throughout, lowered):
@@ -84,7 +85,7 @@ def test_sums_that_cannot_cancel_stay_as_they_are():
 SQUARES = Step("a", "*", ("x", "x")), Step("b", "*", ("y", "y")), Step("c", "*", ("z", "z"))
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("steps", "cancels"),
     [
         ((*SQUARES, Step("d", "+", ("a", "b")), Step("e", "+", ("d", "c"))), False),

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from cases import for_each
 
 import algebroproj
 from algebroproj._runtime.backend import calls
@@ -58,6 +59,7 @@ def assert_same(kernel, arguments, **options):
     assert all(same_bits(np.asarray(c), np.asarray(s)) for c, s in zip(compiled, source, strict=True))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", KERNELS)
 def test_the_bits_are_those_of_the_numpy_source(name):
     assert_same(KERNELS[name], arguments_of(KERNELS[name]))
@@ -170,7 +172,7 @@ def test_points_that_make_up_no_block(name):
         assert_same(KERNELS[name], [a[start:stop] for a in arguments])
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(12)
 @pytest.mark.parametrize("name", [name for name, kernel in KERNELS.items() if len(kernel.arguments) > 1])
 def test_one_point_of_an_argument_for_all_of_the_others(name):
     arguments = arguments_of(KERNELS[name], batch=(270,))
@@ -212,8 +214,8 @@ def test_a_short_call_leaves_to_numpy_what_needs_preparation(kernel, prepared):
     assert calls[twin_of(kernel)](*prepared(*arguments_of(kernel, batch=(6,)))) is None
 
 
-@pytest.mark.parametrize("name", ["projection.project", "optics.scale", "correlation.epipoles", "critical.invariants"])
-@pytest.mark.parametrize("batch", [(), (0,), (1,), (7,), (600,), (3, 1, 5), (2, 0)])
+@for_each("name", ["projection.project", "optics.scale", "correlation.epipoles", "critical.invariants"])
+@for_each("batch", [(), (0,), (1,), (7,), (600,), (3, 1, 5), (2, 0)])
 def test_a_short_call_gives_what_numpy_gives(name, batch):
     kernel = KERNELS[name]
     points = math.prod(batch)

@@ -6,6 +6,7 @@ from pathlib import Path
 import mpmath
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -196,7 +197,7 @@ def test_expressions_of_sympy_say_themselves_that_they_are_complex():
     assert prove(sympy.re(z), z).counterexample.keys() == {sympy.Symbol("z_re"), sympy.Symbol("z_im")}
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("lhs", "options", "error", "message"),
     [
         ("asin(z)", {"complex": ["z"]}, NotRationalError, "asin is known here of real numbers alone, got asin(z)"),

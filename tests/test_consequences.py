@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import flint
 import pytest
+from cases import for_each
 
 from algebroproj_sym.proving.consequences import Case, End, Positive, Step, Zeros, follows
 
@@ -31,8 +32,8 @@ def test_what_follows_is_granted():
     assert holds(Case(None, (), replace(END, cofactors={1: x**2})))
 
 
-@pytest.mark.parametrize("place", [0, 1])
-@pytest.mark.parametrize(
+@for_each("place", [0, 1])
+@for_each(
     "change",
     [
         lambda step: {"polynomial": step.polynomial + 1},

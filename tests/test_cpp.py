@@ -44,7 +44,7 @@ def files(every):
     return render(every)
 
 
-@pytest.mark.sampled(6)
+@pytest.mark.sampled(18)
 @pytest.mark.parametrize("name", KERNELS)
 def test_the_source_of_every_function_is_proved(name, lowered, files):
     assert cpp_source_is_proved(lowered(name), files)

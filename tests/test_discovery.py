@@ -241,7 +241,7 @@ def test_every_derivation_module_of_the_papers_declares_a_section(repository):
     assert found == files - {"s4_example"}
 
 
-@pytest.mark.parametrize("step", [5, pytest.param(1, marks=pytest.mark.whole)])
+@pytest.mark.parametrize("step", [20, pytest.param(4, marks=pytest.mark.whole)])
 @pytest.mark.parametrize("paper", installed_papers())
 def test_what_a_selector_names_is_found_in_the_modules_that_name_it(paper, step):
     """Importing the modules whose text may declare it finds all or nothing; after nothing, all modules are imported."""

@@ -4,6 +4,7 @@ import re
 
 import pytest
 import sympy
+from cases import for_each
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import judge, select
@@ -144,7 +145,7 @@ def test_what_is_too_long_to_be_read_is_described(section):
     assert len(formula) < 200
 
 
-@pytest.mark.parametrize("claim", select(["fundamentals1996:1.3"]), ids=lambda claim: claim.number)
+@for_each("claim", select(["fundamentals1996:1.3"]))
 def test_every_claim_of_section_1_3_shows_itself(claim):
     heading, formula, rest = paragraphs(claim)
     assert heading.replace("\\", "") == f"**({claim.number})** {claim.title}: **{claim.expected}**"

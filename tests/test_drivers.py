@@ -4,7 +4,8 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from cases import for_each
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from algebroproj import critical, metric
@@ -68,6 +69,7 @@ def exact(matrix):
 
 
 @pytest.mark.parametrize("kind", NORMAL_FORMS)
+@settings(max_examples=settings.default.max_examples // 3)
 @given(regular, st.lists(integers, min_size=3, max_size=3), st.sampled_from([-2, -1, 1, 3]))
 def test_the_kind_of_a_quadric_is_affinely_invariant(kind, linear, shift, factor):
     change = np.eye(4, dtype=int)
@@ -130,6 +132,7 @@ def test_a_sphere_is_an_ellipsoid_of_any_size(radius):
     assert str(critical.classify(np.diag([-(radius**2), 1, 1, 1])).kind) == "ellipsoid"
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("factor", [1e-300, 1e-100, -1.0, 1e100, 1e300])
 @pytest.mark.parametrize("kind", NORMAL_FORMS)
 def test_a_factor_does_not_change_the_kind(kind, factor):
@@ -268,7 +271,7 @@ def test_the_covariance_is_that_of_repeated_measurements():
     assert np.mean([result.s0**2 for result in noisy]) == pytest.approx(sigma**2, rel=0.15)
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("change", "error", "message"),
     [
         (

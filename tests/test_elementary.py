@@ -251,6 +251,7 @@ CUBE_ROOT = kernel_of(
 DIFFERENCE = kernel_of(vector(root, logarithm), [declaring.sqrt(root, x - y), declaring.log(logarithm, x + y)])
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("kernel", [CUBE_ROOT, DIFFERENCE], ids=["composed", "with a domain"])
 def test_a_function_that_calls_them_is_proved_accurate_and_bounded(kernel, tmp_path):
     low = lower(kernel)

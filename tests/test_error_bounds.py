@@ -27,6 +27,7 @@ def bounded(program, samples):
         return run(program, {name: Bounded(value, np.zeros_like(value)) for name, value in values.items()})
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", sorted(set(KERNELS) - HEAVY))
 def test_a_bound_is_never_below_the_error_and_seldom_far_above(name, lowered):
     low = lowered(name)

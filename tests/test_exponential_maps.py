@@ -8,6 +8,7 @@ from pathlib import Path
 import mpmath
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -122,7 +123,7 @@ def records():
     return {name: record_of(*item) for name, item in ITEMS.items()}
 
 
-@pytest.mark.parametrize("name", ITEMS)
+@for_each("name", ITEMS)
 def test_the_verdict_is_right_and_replayed(records, name):
     record = records[name]
     assert (record["verdict"], record["reason"]) == ("refuted" if name.endswith("false") else "proved", None)
@@ -218,7 +219,7 @@ def difference(record, point):
     )
 
 
-@pytest.mark.parametrize("name", ITEMS)
+@for_each("name", ITEMS)
 def test_series_and_points_agree_with_mpmath(records, name):
     record = records[name]
     with mpmath.workdps(40):
@@ -402,7 +403,7 @@ FORGERIES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "forge"), FORGERIES.values(), ids=FORGERIES)
+@for_each(("name", "forge"), FORGERIES.values())
 def test_forged_evidence_is_rejected(records, name, forge):
     forged = copy.deepcopy(records[name])
     forge(forged)
@@ -443,6 +444,7 @@ def test_a_constraint_may_name_a_rotation():
     assert prove_texts("R*v", "-v", letters, constraints=["R = exp(skew(v))"]).verdict == "refuted"
 
 
+@pytest.mark.whole
 def test_a_long_product_that_words_do_not_prove_is_open_and_says_why():
     left, right = "jl(2*v)*exp(skew(w))*exp(skew(v))", "jl(v)*(eye(3) + exp(skew(v)))/2*exp(skew(w))*exp(skew(v))**3"
     found = prove_texts(left, f"{right}*exp(skew(-v))**2", {"v": "3x1", "w": "3x1"})
@@ -587,7 +589,7 @@ OTHER_DERIVATIVES = {
 }
 
 
-@pytest.mark.parametrize(("name", "forge"), OTHER_DERIVATIVES.values(), ids=OTHER_DERIVATIVES)
+@for_each(("name", "forge"), OTHER_DERIVATIVES.values())
 def test_forged_derivatives_are_rejected(name, forge):
     kind, form, letter, direction, true, _, letters = DERIVATIVES[name]
     forged = record_of(f"{kind}({form}, {letter}, {direction})", true, dict(letters))

@@ -12,6 +12,7 @@ from functools import cache, lru_cache
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
@@ -554,7 +555,7 @@ def test_no_field_can_say_anything_else_in_coq(records, path):
     assert tried
 
 
-@pytest.mark.parametrize("payload", PAYLOADS)
+@for_each("payload", PAYLOADS)
 def test_no_key_can_say_anything_else_in_coq(records, payload):
     for record in copy.deepcopy(records):
         certificate = record["certificate"]

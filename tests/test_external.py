@@ -187,7 +187,7 @@ def case(file, item):
     return pytest.param(file, item, id=f"{file}: {item['name']}", marks=marks)
 
 
-@pytest.mark.sampled(8)
+@pytest.mark.sampled(16)
 @pytest.mark.parametrize(("file", "item"), [case(*entry) for entry in ITEMS])
 def test_every_verdict_is_the_declared_one_and_rests_on_evidence(file, item):
     arguments = {"constraints": item.get("constraints", ()), "nonzero": item.get("nonzero", ())}

@@ -5,6 +5,7 @@ from fractions import Fraction
 import array_api_strict
 import numpy as np
 import pytest
+from cases import for_each
 
 from algebroproj import affine, collinearity, critical, hypotheses, metric, projection, space
 from algebroproj_sym.declaring import kernels
@@ -15,7 +16,7 @@ KERNELS = {kernel.qualified_name: kernel for kernel in kernels()}
 RATIONAL = [name for name, kernel in KERNELS.items() if not {stage.primitive for stage in kernel.stages} - {"let"}]
 
 
-@pytest.mark.parametrize("name", RATIONAL)
+@for_each("name", RATIONAL)
 def test_the_values_are_those_of_the_factors(name, lowered):
     low = lowered(name)
     generator = np.random.default_rng(3)

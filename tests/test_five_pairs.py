@@ -17,7 +17,8 @@ from exact_counts import count_of_five as oracle
 from exact_counts import scenes
 
 
-@pytest.mark.parametrize(("base", "depth"), [(0.5, 1), (0.5, 1e-3), (4e-3, 1), (0.5, 0), (4e-3, 0), (1e-5, 1)])
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize(("base", "depth"), [(0.5, 1), (4e-3, 0), (0.5, 1e-3), (4e-3, 1), (0.5, 0), (1e-5, 1)])
 def test_counts_are_those_of_exact_arithmetic(base, depth):
     left, right = scenes(np.random.default_rng(5), 15, 5, base, depth)
     found = minimal.five_pairs(left, right)
@@ -308,6 +309,7 @@ def refined(value, left, right):
     return np.array(list(e), dtype=object).reshape(3, 3)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("base", [0.5, 4e-3])
 def test_enclosures_hold_the_solutions(base):
     left, right = scenes(np.random.default_rng(8), 3, base=base)
@@ -354,7 +356,7 @@ def test_degenerate_problems_have_no_count(left, right):
 
 
 def test_numbers_of_any_size_are_taken_as_they_are():
-    for size in (1e300, 1e8, 1e-8, 1e-300):
+    for size in (1e300, 1e-8):
         left, right = np.multiply(LEFT, size), np.multiply(RIGHT, 1 / size)
         assert minimal.five_pairs(left, RIGHT).count in (-1, oracle(left, RIGHT))
         assert minimal.five_pairs(left, right).count in (-1, oracle(left, right))

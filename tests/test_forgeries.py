@@ -11,6 +11,7 @@ import json
 from fractions import Fraction
 
 import pytest
+from cases import for_each
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -688,7 +689,7 @@ def false_claim(instead, number="1.2"):
 TRUE = equal("x + y", "y + x")
 
 
-@pytest.mark.parametrize(
+@for_each(
     "ledger",
     [
         book(),
@@ -726,7 +727,7 @@ def test_a_claim_that_differs_by_a_blank_is_no_second_claim():
 # Honest answers of unusual form
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("lhs", "rhs", "hypotheses"),
     [
         ("α + Matrix", "Matrix + α", []),
@@ -875,10 +876,8 @@ def test_what_is_too_large_is_not_replayed(record, monkeypatch):
     assert replay_claim(record).status in ("not replayable", "rejected")
 
 
-@pytest.mark.parametrize(
-    "place", ["paper", "number", "verdict", "kind", "instead", "certificate", "where", "quote", "setting"]
-)
-@pytest.mark.parametrize("value", [[], ["1.1"], {}, {"a": [[[[]]]]}, 7, True, None, 1.5, "", "\ud800"])
+@for_each("place", ["paper", "number", "verdict", "kind", "instead", "certificate", "where", "quote", "setting"])
+@for_each("value", [[], ["1.1"], {}, {"a": [[[[]]]]}, 7, True, None, 1.5, "", "\ud800"])
 def test_any_value_anywhere_gives_an_answer(place, value):
     for honest in (TRUE, false_claim("1.1")):
         forged = {**honest, place: value}

@@ -7,6 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
+from cases import for_each
 
 import algebroproj
 from algebroproj import (
@@ -144,9 +145,7 @@ TRIGONOMETRIC = {
 }
 REAL_DTYPES = [np.float32, np.float64, np.longdouble]
 
-every_function = pytest.mark.parametrize(
-    "function", FUNCTIONS, ids=lambda f: f"{f.__module__.split('.')[-1]}.{f.__name__}"
-)
+every_function = for_each("function", FUNCTIONS)
 
 
 def draw(function, *batches, dtype=np.float64):
@@ -195,7 +194,7 @@ def test_an_empty_batch_gives_empty_results(function):
 
 
 @every_function
-@pytest.mark.parametrize("dtype", [*REAL_DTYPES, np.complex64, np.complex128])
+@for_each("dtype", [*REAL_DTYPES, np.complex64, np.complex128])
 def test_the_dtype_is_preserved(function, dtype):
     arguments = draw(function, dtype=dtype)
     if function is metric.rotations_from_correlation and dtype not in REAL_DTYPES:
@@ -231,7 +230,7 @@ def test_arguments_are_not_changed(function):
         np.testing.assert_array_equal(a, b)
 
 
-@pytest.mark.parametrize("function", [f for f in CONTRACT if f not in TRIGONOMETRIC], ids=lambda f: f.__name__)
+@for_each("function", [f for f in CONTRACT if f not in TRIGONOMETRIC])
 def test_fractions_mpmath_and_symbols_pass_through_the_same_source(function):
     floats = [np.round(a * 16) / 16 for a in draw(function)]
     exact = [np.vectorize(Fraction, otypes=[object])(a) for a in floats]

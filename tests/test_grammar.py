@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -55,7 +56,7 @@ OTHERS = {
 }
 
 
-@pytest.mark.parametrize(("shown", "value"), [*NUMBERS.items(), *EXPRESSIONS.items(), *OTHERS.items()])
+@for_each(("shown", "value"), [*NUMBERS.items(), *EXPRESSIONS.items(), *OTHERS.items()])
 def test_what_is_not_rational_is_rejected_by_name(shown, value):
     with pytest.raises(NotRationalError) as caught:
         rational(value, "the left side")
@@ -63,7 +64,7 @@ def test_what_is_not_rational_is_rejected_by_name(shown, value):
     assert shown in str(caught.value).partition("got ")[2]
 
 
-@pytest.mark.parametrize(
+@for_each(
     "inside",
     [
         lambda bad: x + bad,
@@ -73,7 +74,7 @@ def test_what_is_not_rational_is_rejected_by_name(shown, value):
         lambda bad: sympy.Matrix([[x, y], [z, over(x, bad + y)]]),
     ],
 )
-@pytest.mark.parametrize("bad", [sympy.Float("0.5"), sympy.sqrt(2), sympy.pi, sympy.I, sympy.sin(x), sympy.sqrt(x)])
+@for_each("bad", [sympy.Float("0.5"), sympy.sqrt(2), sympy.pi, sympy.I, sympy.sin(x), sympy.sqrt(x)])
 def test_what_is_not_rational_is_found_inside(inside, bad):
     with pytest.raises(NotRationalError, match="rhs: expected a rational expression over Q") as caught:
         rational(inside(bad), "rhs")
@@ -101,9 +102,7 @@ def test_exact_numbers_are_accepted(number, expected):
     assert accepted == expected
 
 
-@pytest.mark.parametrize(
-    "expression", [x, x + y, x - y * z, x**5 / y, (x + 1) ** -2, over(x, over(y, z)), sympy.Dummy("d"), x / 3]
-)
+@for_each("expression", [x, x + y, x - y * z, x**5 / y, (x + 1) ** -2, over(x, over(y, z)), sympy.Dummy("d"), x / 3])
 def test_rational_expressions_are_accepted_as_they_are(expression):
     assert rational(expression, "lhs") == expression
 

@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -122,7 +123,7 @@ def test_an_expression_and_its_negative_are_one_node(expression):
     assert sign == -other_sign or graph.nodes[place] == Node("number")
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("first", "second"),
     [
         (a - b, b - a),
@@ -134,7 +135,6 @@ def test_an_expression_and_its_negative_are_one_node(expression):
         (sympy.Integer(-3), sympy.Integer(3)),
         (-a / 2, a / 2),
     ],
-    ids=str,
 )
 def test_opposite_expressions_are_one_node_with_two_signs(first, second):
     _, ((sign, place), (other_sign, other_place)) = entered(first, second)

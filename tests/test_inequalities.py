@@ -6,6 +6,7 @@ import re
 
 import pytest
 import sympy
+from cases import for_each
 from real_corpora import fails_somewhere, items, question, rejected
 
 from algebroproj_sym import prove
@@ -173,7 +174,7 @@ FALSE_BY_A_TRAP = {
 }
 
 
-@pytest.mark.parametrize("trap", FALSE_BY_A_TRAP.values(), ids=FALSE_BY_A_TRAP)
+@for_each("trap", FALSE_BY_A_TRAP.values())
 def test_a_trap_is_refuted(trap):
     lhs, relation, rhs, given = trap
     found = decided(question({"lhs": lhs, "relation": relation, "rhs": rhs, "assumptions": given}))
@@ -202,7 +203,7 @@ x, y = sympy.symbols("x y")
 p = sympy.Symbol("p", positive=True)
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("lhs", "relation", "rhs", "options", "verdict"),
     [
         ("x^2 + 1", ">", "0", {}, "proved"),

@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import DeclarationError, kernels
@@ -118,8 +119,8 @@ def test_every_argument_has_an_example_and_a_description_and_nothing_else_has(pa
         kernel(**{part: value})
 
 
-@pytest.mark.parametrize("inexact", [0.5, 0.5 * x, sympy.sqrt(x)])
-@pytest.mark.parametrize("part", ["derived", "form", "where"])
+@for_each("inexact", [0.5, 0.5 * x, sympy.sqrt(x)])
+@for_each("part", ["derived", "form", "where"])
 def test_floats_and_roots_are_refused(part, inexact):
     with pytest.raises(NotRationalError, match=rf"^kernel shapes\.area, {part}: expected"):
         kernel(**{part: {a: inexact} if part == "where" else inexact})

@@ -7,7 +7,8 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given
+from cases import for_each
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import BlockMatrix, Determinant, Identity, MatrixSymbol, Trace
 
@@ -130,6 +131,7 @@ def package(tmp_path_factory):
 
 
 @pytest.mark.parametrize("name", ORACLES)
+@settings(max_examples=settings.default.max_examples // 3)
 @given(data=st.data())
 def test_on_fractions_a_function_gives_what_matrices_give(name, package, data):
     arguments = drawn(data, KERNELS[name])
@@ -141,6 +143,7 @@ def test_on_fractions_a_function_gives_what_matrices_give(name, package, data):
     assert (found == expected).all()
 
 
+@pytest.mark.sampled(3)
 @every_kernel
 def test_all_sources_are_proved_and_errors_are_within_the_bound(name, package):
     verified = verify(lowered_here(name), package, 6)
@@ -295,7 +298,7 @@ def test_other_repetitions_are_refused_with_what_is_taken(rows):
         Section("demo", "1", "D").kernel("demo.f", "F.", arguments={"M": matrix}, derived=matrix, **told)
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("derived", "properties", "message"),
     [
         (A * S * A.T * MatrixSymbol("B", 2, 2), {}, "derived: expected the letters of the arguments, got also B"),

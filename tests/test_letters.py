@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -145,14 +146,14 @@ def test_there_are_many_true_ones_each_beside_a_false_one():
     assert len(ITEMS) >= 400
 
 
-@pytest.mark.parametrize("item", ITEMS, ids=[item["name"] for item in ITEMS])
+@for_each("item", ITEMS)
 def test_the_verdict_is_right_and_replayed(records, item):
     record = records[item["name"]]
     assert (record["verdict"], record["reason"]) == (item["expected"], None)
     assert (replay_identity(record).status, replay_identity(record).reason) == ("replayed", "")
 
 
-@pytest.mark.parametrize("item", ITEMS, ids=[item["name"] for item in ITEMS])
+@for_each("item", ITEMS)
 def test_explicit_matrices_agree(records, item):
     record = records[item["name"]]
     refuted = record["verdict"] == "refuted"
@@ -208,7 +209,7 @@ DROPPED = [
 ]
 
 
-@pytest.mark.parametrize(("item", "name"), DROPPED, ids=[f"{item['name']}, {name}" for item, name in DROPPED])
+@for_each(("item", "name"), DROPPED)
 def test_without_a_property_a_proof_is_rejected_or_as_true(records, item, name):
     letters = item["letters"] | {name: item["letters"][name].partition(" ")[0]}
     forged = records[item["name"]] | {"letters": letters}
@@ -249,8 +250,8 @@ def test_the_trace_of_what_is_zero_is_zero_if_it_is_square(shape, holds):
             checking._multiple(algebra, shapes, multiple, zeros)
 
 
-@pytest.mark.parametrize("size", [1, 2, 3, 4])
-@pytest.mark.parametrize("name", [name for name in RULES if "adjugate" in name or "inverse" in name])
+@for_each("size", [1, 2, 3, 4])
+@for_each("name", [name for name in RULES if "adjugate" in name or "inverse" in name])
 def test_definitions_hold_for_explicit_matrices(name, size):
     matrix = sympy.Matrix(size, size, lambda i, j: (i + 2) ** j + (i == j))
     text = RULES[name].replace("(n)", f"({size})")
@@ -258,9 +259,9 @@ def test_definitions_hold_for_explicit_matrices(name, size):
     assert value == 0 or value.is_zero_matrix
 
 
-@pytest.mark.parametrize("inner", [1, 2, 3])
-@pytest.mark.parametrize("size", [1, 2, 3])
-@pytest.mark.parametrize("name", ["determinant of a product", "determinant of a rank-one update", "Schur complements"])
+@for_each("inner", [1, 2, 3])
+@for_each("size", [1, 2, 3])
+@for_each("name", ["determinant of a product", "determinant of a rank-one update", "Schur complements"])
 def test_laws_of_determinants_hold_for_explicit_matrices(name, size, inner):
     generator = random.Random(size + 10 * inner)
     of_vectors, of_blocks = "rank-one" in name, "Schur" in name
@@ -513,7 +514,7 @@ FORGERIES = {
 }
 
 
-@pytest.mark.parametrize(("name", "forge"), FORGERIES.values(), ids=FORGERIES)
+@for_each(("name", "forge"), FORGERIES.values())
 def test_forged_evidence_is_rejected(true_records, name, forge):
     forged = copy.deepcopy(true_records[name])
     forge(forged)
@@ -875,7 +876,7 @@ ERRORS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("ask", "message"), ERRORS.values(), ids=ERRORS)
+@for_each(("ask", "message"), ERRORS.values())
 def test_bad_input_gets_a_named_error(ask, message):
     with pytest.raises(LetterError, match=re.escape(message)):
         ask()
@@ -1012,6 +1013,7 @@ def test_the_example_has_right_and_wrong_ones_each_with_its_source(claims):
     assert len(slips) >= 30
 
 
+@pytest.mark.whole
 @pytest.mark.usefixtures("decided_here")
 def test_the_command_decides_and_replays_a_file(tmp_path, repository):
     path = repository / "examples" / "rotations" / "claims.json"
@@ -1083,6 +1085,7 @@ def test_entries_that_would_cost_too_much_are_left():
     )
 
 
+@pytest.mark.whole
 def test_products_of_exponentials_end_and_say_what_was_tried():
     letters = {"a": "3x1 unit", "b": "3x1 unit"}
     turned = "exp(x*skew(a))*exp(y*skew(b))*exp(-x*skew(a))*exp(-y*skew(exp(x*skew(a))*b))"

@@ -4,6 +4,7 @@ import re
 
 import pytest
 import sympy
+from cases import for_each
 from sympy import Determinant, MatrixSymbol
 
 from algebroproj_sym import Section
@@ -30,7 +31,7 @@ def verdict(kind, printed, derived, **options):
     return judge(claim).verdict
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("kind", "printed", "derived", "options", "expected"),
     [
         ("rank", 2, Skew(t) * R, {"kernel": [R.T * t], "properties": {R: "rotation"}}, "proved"),
@@ -116,7 +117,7 @@ def test_the_replay_writes_the_letters_out(kind, printed, derived, options):
     assert replay_claim(record_of(kind, printed, derived, **options)).status == "replayed"
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("declared", "forged", "reason"),
     [
         (RANK, {"derived": "R*skew(t)"}, "the entries are not those"),

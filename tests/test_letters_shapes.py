@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from cases import for_each
 
 from algebroproj_sym.expressions.letters.parsing import parse_letters
 from algebroproj_sym.expressions.letters.terms import LetterError
@@ -73,7 +74,7 @@ def shape_of(computed, *arrays):
     return found or (1, 1)
 
 
-@pytest.mark.parametrize("text", COMPUTED)
+@for_each("text", COMPUTED)
 def test_parts_fit_together_exactly_where_numpy_can_compute_with_them(text):
     fits = 0
     for first in SHAPES:

@@ -15,6 +15,7 @@ from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
+from cases import for_each
 from click.testing import CliRunner
 
 from algebroproj_sym import prove
@@ -66,8 +67,8 @@ ENTRIES = {
 }
 
 
-@pytest.mark.parametrize("entry", ENTRIES)
-@pytest.mark.parametrize("value", [None, 5, "?", [5], {"x": 5}])
+@for_each("entry", ENTRIES)
+@for_each("value", [None, 5, "?", [5], {"x": 5}])
 def test_a_question_of_another_form_is_an_error_and_no_traceback(entry, value):
     """Whatever is asked, it is told as JSON."""
     asked = {**ENTRIES, entry: value}
@@ -77,9 +78,7 @@ def test_a_question_of_another_form_is_an_error_and_no_traceback(entry, value):
     assert told(**asked).keys() & {"error", "verdict"}
 
 
-@pytest.mark.parametrize(
-    "question", ["", "null", "[]", "{}", "5", '{"do": "eval"}', '{"do": []}', "{" * 99999, "[" * 99999]
-)
+@for_each("question", ["", "null", "[]", "{}", "5", '{"do": "eval"}', '{"do": []}', "{" * 99999, "[" * 99999])
 def test_what_is_no_question_is_an_error_and_no_traceback(question):
     assert json.loads(answer(question)).keys() == {"error"}
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from cases import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -115,7 +116,7 @@ def nested(*operators):
     return lines_of(left) + lines_of(right)
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("operators", "left", "right"),
     [
         ("++", "x + y + z", "x + (y + z)"),
@@ -177,6 +178,7 @@ def test_lines_stay_readable():
     assert list(map(bits, executed(program, inputs))) == list(map(bits, run(program, inputs)))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", [kernel.qualified_name for kernel in kernels() if not kernel.stages])
 def test_the_kernels_of_the_papers_are_printed_to_the_bit(name, lowered):
     program = lowered(name).program

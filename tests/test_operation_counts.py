@@ -2,6 +2,7 @@
 
 import pytest
 import sympy
+from cases import for_each
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import kernels
@@ -28,7 +29,7 @@ def counted(derived, form=None, where=None):
     return derived_operations(kernel), lower(kernel).plain.operations().total()
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("expression", "count"),
     [
         (x, 0),
@@ -62,7 +63,6 @@ def counted(derived, form=None, where=None):
         (vector(x + y, x + y), 2),
         (Matrix([[x * y, x], [1 / y, -1]]), 2),
     ],
-    ids=str,
 )
 def test_operations_of_an_expression_as_written(expression, count):
     assert operations(expression) == count
@@ -97,6 +97,7 @@ def test_negations_of_the_program_are_counted():
     assert counted(-(x * y))[1] == 2
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize(
     "kernel", [kernel for kernel in kernels() if not kernel.stages], ids=lambda k: k.qualified_name
 )

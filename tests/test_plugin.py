@@ -113,6 +113,7 @@ def test_junit_xml_has_a_case_and_the_verdicts_for_each_claim(pytester, derivati
     assert cases["1.2"].find("failure") is None
 
 
+@pytest.mark.whole
 def test_workers_of_xdist_judge_the_claims(pytester, derivations):
     derivations(s1=LINES + WRONG)
     result = pytester.runpytest_subprocess("--claims", "-n", "1", "lines")

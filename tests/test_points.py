@@ -5,6 +5,7 @@ from itertools import islice
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -58,8 +59,8 @@ SOLVABLE = {
 }
 
 
-@pytest.mark.parametrize("constraints", SOLVABLE.values(), ids=SOLVABLE)
-@pytest.mark.parametrize("seed", range(3))
+@for_each("constraints", SOLVABLE.values())
+@for_each("seed", range(3))
 def test_points_satisfy_the_constraints(constraints, seed):
     found = list(rational_zeros(constraints, [x, y, z], seed, 40))
     assert found
@@ -86,8 +87,8 @@ UNSOLVABLE = {
 }
 
 
-@pytest.mark.parametrize("constraints", UNSOLVABLE.values(), ids=UNSOLVABLE)
-@pytest.mark.parametrize("seed", range(3))
+@for_each("constraints", UNSOLVABLE.values())
+@for_each("seed", range(3))
 def test_no_points_where_there_are_none(constraints, seed):
     assert list(rational_zeros(constraints, [x, y, z], seed, 60)) == []
 

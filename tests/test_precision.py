@@ -43,7 +43,7 @@ def exact(value):
     return mpmath.mpf(numerator) / denominator
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(8)
 @every_kernel
 def test_twice_the_digits(name, lowered, package):
     low = lowered(name)
@@ -58,7 +58,7 @@ def test_twice_the_digits(name, lowered, package):
             assert error <= mpmath.mpf(10) ** -29 * (abs(value) + sensitivity)
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(12)
 @every_kernel
 def test_bounds_hold_near_singularities_as_well(name, lowered, package):
     low = lowered(name)

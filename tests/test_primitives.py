@@ -7,6 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -366,8 +367,8 @@ def test_scalars_give_scalars_of_their_kind(function):
         assert all(np.shape(result) == () and result.dtype == number for result in results)
 
 
-@pytest.mark.parametrize("function", [solve, null_vector])
-@pytest.mark.parametrize("dtype", [np.float64, np.longdouble, np.complex64, object])
+@for_each("function", [solve, null_vector])
+@for_each("dtype", [np.float64, np.longdouble, np.complex64, object])
 def test_an_empty_batch_gives_empty_results(function, dtype):
     empty = np.ones((0, 3), dtype=dtype)
     results = function([empty, empty, empty], [empty, empty[:, :1], empty])
@@ -419,8 +420,8 @@ QUADRANTS = {
 }
 
 
-@pytest.mark.parametrize(("direction", "half_turns"), QUADRANTS.items(), ids=str)
-@pytest.mark.parametrize("length", [1e-200, 1.0, 3.7, 1e200])
+@for_each(("direction", "half_turns"), QUADRANTS.items())
+@for_each("length", [1e-200, 1.0, 3.7, 1e200])
 def test_the_angle_is_in_the_quadrant_of_the_direction(direction, half_turns, length):
     y, x = (component * length for component in direction)
     assert abs(arctan2(y, x) - half_turns * np.pi) <= 1e-15
@@ -442,8 +443,8 @@ def test_directions_keep_their_dtype(dtype):
     assert arctan2(np.ones(3, dtype), np.ones(3, dtype)).dtype == dtype
 
 
-@pytest.mark.parametrize("right", [(0, 0), (5, -7e9)])
-@pytest.mark.parametrize(
+@for_each("right", [(0, 0), (5, -7e9)])
+@for_each(
     ("matrix", "least"), [([[3, 0], [0, 2]], 1), ([[2, 1], [1, 1]], 0.5), ([[1, 2], [2, 4]], 0), ([[0, 5], [7, 0]], 1)]
 )
 def test_the_least_pivot_of_a_system_is_that_of_its_left_side_beside_the_largest_of_the_column(matrix, least, right):

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -213,16 +214,14 @@ def test_undefined_is_a_value_error():
     assert issubclass(UndefinedError, ValueError)
 
 
-@pytest.mark.parametrize(("lhs", "rhs"), [(x, x), (x, y), (x, 1), (1, 2)])
-@pytest.mark.parametrize("constraints", [(), (x - y,)])
+@for_each(("lhs", "rhs"), [(x, x), (x, y), (x, 1), (1, 2)])
+@for_each("constraints", [(), (x - y,)])
 def test_an_unknown_engine_is_refused_whatever_the_statement(lhs, rhs, constraints):
     with pytest.raises(ValueError, match="flint, sympy, got 'maple'"):
         prove(lhs, rhs, constraints=constraints, engine="maple")
 
 
-@pytest.mark.parametrize(
-    "bad", [0.5, sympy.Float(1) / 3 * x, sympy.sqrt(2), sympy.sin(x), sympy.pi, sympy.oo, "x", True]
-)
+@for_each("bad", [0.5, sympy.Float(1) / 3 * x, sympy.sqrt(2), sympy.sin(x), sympy.pi, sympy.oo, "x", True])
 def test_what_is_not_rational_is_refused_in_every_argument(bad):
     for argument, call in {
         "lhs": lambda: prove(bad, x),

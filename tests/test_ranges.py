@@ -5,6 +5,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from cases import for_each
 
 import algebroproj
 from algebroproj import optics, orientation, projection
@@ -49,6 +50,7 @@ def extreme(k, shape, generator):
     return generator.choice([-1.0, 1.0, 1.0, 0.0], shape, p=[0.4, 0.4, 0.15, 0.05]) * numbers
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", RATIONAL)
 def test_nothing_overflows_or_underflows_within_the_range(name, lowered):
     low = lowered(name)
@@ -126,8 +128,8 @@ def test_results_are_written_where_the_arguments_were():
     assert np.array_equal(rows[:, 4:7], expected)
 
 
-@pytest.mark.parametrize("part", [slice(0, 5), slice(1, 6), slice(2, 7), slice(4, None, -1), slice(0, 10, 2)])
-@pytest.mark.parametrize("size", [1.0, 1e-200])
+@for_each("part", [slice(0, 5), slice(1, 6), slice(2, 7), slice(4, None, -1), slice(0, 10, 2)])
+@for_each("size", [1.0, 1e-200])
 def test_results_are_written_over_arguments(part, size):
     """Arrays in the usual layout are written at once, unless they share memory with an argument."""
     memory = np.linspace(1, 2, 10) * size
@@ -170,6 +172,7 @@ def moved(generator, exponents):
     return changed
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("seed", range(4))
 def test_small_coordinates_keep_their_digits_in_an_intersection(seed):
     """Hill climbing over the exponents, down to 1e-30, finds no entry that a sum such as 1 - x has swallowed."""

@@ -5,6 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from cases import for_each
 
 import algebroproj
 from algebroproj import correlation
@@ -143,8 +144,8 @@ def test_points_in_general_position_have_one_that_is_not(function):
     assert (algebroproj.hypotheses(function)(left, right)[PIVOT] > 1e-9).all()
 
 
-@pytest.mark.parametrize("rank", [1, 4, 7])
-@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
+@for_each("rank", [1, 4, 7])
+@for_each("dtype", [np.float32, np.float64, np.longdouble])
 def test_repeated_points_have_a_least_pivot_of_zero(rank, dtype):
     left, right = drawn(50, 8).astype(dtype)
     for points in (left, right):

@@ -5,6 +5,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -201,8 +202,8 @@ def test_division_by_the_zero_function_raises(engine):
 
 
 @each_engine
-@pytest.mark.parametrize("other", [0.5, "x", None, sympy.Symbol("x"), 1j])
-@pytest.mark.parametrize("operation", [operator.add, operator.sub, operator.mul, operator.truediv])
+@for_each("other", [0.5, "x", None, sympy.Symbol("x"), 1j])
+@for_each("operation", [operator.add, operator.sub, operator.mul, operator.truediv])
 def test_what_is_not_exact_does_not_mix(engine, other, operation):
     a = RationalFunctionField([x], engine).variables[x]
     with pytest.raises(TypeError):

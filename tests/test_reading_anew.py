@@ -7,7 +7,7 @@ import pytest
 
 from algebroproj_sym.reading import document_at, document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 
 def _last(text: str, *, latex: bool = True) -> str:

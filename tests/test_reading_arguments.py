@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 LEVEL = (
     r"The level is \[ S(x, t) = N(x, t) - U(x, t) \] and \[ N(x, t) = G(x, t) + c(t) \] We drop the "

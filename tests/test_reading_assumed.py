@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 MODULUS = r"\[ s = |u|^2 \] Hence \[ s = u^2 \]"
 CHAIN = r" Hence \[ \dot V = \frac{\partial V}{\partial x} \dot x \]"

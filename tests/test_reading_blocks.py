@@ -7,7 +7,7 @@ from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.lexing.pieces import pieces_of, with_blocks
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 _GIVEN = (
     r"\[ \mathbf{z} = \begin{bmatrix} \mathbf{x} \\ \boldsymbol{\mu} \end{bmatrix} \] "

@@ -6,7 +6,7 @@ import pytest
 
 from algebroproj_sym.reading import Reading, document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 
 def last(latex: str) -> Reading:

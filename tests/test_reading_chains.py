@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 LOSS = r"The loss is \[ L = \frac12 (y - t)^2 \] where \[ y = w h. \] "
 FOLLOWS = {

@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 FORM = r"\[ x_1^2 + 2 x_1 x_2 + 5 x_2^2 + 4 x_2 x_3 + x_3^2 = x^T "
 GRAM = r"\begin{pmatrix} 1 & 1 & 0 \\ 1 & 5 & 2 \\ 0 & 2 & 1 \end{pmatrix} x \]"

@@ -8,7 +8,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 ENERGY = r"The energy is \[ E := \frac12 m v^2 + \frac12 k x^2. \] "
 LENS = r"The power of a lens is \[ P := \frac{1}{a} + \frac{1}{b}. \] "

@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 JACOBIAN = (
     r"Let $\theta = \|\boldsymbol\omega\|$. \[ \mathbf{J}_l(\boldsymbol\omega) := I_{3\times3} + "

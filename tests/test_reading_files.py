@@ -8,7 +8,7 @@ from click.testing import CliRunner
 from algebroproj_sym.cli import main
 from algebroproj_sym.reading import document_at, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 WHOLE = r"""\documentclass{book}
 \newcommand{\s}{x}

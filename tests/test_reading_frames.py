@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 _ROTATED = r"\[ {}^d R^a = {}^d R^c \, {}^c R^a \] \[ [\mathbf{v}]_d = {}^d R^a [\mathbf{v}]_a \] So "
 _RATES = r"\[ {}^A \vec\omega {}^C = {}^A \vec\omega {}^B + {}^B \vec\omega {}^C \] "

@@ -6,7 +6,7 @@ from algebroproj_sym.reading import document_at, document_of, read_document
 from algebroproj_sym.reading.judging.deciding import NOT_DERIVED
 from algebroproj_sym.reporting.readings import reading_lines
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 BEFORE = r"The area satisfies \[ A h = c b. \] "
 USED = r"It turns for \[ b h > 0. \] "

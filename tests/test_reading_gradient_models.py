@@ -13,7 +13,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 X = r"\mathbf{x}"
 CHANGES = [("2 ", "3 "), (" + ", " - "), (" - ", " + "), (r"}^T", "}"), ("^2", ""), (r"\mathbf{b}", r"\mathbf{c}")]

@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 LINE = (
     r"The parameters have \[ (z - (z^T \mathbb{1} - b x^T \mathbb{1}) \mathbb{1} - b x)^T x = 0 \] "

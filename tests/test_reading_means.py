@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 VARIANCE = r"The variance is the expected value \[ V = \mathbb{E}((X - \mu)^2) \] where $\mu = \mathbb{E}(X)$. Hence "
 OF_FUNCTION = r"The variance is defined as the expected value \[ \mathrm{Var}(X) = E[(X - E[X])^2] \] "

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 HENCE = ("Hence", "It follows that", "Therefore", "So", "We obtain")
 randoms = st.integers(0, 2**32).map(Random)
 

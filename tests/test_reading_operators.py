@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 _FLOW = (
     r"\[ \frac{D \rho}{D t} = -\rho \nabla \cdot \mathbf{u}, \qquad \frac{D p}{D t} = c^2 \frac{D \rho}{D t}. "

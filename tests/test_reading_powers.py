@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 SPHERE = r"The volume is \[ V = \frac43 \pi r^3. \] Hence the radius is "
 MONIC = r"We have \[ x^2 + 2 b x + c = 0. \] Hence "

@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 MATRICES = r"The matrices satisfy \[ A X B = C \] where $A, X, B, C \in \mathbb{R}^{n \times n}$. Hence "
 PAIRS = r"The distances are \[ d_{ij} = x_i - x_j \] Hence "

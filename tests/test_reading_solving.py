@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 _NORMAL = r"\[ (\mathbf{X}^T \mathbf{X}) \mathbf{b} = \mathbf{X}^T \mathbf{y} \] So "
 _MOVED = r"\[ \mathbf{f} + \mathbf{M} \mathbf{a} - \mathbf{g} = \mathbf{C} \mathbf{a} + \mathbf{h} \] Hence "

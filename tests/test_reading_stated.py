@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 SQUARE = r"\[ c^2 = a^2 - 2 a b + b^2. \]"
 FORCE = r"The force is \[ F = k x. \] "

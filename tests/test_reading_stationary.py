@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 PARABOLA = r"The derivative is \[ \frac{dE}{dx} = k x - m g. \] "
 GRADIENT = r"The gradient is \[ \nabla f(\mathbf{x}) = 2 \mathbf{A}^T (\mathbf{A} \mathbf{x} - \mathbf{b}). \] "

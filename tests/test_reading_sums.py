@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 SQUARES = r"\[ f = \sum_i (y_i - \mathbf{a}_i^T \mathbf{x})^2 \] "
 POINTS = r"\[ f = \sum_{i=1}^n \| \mathbf{q}_i - \mathbf{R} \mathbf{p}_i - \mathbf{t} \|^2 \] "

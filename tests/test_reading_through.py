@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 TWO = r"We have \[ y = g(x) \] \[ z = f(y) \] By the chain rule, "
 VECTORS = r"We have \[ \mathbf y = \mathbf g(\mathbf x) \] \[ \mathbf z = \mathbf f(\mathbf y) \] By the chain rule, "

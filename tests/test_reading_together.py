@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import Reading, document_of, read_document
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 NORMAL = r"Let \[ n a + b s = t \] \[ a s + b q = p \] "
 WAVES = r"Let \[ p \cos a = q \] \[ p \sin a = s \] Hence "

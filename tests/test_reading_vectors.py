@@ -6,7 +6,7 @@ from algebroproj_sym.reading import document_of, read_document
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.judging.survey import Survey
 
-pytestmark = pytest.mark.usefixtures("decided_here")
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 
 def last_verdict(latex: str) -> str:

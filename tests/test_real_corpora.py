@@ -22,7 +22,7 @@ ITEMS = [(name, place, item) for name in LISTED for place, item in enumerate(ite
 
 
 def is_quick(name, place, item):
-    return "slow" not in item and (place % 12 < 1 or (name, item["expected"]) == ("functions", "refuted"))
+    return "slow" not in item and (place % 20 == 0 or (name == "functions" and place % 10 == 1))
 
 
 CASES = [
@@ -52,8 +52,8 @@ STATED = [item for name, _, item in ITEMS if name in ("functions", "inequalities
 TRUE = [item for item in STATED if item["expected"] == "proved"]
 
 
-@pytest.mark.sampled(6)
-@pytest.mark.parametrize("item", TRUE, ids=names(TRUE))
+@pytest.mark.sampled(4)
+@pytest.mark.parametrize("item", TRUE[::6], ids=names(TRUE[::6]))
 def test_the_oracle_agrees_with_what_is_true(item):
     assert not fails_somewhere(statement_of(question(item)))
 

@@ -6,6 +6,7 @@ import re
 import mpmath
 import pytest
 import sympy
+from cases import for_each
 from real_corpora import FUNCTIONS, value
 
 from algebroproj_sym import prove
@@ -116,7 +117,7 @@ def test_a_jacobian_is_proved_by_its_entries():
             assert prove(sympy.Derivative(form, symbol), jacobian[row, column] + r).verdict == "refuted"
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("text", "message"),
     [
         ("diff(x)", "expected ','"),
@@ -145,8 +146,8 @@ TIED = [
 ]
 
 
-@pytest.mark.parametrize(("lhs", "constraints"), TIED, ids=[lhs for lhs, _ in TIED])
-@pytest.mark.parametrize("kind", ["constraints", "assumptions"])
+@for_each(("lhs", "constraints"), TIED)
+@for_each("kind", ["constraints", "assumptions"])
 def test_a_symbol_that_is_a_function_by_an_equation_is_refused_in_a_derivative(lhs, constraints, kind):
     given = [text if "=" in text else f"{text} = 0" for text in constraints]
     with pytest.raises(SymbolError, match="takes f as independent of x, but equations relate them"):

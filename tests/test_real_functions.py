@@ -5,6 +5,7 @@ import json
 
 import pytest
 import sympy
+from cases import for_each
 from real_corpora import fails_somewhere, items, names, question, rejected
 
 from algebroproj_sym import prove
@@ -64,6 +65,7 @@ def test_every_assumption_dropped_and_every_range_widened_proves_nothing_false()
 # -- forged proofs ----------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("item", QUICK, ids=names(QUICK))
 def test_a_proof_of_one_statement_is_none_of_a_false_one(item):
     found = decided(question(item))
@@ -195,7 +197,7 @@ FACTS = [(prefix + sign, holds) for prefix in ("", "extended_") for sign in SIGN
 FACTS += [(fact, holds) for fact in ("integer", "rational", "even", "prime", "noninteger") for holds in (True, False)]
 
 
-@pytest.mark.parametrize(("fact", "holds"), [f for f in FACTS if f[0] != "extended_zero"])
+@for_each(("fact", "holds"), [f for f in FACTS if f[0] != "extended_zero"])
 def test_a_counterexample_satisfies_what_sympy_assumes_or_the_symbol_is_refused(fact, holds):
     symbol = sympy.Symbol("s", **{fact: holds})
     size = sympy.Pow(symbol**2, sympy.Rational(1, 2), evaluate=False)
@@ -227,7 +229,7 @@ WITNESSES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("witness", WITNESSES.values(), ids=WITNESSES)
+@for_each("witness", WITNESSES.values())
 def test_a_witness_that_is_none_gets_a_named_error(witness):
     with pytest.raises((ValueError, TypeError), match="witness"):
         prove("sqrt(x^2)", "x", witness=witness)
@@ -314,7 +316,7 @@ FORGED_POINTS = {
 }
 
 
-@pytest.mark.parametrize("name", FORGED_POINTS)
+@for_each("name", FORGED_POINTS)
 def test_a_forged_exact_point_is_rejected(name):
     found = decided(question({"lhs": "sin(x)/x", "rhs": "2/pi", "relation": ">", "assumptions": ["0 < x <= pi/2"]}))
     require_real(found)

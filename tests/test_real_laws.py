@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+from cases import for_each
 
 from algebroproj_sym.replaying import NotReplayable, Rejected
 from algebroproj_sym.replaying.reals.comparisons import comparisons
@@ -218,7 +219,7 @@ def accepts(known, step):
     return True
 
 
-@pytest.mark.parametrize("case", CASES, ids=[f"{case[2]['law']}: {case[0]}" for case in CASES])
+@for_each("case", CASES)
 def test_a_law_needs_each_of_its_side_conditions(case):
     given, terms, step, conclusion, wrong = case
     known = theory(given, terms)
@@ -342,7 +343,7 @@ def test_the_arithmetic_of_intervals_is_the_narrowest_that_encloses():
                 assert numbers.over(left, right) == (math.floor(min(quotients)), math.ceil(max(quotients)))
 
 
-@pytest.mark.parametrize("interval", SMALL)
+@for_each("interval", SMALL)
 def test_an_interval_has_the_sign_of_all_its_numbers_or_none(interval):
     numbers, signs = Intervals(2), {(number > 0) - (number < 0) for number in range(interval[0], interval[1] + 1)}
     if len(signs) == 1:

@@ -4,6 +4,7 @@ import json
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -67,7 +68,7 @@ def test_a_right_reference_is_no_misprint():
         declared("2.2.3", "2.2.3", expect="misprint")
 
 
-@pytest.mark.parametrize(
+@for_each(
     "malformed",
     ["", ".", "2.", ".2", "2..3", "2.3.", " 2.3", "2.3 ", "2.3\n", "2,3", "2.a", "2.3a", "(2.3)", "-2.3", "2.3#4", "x"],
 )

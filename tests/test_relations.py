@@ -4,6 +4,7 @@ import json
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 from sympy import cos, exp, log, sin, sqrt
 
@@ -84,8 +85,8 @@ def forged(record, **changes):
     return changed | {"declaration": declaration_digest(changed)}
 
 
-@pytest.mark.parametrize("name", CLAIMS)
-@pytest.mark.parametrize("other", [*IMPLIED, "=", "==", "", None, ["<"]])
+@for_each("name", CLAIMS)
+@for_each("other", [*IMPLIED, "=", "==", "", None, ["<"]])
 def test_evidence_of_one_relation_shows_no_other_that_does_not_follow(records, name, other):
     record = records[name]
     own = record["setting"]["relation"]
@@ -107,7 +108,7 @@ WIDER = {
 """Assumptions that do not suffice, or that the point of a refutation violates."""
 
 
-@pytest.mark.parametrize(("name", "given"), [(name, given) for name in WIDER for given in WIDER[name]])
+@for_each(("name", "given"), [(name, given) for name in WIDER for given in WIDER[name]])
 def test_an_assumption_that_is_dropped_or_a_range_that_is_wider_is_refused(records, name, given):
     record = records[name]
     assert replay_claim(forged(record)).status == "replayed"

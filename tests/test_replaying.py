@@ -7,6 +7,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
@@ -162,7 +163,7 @@ def test_an_open_claim_is_not_replayable(small):
     assert replay_claim(claim).status == "not replayable"
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("number", "change", "reason"),
     [
         ("1.1", {"derived": "x - y"}, "the two sides differ"),
@@ -507,7 +508,7 @@ def test_a_product_of_powers_has_the_sums_of_the_exponents_or_is_refused(first, 
             left * right
 
 
-@pytest.mark.parametrize(
+@for_each(
     "text",
     ["", "x +", "(x", "x)", "1.5", "x**y", "x**(1/2)", "f(x)", "x y", "Matrix([[1, 2], [3]])", "x²", "٣", "$0", "x/*y"],
 )
@@ -516,7 +517,7 @@ def test_what_is_not_of_the_grammar_is_rejected(text):
         parse(text)
 
 
-@pytest.mark.parametrize("name", ["α", "Matrix", "E", "lambda", "x'", "é", "_", "S"])
+@for_each("name", ["α", "Matrix", "E", "lambda", "x'", "é", "_", "S"])
 def test_any_name_is_read(name):
     assert parse(f"{name} + 1").symbols() == {name}
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 import sympy
+from cases import for_each
 from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -160,7 +161,7 @@ FORGED = {
 }
 
 
-@pytest.mark.parametrize("forge", FORGED.values(), ids=FORGED)
+@for_each("forge", FORGED.values())
 def test_forged_squares_within_a_case_are_rejected(forge):
     changed = copy.deepcopy(CUBES)
     forge(*squares_of_a_case(changed))
@@ -265,7 +266,7 @@ def test_numbers_of_an_extension_are_those_of_sympy():
     )
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("lhs", "rhs", "constraints", "verdict"),
     [
         ("x + y - y", "2", [], "refuted"),

@@ -60,7 +60,7 @@ def test_the_nearest_machine_number(dtype, numerator, denominator, exponent):
     assert is_nearest(value, exact, dtype)
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(12)
 @pytest.mark.parametrize("name", sorted({*RATIONAL} - LONG))
 def test_hard_inputs_are_correctly_rounded(name, lowered):
     low = lowered(name)

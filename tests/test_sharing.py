@@ -4,8 +4,8 @@ from collections import Counter
 from fractions import Fraction
 from itertools import combinations
 
-import pytest
 import sympy
+from cases import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -102,7 +102,7 @@ def test_operands_stand_below_the_nodes_that_use_them(several):
         assert all(operand in order[:position] for _, operand in graph.nodes[place].operands)
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("expressions", "count"),
     [
         ((a + b + c, a + b + d), 3),
@@ -116,7 +116,6 @@ def test_operands_stand_below_the_nodes_that_use_them(several):
         ((a + b + c + d, a + b + c + e, a + b + c + f), 5),
         ((a * (b + c), d * (b + c)), 3),
     ],
-    ids=str,
 )
 def test_what_is_common_is_computed_once(expressions, count):
     graph, outputs = entered(*expressions)

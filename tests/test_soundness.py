@@ -7,6 +7,7 @@ from math import prod
 
 import pytest
 import sympy
+from cases import for_each
 
 from algebroproj_sym.expressions import Matrix, determinant, over
 from algebroproj_sym.proving import UndefinedError, constrained, prove
@@ -98,7 +99,7 @@ def test_inconsistent_constraints_prove_and_refute_nothing(engine, constraints, 
     assert unproved(prove(lhs, rhs, constraints=constraints, engine=engine))
 
 
-@pytest.mark.parametrize("constraints", [*list(INCONSISTENT.values())[:-1], [x - 1, y - 2]])
+@for_each("constraints", [*list(INCONSISTENT.values())[:-1], [x - 1, y - 2]])
 def test_a_witness_that_violates_a_constraint_is_refused(constraints):
     with pytest.raises(ValueError, match=r"^witness: expected a point with .* = 0"):
         prove(x, y, constraints=constraints, witness={x: 1, y: 1, z: 1})

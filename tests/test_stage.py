@@ -5,6 +5,7 @@ from dataclasses import FrozenInstanceError
 
 import pytest
 import sympy
+from cases import for_each
 
 from algebroproj_sym import Section
 from algebroproj_sym.declaring import (
@@ -113,7 +114,7 @@ def test_a_stage_survives_pickling_with_its_divisions(primitive):
 # What does not fit
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("matrix", "right_side", "got"),
     [
         (square, vector(x), r"\(2, 2\) and \(1, 1\)"),
@@ -125,7 +126,6 @@ def test_a_stage_survives_pickling_with_its_divisions(primitive):
         (vector(x, y), vector(x, y), r"\(2, 1\) and \(2, 1\)"),
         (x, vector(x, y), r"\(\) and \(2, 1\)"),
     ],
-    ids=str,
 )
 def test_a_system_has_as_many_equations_as_unknowns(matrix, right_side, got):
     message = rf"^solution: expected a matrix \(2, 2\) and a right side \(2, 1\), got {got}$"
@@ -163,16 +163,15 @@ def test_angles_coordinates_and_named_values_are_scalars(value):
         let({a: x, b: value})
 
 
-@pytest.mark.parametrize(
+@for_each(
     ("declare", "primitive"),
     [
         (lambda first, second: cos_sin(first, second, x), "cos_sin"),
         (lambda first, second: solution([first, second], square, vector(1, 2)), "solve"),
         (lambda first, second: null_vector([first, second, z], wide), "null_vector"),
     ],
-    ids=["cos_sin", "solve", "null_vector"],
 )
-@pytest.mark.parametrize(("first", "second"), [(a, a), (a, 2 * b), (a + b, b), (a, 1), ("a", b)], ids=str)
+@for_each(("first", "second"), [(a, a), (a, 2 * b), (a + b, b), (a, 1), ("a", b)])
 def test_the_results_are_different_symbols(declare, primitive, first, second):
     with pytest.raises(DeclarationError, match=f"^{primitive}: expected different symbols for its results, got"):
         declare(first, second)
@@ -282,7 +281,7 @@ def test_a_stage_may_use_what_earlier_ones_give():
     assert kernel.intermediate == (a, c, s, phi)
 
 
-@pytest.mark.parametrize(
+@for_each(
     "through",
     [
         [cos_sin(c, s, a), let({a: x})],
@@ -294,7 +293,6 @@ def test_a_stage_may_use_what_earlier_ones_give():
         [solution([a, b], Matrix([[x, b], [1, 2]]), vector(1, 2))],
         [null_vector([a, b, c], wide)],
     ],
-    ids=["later stage", "unknown angle", "unknown value", "circle", "same stage", "itself", "unknown in it", "matrix"],
 )
 def test_a_stage_uses_only_what_comes_before(through):
     with pytest.raises(DeclarationError, match=r"^kernel demo\.f: expected the symbols of the arguments, got also \['"):

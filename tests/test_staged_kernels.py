@@ -752,6 +752,7 @@ PLANTED = {
 }
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("mistake", PLANTED)
 def test_a_planted_mistake_is_not_proved_and_samples_find_it(mistake, tmp_path):
     declared, old, new = PLANTED[mistake]

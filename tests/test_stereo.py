@@ -5,6 +5,7 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 import pytest
+from cases import for_each
 
 from algebroproj import minimal, plain, projection, stereo
 from algebroproj_sym.study.conditioning import jacobian
@@ -32,7 +33,7 @@ def cross_matrix(b):
     return np.array([[0, -b[2], b[1]], [b[2], 0, -b[0]], [-b[1], b[0], 0]])
 
 
-@pytest.mark.parametrize("seed", range(20))
+@for_each("seed", range(20))
 def test_one_orientation_has_all_points_in_front(seed):
     turn, base, _, left, right = scene(seed)
     found = stereo.poses(-3 * cross_matrix(base) @ turn, left, right)
@@ -116,7 +117,7 @@ def test_rational_input_gives_rational_points():
     assert stereo.triangulate(turn, base, left, right).tolist() == point.tolist()
 
 
-@pytest.mark.parametrize("seed", range(20))
+@for_each("seed", range(20))
 def test_each_point_is_in_front_of_both_images_in_one_orientation_whatever_its_depths(seed):
     turn, base, _, left, right = scene(seed)
     essential = cross_matrix(base) @ turn
@@ -179,8 +180,8 @@ def test_what_is_no_matrix_or_point_is_refused_by_name():
         stereo.poses(np.eye(3), [[0, np.nan]], [[0, 0]])
 
 
-@pytest.mark.parametrize("place", range(3))
-@pytest.mark.parametrize(
+@for_each("place", range(3))
+@for_each(
     ("function", "shapes"),
     [
         (stereo.poses, [(3, 3), (1, 2), (1, 2)]),

@@ -5,6 +5,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from cases import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -58,7 +59,7 @@ def names_of(text):
     return {symbol.name for symbol in parse(text).free_symbols}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each("name", NAMES)
 @decide
 def test_every_name_works_in_prove(decide, name):
     a, b = sympy.Symbol(name), sympy.Symbol("b")
@@ -69,7 +70,7 @@ def test_every_name_works_in_prove(decide, name):
     assert names_of(proof.certificate["generators"][0]) == {name, "b"}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each("name", NAMES)
 def test_every_name_works_in_claims_and_in_their_ledger(name):
     a, b = sympy.Symbol(name), sympy.Symbol("b")
     section = Section("demo", "1", "Names")

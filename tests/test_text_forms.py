@@ -5,6 +5,7 @@ import json
 
 import pytest
 import sympy
+from cases import for_each
 from sympy import Eq, Identity, Matrix, MatrixSymbol, cos, pi, sin, sqrt, tan
 
 from algebroproj_sym import Section, prove
@@ -149,14 +150,14 @@ def records(judgements):
     return {name: json.loads(json.dumps(claim_record(judgement))) for name, judgement in judgements.items()}
 
 
-@pytest.mark.parametrize("name", CLAIMS)
+@for_each("name", CLAIMS)
 def test_the_verdict_is_the_declared_one_and_replays(judgements, records, name):
     assert judgements[name].as_declared, judgements[name].certificate
     result = replay_claim(records[name])
     assert (result.status, result.reason) == ("replayed", "")
 
 
-@pytest.mark.parametrize("name", CLAIMS)
+@for_each("name", CLAIMS)
 def test_the_entry_says_what_it_is_about(records, name):
     setting = records[name]["setting"]
     assert ("letters" in setting, "assumptions" in setting) == (name in IN_LETTERS, name not in IN_LETTERS)
@@ -317,7 +318,7 @@ FORGERIES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "change"), FORGERIES.values(), ids=FORGERIES)
+@for_each(("name", "change"), FORGERIES.values())
 def test_a_forged_entry_is_refused(records, name, change):
     assert replay_claim(forged(records[name], lambda record: None)).status == "replayed"
     result = replay_claim(forged(records[name], change))
@@ -325,7 +326,7 @@ def test_a_forged_entry_is_refused(records, name, change):
     assert result.reason != "the digest differs from that of the declaration"
 
 
-@pytest.mark.parametrize("name", CLAIMS)
+@for_each("name", CLAIMS)
 def test_what_is_declared_is_bound_by_the_digest(records, name):
     record = records[name]
     for key in ("printed", "derived", "corrected", "setting", "kind", "where"):
@@ -462,7 +463,7 @@ def test_no_claim_of_the_papers_compares_a_text_in_letters_with_itself():
     assert [claim.number for claim in claims if claim.printed == claim.derived] == []
 
 
-@pytest.mark.parametrize(("declare", "error", "message"), ERRORS.values(), ids=ERRORS)
+@for_each(("declare", "error", "message"), ERRORS.values())
 def test_what_cannot_be_declared_is_named(declare, error, message):
     with pytest.raises(error) as caught:
         declare(Section("demo", "1", "Demo"))
@@ -515,7 +516,7 @@ IN_WORDS = {
 }
 
 
-@pytest.mark.parametrize("text", IN_WORDS)
+@for_each("text", IN_WORDS)
 def test_letters_are_shown_as_printed(text):
     assert latex_of_text(TextForm(text, (("E", "3x3"), ("R", "3x3 rotation"), ("t", "3x1")))) == IN_WORDS[text]
 
@@ -584,7 +585,7 @@ def test_a_form_at_the_end_of_a_cell_is_shown(form, shown):
     assert latex_of_form(form) == shown
 
 
-@pytest.mark.parametrize("name", CLAIMS)
+@for_each("name", CLAIMS)
 def test_every_claim_is_explained(judgements, name):
     judgement = judgements[name]
     told = str(explanation(judgement, "demo.s1", ()))
@@ -615,7 +616,7 @@ def test_a_claim_has_no_theorem_for_a_plain_reason(records):
     assert exported(forged(records["domain"], set_to([], "hypotheses"))).refused
 
 
-@pytest.mark.parametrize("name", sorted(CLAIMS.keys() - IN_LETTERS - {"branch", "notation", "notation of a symbol"}))
+@for_each("name", sorted(CLAIMS.keys() - IN_LETTERS - {"branch", "notation", "notation of a symbol"}))
 def test_a_claim_with_functions_has_a_theorem_for_each_entry(records, name):
     entries = {"matrix": 2, "turned": 4}.get(name, 1)
     assert len(exported(records[name]).theorems) == entries, exported(records[name]).reason

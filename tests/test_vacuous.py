@@ -50,6 +50,7 @@ def is_open(result):
     return result.verdict == "open" and len(result.certificate["reason"]) > 10 and result.counterexample is None
 
 
+@pytest.mark.sampled(4)
 @each
 @sides
 @pytest.mark.parametrize(("decide", "engine"), [(prove, "flint"), (prove, "sympy"), (thorough, "flint")])
@@ -57,6 +58,7 @@ def test_prove(decide, engine, lhs, rhs, constraints, nonzero):
     assert is_open(decide(lhs, rhs, constraints=constraints, nonzero=nonzero, engine=engine))
 
 
+@pytest.mark.sampled(3)
 @each
 @sides
 def test_claims(lhs, rhs, constraints, nonzero):

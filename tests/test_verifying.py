@@ -53,7 +53,8 @@ def planted(name, old, new):
     return SimpleNamespace(__name__="planted", **{module: SimpleNamespace(**{function_name: changed})})
 
 
-@pytest.mark.parametrize("name", NAMES[::6])
+@pytest.mark.sampled(2)
+@pytest.mark.parametrize("name", NAMES[::15])
 def test_shipped_functions_are_verified(name, lowered):
     """Some of them, and with their compiled versions; a build does this for all."""
     verification = verify(lowered(name), load_package(), size=12)
@@ -72,8 +73,8 @@ magnitudes = st.floats(min_value=1e-8, max_value=1e8)
 coordinates = st.builds(lambda sign, size: sign * size, st.sampled_from((-1.0, 1.0)), magnitudes)
 
 
-@pytest.mark.sampled(6)
-@every_kernel
+@pytest.mark.sampled(3)
+@pytest.mark.parametrize("name", NAMES[::6])
 @settings(max_examples=8)
 @given(data=st.data())
 def test_drawn_inputs_stay_within_the_bound(name, lowered, data):
@@ -104,6 +105,7 @@ def test_the_oracle_refuses_singular_systems(lowered):
         truths(low, [Sample("singular", point)])
 
 
+@pytest.mark.whole
 def test_every_kernel_has_values_at_inputs_without_structure(lowered):
     rng = np.random.default_rng(7)
     for name in NAMES:
@@ -153,7 +155,7 @@ def test_a_function_that_stays_finite_where_a_sum_of_squares_of_names_vanishes_i
     assert [str(factor) for factor in silent_factors(distance, package)] == ["g0**2 + g1**2 + g2**2 + g3**2"]
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(12)
 @every_kernel
 def test_samples_cover_every_stratum_and_come_as_near_as_they_say(name, lowered):
     low = lowered(name)

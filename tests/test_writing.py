@@ -68,7 +68,7 @@ def value(expression, point):
         return None
 
 
-@settings(max_examples=500)
+@settings(max_examples=10 * settings.default.max_examples)
 @given(expressions, st.data())
 def test_every_division_can_be_read_from_the_text(expression, data):
     point = {symbol: data.draw(st.sampled_from(values_of(symbol)[:6])) for symbol in expression.free_symbols}

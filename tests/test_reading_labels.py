@@ -14,6 +14,7 @@ FRAMES = (
     r"From $B$ to $W$ it is \[ \begin{bmatrix} x^W \\ y^W \end{bmatrix} = "
     r"a \begin{bmatrix} x^B \\ y^B \end{bmatrix} + \begin{bmatrix} t_W \\ 0 \end{bmatrix} \] "
 )
+MESH = r"The loads satisfy \[ \vec{f}^{DL} = M_l^D \vec{u}^D. \] "
 STEP = r"\[ u^{n+1} = u^n + h f^n \] "
 
 
@@ -53,6 +54,12 @@ STEP = r"\[ u^{n+1} = u^n + h f^n \] "
         (r"\[ U = \beta^t u + \beta^{t+1} v \] Hence \[ U = \beta^t u + \beta v. \]", False),
         (r"\[ \mathbf{x}^{t+1} = \mathbf{x}^t + \mathbf{d} \] \[ y^t z = a \] Hence \[ z y^t = a. \]", False),
         (r"\[ \mathbf{s} = A^t \mathbf{v} \] \[ \mathbf{s}^t = \mathbf{v}^t A \]", True),
+        (MESH + r"Hence \[ \vec{u}^D = (M_l^D)^{-1} \vec{f}^{DL}. \]", True),
+        (MESH + r"Hence \[ \vec{u}^D = M_l^{-D} \vec{f}^{DL}. \]", False),
+        (MESH + r"Hence \[ \vec{u}^D = (M_l^{DL})^{-1} \vec{f}^{DL}. \]", False),
+        (MESH + r"\[ K = M_l^D \] Hence \[ K = M_l \cdots M_l. \]", False),
+        (MESH + r"\[ M_l = K \] Hence \[ \vec{f}^{DL} = K^D \vec{u}^D. \]", False),
+        (MESH + r"Hence \[ M_l \vec{f}^{DL} = M_l^{D + 1} \vec{u}^D. \]", False),
     ],
 )
 def test_a_number_of_a_step_is_no_power(latex: str, follows: bool) -> None:
@@ -114,3 +121,9 @@ def test_words_that_lead_to_a_relation_are_left_out(words):
 def test_what_changes_an_equation_is_not_left_out(changed):
     text = rf"\[ s = a + b \] Hence \[ {changed} \]"
     assert read_document(document_of(text, latex=True), seconds=5)[-1].verdict != "follows"
+
+
+def test_a_matrix_is_given_by_those_with_what_stands_above_a_vector() -> None:
+    given = r"\[ M_{uD} = D_1 M_{uD}^D. \]"
+    assert read_document(document_of(MESH + r"The routine returns " + given))[-1].verdict == "definition"
+    assert read_document(document_of(r"The routine returns " + given))[-1].verdict != "definition"

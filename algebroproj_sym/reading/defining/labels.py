@@ -126,13 +126,20 @@ def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
 
 
 def _above_vectors(equations: Sequence[Sides]) -> set[str]:
-    r"""Return the bold letters with a letter above them that stands above a vector: no vector has a power."""
+    r"""Return the bold letters and the capitals with what stands above a vector, as D and SA: no vector has a power."""
     powers = [trees_in(power) for side in _every(equations) for power in side.find_data("power")]
-    raised = [(str(base.children[0]), lone_letter(exponent)) for base, exponent in powers if _is_letter(base)]
-    labels = {label for symbol, label in raised if _VECTOR.match(symbol)} - {""}
-    return {_with_above(symbol, label) for symbol, label in raised if label in labels and _BOLD.match(symbol)}
+    raised = [(str(base.children[0]), _text_of(without_brackets(above))) for base, above in powers if _is_letter(base)]
+    labels = {label for symbol, label in raised if _VECTOR.match(symbol) and _LABEL.fullmatch(label)}
+    letters = ((symbol, label) for symbol, label in raised if label in labels)
+    return {
+        _with_above(symbol, label)
+        for symbol, label in letters
+        if _BOLD.match(symbol) or (label.isupper() and _CAPITAL.match(symbol))
+    }
 
 
+_LABEL = re.compile(r"[a-zA-Z]|(?!H)[A-Z]{1,3}")
+_CAPITAL = re.compile(r"[A-Z](?:_|$)")
 _BOLD = re.compile(r"\\(?:mathbf|vec)\{")
 _VECTOR = re.compile(r"\\(?:mathbf|vec)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}|\\(?:d*dot|bar|hat|tilde)\{\\mathbf[a-z]")
 _MATRIX = re.compile(r"[A-Z]_|\\d*dot\{[A-Z]\}_")

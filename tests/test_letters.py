@@ -996,6 +996,7 @@ def claims(repository):
     return json.loads((repository / "examples" / "rotations" / "claims.json").read_text(encoding="utf-8"))
 
 
+@pytest.mark.whole
 def test_the_example_is_as_declared_and_replayed(claims):
     for claim in claims:
         record = record_of(claim["lhs"], claim["rhs"], claim["letters"], claim.get("constraints", ()))

@@ -235,6 +235,7 @@ def test_stopping_at_a_large_error_changes_no_decision(name):
     assert not all(decisions)
 
 
+@pytest.mark.whole
 def test_a_refuted_change_of_a_long_form_is_not_written_out():
     long = sum((i * x**i for i in range(2, 72)), start=over(-x, y) ** 2)
     found = mutate_claim(declared("identity", long, long)).fates

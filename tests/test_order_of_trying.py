@@ -106,6 +106,7 @@ def test_a_plain_proof_that_costs_too_much_leaves_the_rest_to_be_tried(monkeypat
     assert tried == [3]
 
 
+@pytest.mark.whole
 def test_a_point_where_a_statement_fails_is_looked_for_before_others(monkeypatch):
     class Counted(points.Search):
         def proof(self):

@@ -449,7 +449,7 @@ def checker(made_once, tmp_path):
     return shutil.copytree(made_once("checker", compile_all), tmp_path / "checker")
 
 
-@pytest.mark.coq
+@pytest.mark.whole
 @needs_coq
 def test_coq_accepts_the_bounds_and_rejects_mutants(checker):
     """The theorems are accepted, rest on the listed axioms; mutants, wider ranges and singular points fail."""

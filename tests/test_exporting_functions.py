@@ -136,7 +136,7 @@ def test_the_kernel_accepts_claims_and_they_rest_on_the_excluded_middle_at_most(
 
 
 @needs_coq
-@pytest.mark.coq
+@pytest.mark.whole
 def test_the_kernel_accepts_each_pair_of_lemmas_that_occurs(lemmas):
     items = [item for item in TRUE if item["name"] in PAIRED]
     assert len(items) == len(PAIRED)

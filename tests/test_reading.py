@@ -126,7 +126,7 @@ def test_what_is_not_computed_is_read(latex, expected):
     [
         (r"a + ", "ends too early", 2),
         (r"(a + b", "not closed", 5),
-        (r"a) + b", "not open", 1),
+        (r"a) + b", "never opened", 1),
         (r"\frac{a}", "expected an argument", 7),
         ("{" * 100 + "}" * 100, "levels of nesting", None),
         ("(" * 100 + "x" + ")" * 100, "levels of nesting", None),

@@ -26,7 +26,7 @@ HALVES = " + ".join(rf"F(x/{part})" for part in range(2, 7))
         (of_functions("x^2 + a", "F(x) F(x) + x", 12, last=LAST), "expected"),
         (
             of_functions(r"a x, 0 \le x \le 1", "F(x/2) + F(x/3) + F(x/4)", 6, last=r"Hence \[ y - F(1/3) = 0. \]"),
-            "200 values of functions that are given in a range",
+            "200 values of functions that are defined for a range",
         ),
     ],
     ids=["sums", "compositions", "products", "ranges"],
@@ -59,4 +59,4 @@ def test_a_sum_of_high_powers_of_sums_is_not_multiplied_out():
 def test_angles_may_differ_by_full_turns(latex, contradicts):
     (found,) = read_document(document_of(rf"Hence \[ u = {latex}. \]"), seconds=2)
     assert (found.verdict == "contradicts") is contradicts
-    assert (found.links[-1].reason == "angles may differ by full turns") is not contradicts
+    assert (found.links[-1].reason == "its sides may be angles that differ by full turns") is not contradicts

@@ -195,4 +195,4 @@ def test_rows_and_words_of_plain_tex_are_read(latex: str, expected: str) -> None
 def test_words_that_act_on_a_letter_are_not_left_out(latex: str) -> None:
     (found,) = read_document(document_of(f"$$ {latex} $$"))
     assert found.verdict == "not read"
-    assert "act on what stands beside them" in found.reason
+    assert "act on the formula beside them" in found.reason

@@ -239,7 +239,7 @@ def test_what_is_said_to_follow_is_derived_before_it_gives_its_letter(latex, ver
 
 def test_a_letter_that_is_given_by_itself_is_named_as_the_reason():
     (found,) = read_document(document_of(r"\[ g = \begin{bmatrix} 0 \\ -g \\ 0 \end{bmatrix} \]"), seconds=5)
-    assert found.links[0].reason == "a letter in it is given by itself, or it is nested too deeply"
+    assert found.links[0].reason == "a letter in it is defined by itself, or its formula is nested too deeply"
 
 
 @pytest.mark.parametrize(

@@ -148,7 +148,10 @@ def test_what_fails_for_letters_of_stated_sizes_contradicts(latex, suggestion):
 
 def test_what_fails_for_letters_of_unknown_size_contradicts_nothing():
     found = last(r"\[ \mathbf{c} := \mathbf{a} + \mathbf{b} \] \[ \mathbf{c}^T = \mathbf{a}^T - \mathbf{b}^T \]")
-    assert (found.verdict, found.links[0].reason) == ("independent", "the sizes of its letters are not stated")
+    assert (found.verdict, found.links[0].reason) == (
+        "independent",
+        "the document does not state the sizes of its matrices",
+    )
 
 
 def test_properties_and_sizes_come_from_the_symbols_file(tmp_path):

@@ -133,7 +133,7 @@ def test_what_a_sentence_supposes_goes_into_no_derivative_integral_or_other_sect
 def test_a_root_follows_from_its_square_where_both_have_one_sign():
     *_, root = read_document(document_of(FALLS + r"Hence the speed is \[ v = \sqrt{2 g h}. \]"), seconds=5)
     assert root.verdict == "follows"
-    assert root.links[0].reason == "read as v = sqrt(2*g*h), where both sides have one sign"
+    assert root.links[0].reason == "read as v = sqrt(2*g*h), where both sides have the same sign"
 
 
 @pytest.mark.parametrize(

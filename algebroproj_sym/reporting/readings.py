@@ -8,6 +8,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
+from algebroproj_sym.reading.judging.verdicts import TRUE_HERE
+from algebroproj_sym.showing.conditions import simple_conditions
 from algebroproj_sym.showing.display import folded
 
 if TYPE_CHECKING:
@@ -85,7 +87,7 @@ def reading_lines(
             if found := [each.where for each in others if verdict != "definition" or not reason_of(each)]:
                 yield f"{verdict}: {_some(found)}"
             if supposed:
-                yield f"{verdict}, if what it rests on is true here, too: {_some(supposed)}"
+                yield f"{verdict}, if the equations that it rests on are true here, too: {_some(supposed)}"
             yield from _by_reason(verdict, claimed)
         for verdict in ("not decided", "not read"):
             yield from _by_reason(verdict, [each for each in readings if each.verdict == verdict])
@@ -95,7 +97,7 @@ def reading_lines(
         yield f"the included file {file} is not in the folder of the document, or cannot be read; it was left out"
     counts = summary_of(readings)
     if not readings:
-        yield f"{name}: no displayed equation was found"
+        yield f"{name}: no displayed equation was found; LaTeX (.tex), Markdown with $$ and notebooks (.ipynb) are read"
         return
     yield f"{name}: {len(readings)} {'equation' if len(readings) == 1 else 'equations'}: " + ", ".join(
         f"{count} {verdict}" for verdict, count in counts.items()
@@ -143,9 +145,12 @@ def _whole(reading: Reading) -> Iterator[str]:
         return
     if link.rests_on:
         yield f"    rests on {'; '.join(link.rests_on)}"
-    if link.hypotheses:
-        conditions = (each if re.search("[<>=]| is ", each) else f"{each} != 0" for each in link.hypotheses)
-        yield folded(f"    holds where {', '.join(conditions)}", 400)
+    supposed = [each for each in link.hypotheses if TRUE_HERE in each]
+    conditions = (each if re.search("[<>=]| is ", each) else f"{each} != 0" for each in link.hypotheses)
+    if shown := simple_conditions(each for each in conditions if each not in supposed):
+        yield folded(f"    holds where {', '.join(shown)}", 400)
+    if supposed:
+        yield folded(f"    supposes that {', and that '.join(supposed)}", 400)
     if link.counterexample:
         point = (name + " = " + str(value).replace("'", "") for name, value in link.counterexample.items())
         yield f"    fails at {', '.join(point)}"

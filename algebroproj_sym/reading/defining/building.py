@@ -282,7 +282,7 @@ class _Parts(_Gathering):
 
     def absolute(self, inside: Part) -> Part:
         if not inside.is_number and any(map(self.reader.may_be_square, inside.symbols)):
-            raise UnreadableError("what stands between bars may be a determinant, or a length")
+            raise UnreadableError("bars may mean a determinant or a length")
         return self.norm(inside)
 
     def norm(self, inside: Part) -> Part:

@@ -244,4 +244,4 @@ def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[
     bound = re.findall(r"\\[a-zA-Z]+|[a-zA-Z]", re.sub(r"^\\[a-z]+|\^.*$|\\(?:in|to)(?![a-z])", "", name))
     bound += [each[2:] for each in symbols if each.startswith("d ")]
     if defined := [each for each in bound if each in definitions]:
-        raise UnreadableError(f"{defined[0]} has a value, and is an index or a variable of {name}")
+        raise UnreadableError(f"{defined[0]} has a value, but it is also an index or a variable of {name}")

@@ -45,7 +45,7 @@ class Size:
         if two.value is not None or (one.value is None and two._blocks):
             one, two = two, one
         if one._is_within(two) or two._is_within(one):
-            raise UnreadableError("a letter in it is given by itself, or it is nested too deeply")
+            raise UnreadableError("a letter in it is defined by itself, or its formula is nested too deeply")
         two._same = one
         _split(one, two._blocks)
 
@@ -326,5 +326,5 @@ def joined(kind: str, left: Part, right: Part) -> Part:
     ends = (left.shape[1].value, right.shape[1].value)
     maps = left.is_table or left.turned is not None or left.shape[0].value == 1
     if kind == "DOT" and 1 in ends and None in ends and not (maps and ends[1] == 1):
-        raise UnreadableError("the point may be a product of matrices, or of vectors")
+        raise UnreadableError("the dot may be a product of matrices or of vectors")
     return times(left, right)

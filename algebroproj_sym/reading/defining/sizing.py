@@ -106,7 +106,7 @@ class Reader:
         if size.root not in self._sizes:
             free = [name for name in _SIZES if name not in self._names and name not in self._sizes.values()]
             if not free:
-                raise UnreadableError("there are too many sizes")
+                raise UnreadableError("its vectors and matrices have too many unknown sizes")
             self._sizes[size.root] = free[0]
         return self._sizes[size.root]
 

@@ -170,7 +170,9 @@ def symbols_file(path: Path) -> SymbolsFile:
         _require_keys(content, _KEYS)
         lists = {key: frozenset(map(str, content.get(key, ()))) for key in _LISTS}
         return SymbolsFile(**lists, tables=tuple(map(_table, content.get("table", ()))))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+    except OSError as error:
+        raise UnreadableDocumentError(f"{path}: the file cannot be read: {error.strerror}") from error
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise UnreadableDocumentError(f"{path}: expected TOML, got {error}") from error
     except (ParseError, UnreadableError, ValueError, TypeError, AttributeError) as error:
         raise UnreadableDocumentError(f"{path}: {error}") from error

@@ -82,7 +82,7 @@ class Multiples:
 
     def _letter(self, tree: Formula) -> Formula:
         if any(True for _ in tree.find_data("shown")) or any(tree.scan_values(("±", "∓").__contains__)):
-            raise UnreadableError("what is shown only may be another thing each time")
+            raise UnreadableError("dots and the like in it may mean another thing each time")
         symbol = f"part {printed(tree)}"
         self.letters[symbol] = tree
         return letter_of(symbol)

@@ -59,7 +59,7 @@ def doubt_of_special(left: Formula, right: Formula, vocabulary: Vocabulary) -> s
     same_sign = all(one.sign == other.sign for one, other in pairs)
     differ = same_sign and any(one.total != other.total for one, other in pairs)
     differ = differ and any(all(map(_has_no_powers, each)) for each in (ours, theirs))
-    return "a letter that is zero or one is its own square" if differ else ""
+    return "a letter may be zero or one, and so be its own square" if differ else ""
 
 
 def _has_no_powers(term: _Term) -> bool:

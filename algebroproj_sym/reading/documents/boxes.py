@@ -1,4 +1,4 @@
-"""Words in boxes: remarks, names, formulas, or words that act on what stands beside them."""
+"""Words in boxes: remarks, names, formulas, or words that act on the formula beside them."""
 
 import re
 from collections.abc import Sequence
@@ -38,7 +38,7 @@ def read_box(out: list[Piece], waiting: Pending, piece: Piece) -> None:
     inside = waiting.group()
     name = "".join(each.text for each in inside)
     if (_ACTS_BEHIND if ends_value(out) else _ACTS_BEFORE).fullmatch(name) and not _is_in_script(out):
-        raise UnreadableError(f"the words {name.strip()!r} act on what stands beside them", piece.place)
+        raise UnreadableError(f"the words {name.strip()!r} act on the formula beside them", piece.place)
     if not is_closed(inside) and "$" not in name:
         waiting.put([each for part in _WORDS.split(name) for each in _named(piece, part)])
         return

@@ -149,7 +149,7 @@ def document_at(path: Path) -> Document:
     except UnicodeDecodeError as error:
         raise UnreadableDocumentError(f"{path}: expected text in UTF-8, got {error.reason}") from error
     except OSError as error:
-        raise UnreadableDocumentError(f"{path}: expected a file that can be read, got {error.strerror}") from error
+        raise UnreadableDocumentError(f"{path}: the file cannot be read: {error.strerror}") from error
     if len(text) > MAX_CHARACTERS:
         raise UnreadableDocumentError(f"{path}: expected at most {MAX_CHARACTERS} characters, got {len(text)}")
     if path.suffix == ".ipynb":

@@ -475,7 +475,7 @@ def _not(page: _Page, piece: Piece) -> bool:
 
 def _prime_behind_nothing(page: _Page, piece: Piece) -> bool:
     if [each.text for each in page.out[-2:]] == ["{", "}"]:
-        raise UnreadableError("a prime behind nothing may be that of a sum", piece.place)
+        raise UnreadableError("a prime without a letter before it may belong to a whole sum", piece.place)
     return False
 
 
@@ -486,7 +486,7 @@ def _slope(page: _Page, piece: Piece) -> bool:
 
 def _scientific(page: _Page, piece: Piece) -> bool:
     if _is_scientific(page.out, page.waiting):
-        raise UnreadableError("a letter between digits may be that of a number such as 1e3", piece.place)
+        raise UnreadableError("a letter between digits may be part of a number such as 1e3", piece.place)
     return False
 
 

@@ -29,8 +29,8 @@ from algebroproj_sym.reading.judging.sampling import agree, samples_of
 from algebroproj_sym.reading.judging.verdicts import Link
 from algebroproj_sym.reading.parsing.grammar import Formula
 
-NOT_DERIVED = "it gives its letter; that it follows was not derived"
-OPEN = "it gives its letter; whether it follows is not decided"
+NOT_DERIVED = "it defines its letter; that it follows is not proved"
+OPEN = "it defines its letter; whether it follows is not decided"
 
 
 @dataclass
@@ -139,15 +139,15 @@ def _doubt_of_refutation(way: Way) -> str:
     assert isinstance(questions, list)
     letters = questions[0].letters
     if any(re.search(r"[a-z]x|x[a-z]", text.partition(" ")[0]) for text in (letters or {}).values()):
-        return "the sizes of its letters are not stated"
+        return "the document does not state the sizes of its matrices"
     if values := values_of(questions):
         if values == {FREE}:
-            return "the function is not given above it"
+            return "no equation above it defines the function"
         return f"a function, a sum or an integral in it {NOT_COMPUTED}"
     if letters is not None:
         return ""
     if _are_opposite(way):
-        return "its sides have opposite signs: quaternions and homogeneous vectors may be the same up to a factor"
+        return "its sides differ in sign: for quaternions and homogeneous vectors both may mean the same"
     elementary = [each for each in questions if has_functions(each.lhs) or has_functions(each.rhs)]
     positive = bool(elementary) and all(often_agree(each.lhs, each.rhs) for each in elementary)
     return "it holds where its letters are positive" if positive else ""
@@ -173,7 +173,7 @@ def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:
             hypotheses=outcome.hypotheses,
             certificate=outcome.certificate,
         )
-    return replace(link, reason=("the prover does not take it: " if outcome.unreadable else "") + outcome.reason)
+    return replace(link, reason=("the prover cannot read it: " if outcome.unreadable else "") + outcome.reason)
 
 
 def _holds_beside(way: Way, repaired: Way) -> bool:

@@ -294,7 +294,7 @@ class _Pass:
             if question is not None:
                 asked.append(question)
         if not found.relations:
-            links.append(Link("not decided", "it has no relation, so it states nothing"))
+            links.append(Link("not decided", "it has no sign such as = or <, so it states nothing"))
         if definition is not None:
             self.memory.vocabulary.define(definition)
             self.memory.asserted.setdefault(definition.symbol, display.place)
@@ -330,19 +330,21 @@ class _Pass:
         gives = relation in EQUALITIES and (gives or tells(self.memory, statement, formula, index))
         self.memory.tie([left] if gives else [left, right])
         if relation not in EQUALITIES:
-            return Link("not decided", f"the relation {relation} is read, but not decided", rests), None
+            return Link("not decided", f"the sign {relation} is read, but not judged", rests), None
         known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
         if known is not None and known.tree == right and (word := self.memory.beside.amount(known.words)):
-            return Link("not decided", f"the word {word!r} beside it may speak of another amount", rests), None
+            return Link("not decided", f"the word {word!r} beside it may mean another amount of it", rests), None
         said = [each.words for each in self.memory.serving if (left, right) in each.both_ways]
         said += [known.words] if known is not None and known.tree == right else []
         if said and (word := self.memory.beside.wider(frozenset().union(*said))):
-            return Link("not decided", f"the word {word!r} beside it may say more than was said above it", rests), None
+            return Link("not decided", f"the word {word!r} beside it may add what nothing above it says", rests), None
         if is_reordered(known.tree if known else left, right):
             return Link("not decided", "the order of the factors may matter", rests), None
         letters = self.memory.vocabulary.letters_of(left) | self.memory.vocabulary.letters_of(right)
         if (spoken := self.memory.arithmetic) and not any(map(self.memory.vocabulary.is_matrix, letters)):
-            return Link("not decided", f"the words {spoken!r} above it speak of another arithmetic", rests), None
+            return Link(
+                "not decided", f"the words {spoken!r} above it may mean an arithmetic of other things", rests
+            ), None
         identity = self.memory.is_named(statement, self.memory.given.identities)
         certain = not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right))
         ways = ways_of(self._standing(statement, formula), statement, formula, index)

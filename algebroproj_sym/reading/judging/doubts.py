@@ -24,9 +24,9 @@ from algebroproj_sym.reading.prose.sentences import strange_word, words_of
 from algebroproj_sym.reading.prose.words import Beside
 
 NOT_COMPUTED = "has a value that is not computed"
-NOT_GIVEN = "its letters are not defined above it"
-A_CONDITION = "it may be a condition"
-A_VALUE = "a value that it rests on may be one of another case"
+NOT_GIVEN = "nothing above it defines its letters"
+A_CONDITION = "it may be a condition that holds in some cases only"
+A_VALUE = "it rests on a value that may belong to another case"
 _MINUS_ONE = Tree("sum", [Token("SIGN", "-"), Tree("number", [Token("NUMBER", "1")])])
 _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
 
@@ -38,10 +38,10 @@ def doubt_of_premises(beside: Beside, formula: Parsed, index: int, vocabulary: V
     """
     for each in used_by(vocabulary, formula.sides[index], formula.sides[index + 1]):
         if each.role != "definition" and each.part != beside.part:
-            return "a letter may have another meaning where it was given"
+            return "a letter was given in another section, where it may mean something else"
     defined = all(each.role == "definition" for each in used_by(vocabulary, *formula.sides[index : index + 2]))
     if not (_is_said(beside, formula) or (index > 0 and defined)):
-        return "it is not said to follow"
+        return "no word says that it follows"
     return doubt_of(beside, formula, index, vocabulary)
 
 
@@ -51,13 +51,13 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
     symbols = {*symbols_in(left), *symbols_in(right)}
     used = used_by(vocabulary, left, right)
     if formula.relations[index] == "≡":
-        return "it may be a congruence, or a condition"
+        return "≡ may be a congruence or a condition"
     if formula.relations[index] in (":=", "=:"):
-        return "it gives its letter anew"
+        return "it defines its letter again"
     if cases := [each.where for each in used if each.role == "case"]:
-        return f"{cases[0]} may be a case"
+        return f"{cases[0]} may hold in one case only"
     if beside.condition:
-        return "it stands beside a condition"
+        return "a condition stands beside it"
     lone = [tree for tree in (left, right) if defined_by(tree)[0]]
     within = bool(used) and not lone and all(each.place == beside.place for each in used)
     given = [each.symbol for each in used if each.explicit]
@@ -69,9 +69,9 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
         return doubt
     if not any(map(vocabulary.letters_of, (left, right))):
         if _is_turned(left, right, vocabulary):
-            return "angles may differ by full turns"
+            return "its sides may be angles that differ by full turns"
         if word := strange_word(f"{beside.before} {beside.sentence} {beside.behind}", ()):
-            return f"the word {word!r} beside it may speak of another arithmetic"
+            return f"the word {word!r} beside it may mean another arithmetic, such as that of a clock"
     if formula.chose:
         return formula.chose
     unusable = sorted(s for s in symbols if s in vocabulary.definitions and not vocabulary.definitions[s].usable)
@@ -81,7 +81,7 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
     if within:
         return _doubt_of_letters(formula, index, vocabulary, used, chained=len(formula.sides) > 2)
     if used and (word := beside.strange(_operators(formula).union(*(each.words for each in used)))):
-        return f"the word {word!r} beside it may speak of another thing"
+        return f"the word {word!r} beside it is new, so the equation may be about something else"
     for tree in lone:
         definition = vocabulary.definitions.get(defined_by(tree)[0])
         if definition is not None and not _is_meant(definition, beside, formula):
@@ -101,9 +101,9 @@ def _doubt_of_reading(trees: tuple[Formula, ...], symbols: Iterable[str]) -> str
     if any("." in token for tree in trees[:2] for token in _numbers(tree)):
         return "its decimals may be rounded"
     if any(_has_mixed_number(tree) for tree in trees[:2]):
-        return "a number before a fraction may be added to it"
+        return "a number before a fraction may be added to it, as in 1 1/2"
     if any(_has_logarithm(tree) for tree in trees):
-        return "log may have another base"
+        return "log may have another base than e"
     if any(_has_plain_angle(tree) for tree in trees[:2]):
         return "angles may be in degrees"
     imaginary = sorted(_IMAGINARY.intersection(symbols))
@@ -117,7 +117,7 @@ def _doubt_of_products(left: Formula, right: Formula, vocabulary: Vocabulary) ->
             signs = [each for each in product.children if isinstance(each, Token)]
             letters = [each for factor in trees_in(product) for each in symbols_in(factor)]
             if r"\times" in signs and letters and not any(map(vocabulary.is_matrix, letters)):
-                return "a cross may be that of vectors"
+                return "× may be the cross product of vectors"
     one, other = ([*symbols_in(each)] for each in (left, right))
     is_single = all(sum(1 for _ in each.find_data("sum")) <= 1 and _terms(each) == 1 for each in (left, right))
     return "the order of the factors may matter" if is_single and one != other and sorted(one) == sorted(other) else ""

@@ -30,7 +30,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, t
 from algebroproj_sym.replaying.reals.terms import written
 
 Sides = tuple[Formula, Formula]
-OTHER_SHAPES = "the sides have different shapes"
+OTHER_SHAPES = "its sides have different shapes"
 MOST_CALLS = 200
 """How many values of functions are looked at, to see whether they are taken in their range."""
 
@@ -93,7 +93,7 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
         raise UnreadableError("two columns side by side may be a product of quaternions")
     properties = {vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)}
     if properties - {(), ("identity",)}:
-        raise UnsizedError("a property of a letter says more than its entries")
+        raise UnsizedError("a property of a letter, such as being a rotation, does not show in its entries")
     for part in (big for tree in (left, right, *_trees_of(vocabulary, left, right)) for big in tree.find_data("big")):
         require_no_value(str(part.children[0]), symbols_in(part), vocabulary.definitions)
     values = [vocabulary.value(tree) for tree in (left, right)]
@@ -125,10 +125,10 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
     is_elementary = any(map(has_functions, values))
     if is_elementary and (found := complex_letters_in(vocabulary, left, right)):
         raise UnreadableError(
-            f"{min(map(vocabulary.name, found))} may be complex, but functions are computed of real ones"
+            f"{min(map(vocabulary.name, found))} may be complex, but functions are computed for real numbers only"
         )
     if is_elementary and (name := _assumed_real(vocabulary, values)):
-        raise UnreadableError(f"{name} may be complex or a vector, for it has an absolute value")
+        raise UnreadableError(f"{name} may be complex or a vector, because its absolute value is taken")
     if shape(values[0]) and (is_elementary or by_entries):
         return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
     return [Question(_text(values[0]), _text(values[1]))]
@@ -169,7 +169,7 @@ def _of_complex(vocabulary: Vocabulary, left: Any, right: Any) -> Question:
     left, right = (each.replace(_is_exponential, lambda power: sympy.exp(power.exp)) for each in (left, right))
     names = {symbol.name for value in (left, right) for symbol in value.free_symbols}
     if "I" in names or any(value.atoms(type(sympy.E)) for value in (left, right)):
-        raise UnreadableError("a letter of it would look like a number")
+        raise UnreadableError("a letter in it looks like the number e or i")
     if vocabulary.numbers == "some complex":
         plain = {name for name in names if not values_in(name)}
         some = vocabulary.complex_letters(map(vocabulary.symbol_of, plain))
@@ -201,7 +201,7 @@ _UNASKED = (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueE
 def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question] | str:
     """Return the questions, or why there are none."""
     if other := _of_other_letters(vocabulary, left, right):
-        return f"{vocabulary.name(other)} of other letters may be another function"
+        return f"{vocabulary.name(other)} with other arguments may be another function"
     if hides := _hides_an_index(vocabulary, left, right):
         return hides
     if outside := out_of_range(vocabulary, left, right):
@@ -236,7 +236,7 @@ def stated_by(vocabulary: Vocabulary, tree: Formula) -> tuple[Question, ...]:
 def _reason_of(error: Exception) -> str:
     """Return the first line of a message."""
     if isinstance(error, RecursionError):
-        return "a letter in it is given by itself, or it is nested too deeply"
+        return "a letter in it is defined by itself, or its formula is nested too deeply"
     return str(error).partition("\n")[0][:200] or type(error).__name__
 
 
@@ -265,7 +265,7 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
 def _hides_an_index(vocabulary: Vocabulary, *trees: Formula) -> str:
     """Return why letters under a sum may not be taken for fixed; empty if they may."""
     letter, index = captured_in([*trees, *_trees_of(vocabulary, *trees)], partial(_hidden_in, vocabulary))
-    return f"{vocabulary.name(letter)} may depend on {index}, over which a sum or the like runs" if letter else ""
+    return f"{vocabulary.name(letter)} may depend on {index}, by which a sum or an integral runs" if letter else ""
 
 
 def _hidden_in(vocabulary: Vocabulary, symbol: str) -> Collection[str]:
@@ -288,7 +288,7 @@ def out_of_range(vocabulary: Vocabulary, *trees: Formula) -> str:
 
 
 def _in_another_range(vocabulary: Vocabulary, symbol: str) -> str:
-    return f"{vocabulary.name(symbol)} is given in another range"
+    return f"{vocabulary.name(symbol)} is defined only for other values than those here"
 
 
 def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str], Any], left: Iterator[int]) -> str:
@@ -301,7 +301,7 @@ def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str]
         put = dict(zip(function.parameters, arguments, strict=True))
         own = lambda symbol, put=put: evaluated(put[symbol], names) if symbol in put else names(symbol)  # noqa: E731
         if next(left, None) is None:
-            return f"expected at most {MOST_CALLS} values of functions that are given in a range, got more"
+            return f"expected at most {MOST_CALLS} values of functions that are defined for a range, got more"
         if is_outside(function.ranges, own, names):
             return _in_another_range(vocabulary, function.symbol)
         if inner := _called_outside(vocabulary, function.tree, own, left):
@@ -348,7 +348,7 @@ def asked_under(way: Way) -> list[Question] | str:
     with suppress(*_UNASKED):
         if any(map(way.vocabulary.is_matrix, way.vocabulary.letters_of(way.left))):
             return lettered(way.vocabulary, *way.sides, [(each.left, each.right) for each in way.under])
-    return "what it may rest on is neither rational nor of vectors"
+    return "the equations above it are neither rational nor about vectors"
 
 
 def _is_rational(question: Question) -> bool:

@@ -84,7 +84,7 @@ class Sample:
         def function(*arguments: Any) -> Any:
             self._parts += sum(1 for _ in definition.tree.iter_subtrees())
             if self._parts > MOST_PARTS:
-                raise UnreadableError("there is too much to put in")
+                raise UnreadableError("the formula is too large with all definitions put in")
             own = dict(zip(definition.parameters, arguments, strict=True))
             letters = {each: sympy.Dummy(each) for each in own} if changing else own
             found = evaluated(

@@ -103,7 +103,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
     ranged = sorted((known.letters_of(left) | known.letters_of(right)) & standing.survey.restricted)
     special = f"{known.name(ranged[0])} stands for the elements of a set" if ranged else ""
     if word := standing.survey.special:
-        special = special or f"the word {word!r} may speak of special values or products"
+        special = special or f"the word {word!r} may mean special values or products"
     doubt = special or doubt_of(standing.beside, formula, index, known)
     others = _others(standing, statement, formula, index)
     above = [each.gives for each in applicable(standing.premises, standing.part, standing.cited) if each.gives]
@@ -386,7 +386,7 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
         return
     of_powers = replace(formula, sides=(powers.left, powers.right), relations=("=",))
     shown = " = ".join(map(standing.vocabulary.text, formula.sides[index : index + 2]))
-    reads = shown if powers.is_open else f"{shown}, where both sides have one sign"
+    reads = shown if powers.is_open else f"{shown}, where both sides have the same sign"
     plain = Way(powers.left, powers.right, standing.vocabulary)
     for way in (
         *[plain][: bool(certain)],
@@ -584,7 +584,7 @@ def _with_complex_numbers(way: Way) -> Iterator[Way]:
     unit = f", where {unit} is the imaginary unit" if unit else ", of complex numbers"
     kinds: tuple[tuple[Numbers, str], ...] = (
         ("complex", ""),
-        ("some complex", ", and letters that nothing complex gives are real"),
+        ("some complex", ", and letters are real unless complex ones give them"),
     )
     for numbers, letters in kinds:
         known = way.vocabulary.with_complex_numbers(numbers)

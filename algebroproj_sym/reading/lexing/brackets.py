@@ -115,7 +115,7 @@ def _read_place(cursor: Cursor) -> None:
     if SIZE.fullmatch(place):
         read_after(cursor)
     elif cursor.out[-1].type == "SYMBOL":
-        cursor.chose = "a value at a place is a letter of its own"
+        cursor.chose = "a value at a place, such as f at x = 0, is read as a letter of its own"
         name = cursor.out.pop()
         cursor.out.append(Token("SYMBOL", f"{name} at_{place}", start_pos=name.start_pos))
         read_after(cursor)
@@ -151,7 +151,7 @@ def _is_shown(inside: Sequence[Piece]) -> bool:
 
 def _close(cursor: Cursor, kind: str) -> None:
     if not cursor.opened or cursor.opened[-1] != kind:
-        raise cursor.fail("a bracket is closed, but it is not open")
+        raise cursor.fail("a bracket is closed that was never opened")
     cursor.opened.pop()
 
 

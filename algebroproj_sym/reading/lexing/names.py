@@ -189,7 +189,7 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
     ):
         emit_name(cursor, whole, start)
     elif cursor.functions is not None and _has_indices(cursor, letter, below, above):
-        cursor.chose = "letters above may be indices"
+        cursor.chose = "letters in superscripts may be indices"
         emit_name(cursor, whole, start)
     elif cursor.functions is not None and re.fullmatch("[2-9]", above) and says_more(bracket_ahead(cursor)):
         raised = cursor.raised
@@ -292,7 +292,7 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
     """Add the token of a letter, or of a function before its bracket, or a value with a condition, as in ``p(y|x)``."""
     if cursor.functions is not None and not raised and says_more(inside := bracket_ahead(cursor)):
         cursor.index += len(inside)
-        cursor.chose = "a value with a condition is a letter of its own"
+        cursor.chose = "a value with a condition, such as p(y|x), is read as a letter of its own"
         text = "".join(piece.text for piece in inside if not piece.text.isspace() and piece.text not in DROPPED)
         cursor.out.append(Token("SYMBOL", f"{whole} {text}", start_pos=start))
         return

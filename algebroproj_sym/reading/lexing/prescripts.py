@@ -167,7 +167,7 @@ def _read_with_scripts(cursor: Cursor, below: str, above: str, start: int) -> No
     if cursor.functions is not None and not at_symbol(cursor) and at_unknown_letter(cursor):
         cursor.chose = f"the command {cursor.text} is not known"
     elif not at_symbol(cursor):
-        raise cursor.fail("a script is read only beside a letter")
+        raise cursor.fail("an index or an exponent needs a letter before it")
     letter = take_letter(cursor)
     primes, own_below, own_above = take_scripts(cursor)
     own_above = own_above or (_take_frame(cursor) if above else "")

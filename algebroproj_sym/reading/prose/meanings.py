@@ -22,7 +22,7 @@ from algebroproj_sym.reading.prose.devices import heard
 from algebroproj_sym.reading.prose.inner import products_in
 from algebroproj_sym.reading.prose.phrases import SET, called, symbols_in_list
 
-ITERATE = "a power of a function may be its iterate"
+ITERATE = "a power of a function may mean that it is applied again"
 VARIES = "may be a different number each time"
 _SIGNS = (
     (
@@ -34,20 +34,20 @@ _SIGNS = (
     (
         r"\binteger division|\bdivision of integers|\bwithout (?:the )?remainder",
         r"/|\\[dt]?frac",
-        "a remainder may be lost",
+        "a division of integers may drop a remainder",
     ),
     (
         r"\blogical (?:or|and|disjunction|conjunction)\b|\bboolean (?:algebra|or|and|sum|product)\b"
         r"|\b(?:max|min)-plus\b|\btropical (?:algebra|semiring|sum|addition)|\bMinkowski (?:sum|difference)"
         r"|\bproduct\b[^.$]* is (?:the|their) composition|\$\s*=\s*\$ (?:means|denotes|stands|is)\b",
         r"",
-        "signs may mean something else than for numbers",
+        "its signs may not mean what they mean for numbers",
     ),
     *(
         (
             rf"\$\s*{sign}\s*\$ (?:means|denotes|stands|marks|is)\b",
             latex,
-            "a sign may mean something else than for numbers",
+            "one of its signs may not mean what it means for numbers",
         )
         for sign, latex in (("!", "!"), (r"\+", r"\+"), ("/", r"/|\\[dt]?frac"), (r"\\cdot", r"(?<![_^{])\\cdot"))
     ),
@@ -56,7 +56,7 @@ _SIGNS = (
             rf"(?<![a-z])\\?{name}\$? (?:denotes|means|stands for)\b"
             r"(?![^.;]*\b(?:co)?(?:sine|tangent|logarithm|exponential|function\b(?! of)|inverse|base))",
             rf"\\?(?<![a-z]){name}(?![a-z])",
-            f"{name} may mean something else than for numbers",
+            f"{name} may not be the function of that name",
         )
         for name in ("sin", "cos", "tan", "exp", "log", "ln")
     ),
@@ -93,19 +93,19 @@ _SIGNS = (
         r"\bconcatenat\w+[^.]{0,60}\b(?:strings?|words?|symbols?|sequences?|lists?|paths?|digits?)\b"
         r"|\b(?:strings?|words?|symbols?|sequences?|lists?|paths?|digits?|products?|juxtaposition)\b[^.]{0,60}\bconcatenat\w+",
         r"",
-        "a product may be another thing than that of numbers",
+        "its products may not be products of numbers",
     ),
     (
         r"\b(?:numbers?|numerals?|digits?|codes?|written|arithmetic)\b[^.]{0,20}\b(?:binary|hexadecimal|octal)\b"
         r"|\b(?:binary|hexadecimal|octal) (?:numbers?|numerals?|digits?|codes?|arithmetic|notation|representations?)\b"
         r"|\bin (?:binary|hexadecimal|octal)\b(?! (?:stars?|pulsars?|mergers?|alloys?|mixtures?)\b)",
         r"\d\d",
-        "digits may be those of another base",
+        "its digits may have another base than ten",
     ),
     (
         r"\b(?:element|component|entry)-?wise\b|\bentry by entry\b|\belement by element\b|\bcomponent by component\b",
         r"(?<!\\partial)(?<!\\partial )(?<!d)(?<!d )\\(?:mathbf|boldsymbol|vec|bm)\s*\{\s*[a-z]\s*\}\s*\^\s*\{?\s*2",
-        "the square of a vector may be that of each entry",
+        "the square of a vector may be the square of each entry",
     ),
     (
         r"\b(?:carry|carries|bear|bears|marked (?:by|with)|denoted (?:by|with)) (?:an? )?primes?\b"
@@ -278,7 +278,7 @@ class Meanings:
             is_named = _CALLED.match(after) or _IS_NAME_OF.search(before)
             is_inline = each.display.environment == "inline" and each.latex.strip() == r"\pi"
             if is_inline and is_named and not _NUMBER.search(before[-20:] + _CLAUSE.split(after)[0]):
-                found[r"\pi"] = "is not the number, for words call it something else"
+                found[r"\pi"] = "is not the number here: words call it something else"
         for match in _EACH_TIME.finditer(self.words):
             found |= dict.fromkeys(symbols_in_list(match[1]), VARIES)
         return found
@@ -341,9 +341,9 @@ class Meanings:
             if match and (reason != ITERATE or match[1] == "}" or match[1] in self._applied):
                 return reason
         if self._has_boundaries and r"\partial_" in statement.display.latex.replace(" ", ""):
-            return "it may be a part of a boundary, and no derivative"
+            return "∂ may be part of a boundary, and not a derivative"
         if self.gives_products and any(True for side in formula.sides for _ in products_in(side)):
-            return "an inner product is given otherwise"
+            return "the document defines the inner product in its own way"
         if match := _MICRO.search(statement.latex):
             return f"{match[1]} may be a unit"
         if _TRANSFORM.search(latex):
@@ -353,7 +353,7 @@ class Meanings:
         symbols = {symbol for side in formula.sides for symbol in symbols_in(side)}
         for symbol in sorted(symbols):
             if symbol == "const" and not any(symbol in map(_text, side.children) for side in _sums_in(formula.sides)):
-                return f"{symbol} stands for a factor that nothing gives"
+                return f"{symbol} stands for a factor that the document does not give"
             if _FILLER.fullmatch(symbol) and symbol not in self.given:
                 return f"{symbol} {VARIES}"
             if symbol in self._letters:
@@ -362,7 +362,7 @@ class Meanings:
                 return f"{symbol} may be an operator"
         index = _summed_silently(formula.sides) or (_twice_in(formula.sides) if self._has_convention else "")
         if index:
-            return f"the index {index} may be summed over silently"
+            return f"the index {index} may be summed over without a summation sign"
         return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
 
     def _of_tree(self, tree: Formula, symbols: set[str]) -> str:
@@ -374,10 +374,10 @@ class Meanings:
                 and other.data == "fraction"
                 and all(map(_is_number, other.children))
             ):
-                return "a number before a fraction may be added to it"
+                return "a number before a fraction may be added to it, as in 1 1/2"
         pairs = (pair for run in tree.find_data("run") for pair in pairwise(run.children))
         if any(_is_symbol(one) and _is_group(other) and _is_number(other) for one, other in pairs):
-            return "a number in brackets may be that of a sample"
+            return "a number in brackets may be the number of a sample"
         changes = any(map(CHANGES.search, symbols)) or any(True for _ in tree.find_data("slope"))
         for part in tree.iter_subtrees():
             head = str(part.children[0]) if part.children and isinstance(part.children[0], Token) else ""
@@ -389,7 +389,7 @@ class Meanings:
             if part.data == "fraction" and all(_is_material(each) and not _text(each) for each in part.children):
                 return "D may be a derivative"
             if self.is_label(part):
-                return "what stands above a letter may be an index"
+                return "a superscript may be an index"
             if part.data in ("run", "product", "power", "fraction", "quotient"):
                 factors = {_text(each) for each in part.children} & self._functions
                 if factors:

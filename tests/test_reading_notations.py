@@ -250,22 +250,3 @@ def test_an_argument_that_has_one_reading_only_is_read_so():
     latex = r"\[ L = a - \log 2 \cosh \frac{1}{2} \sum_k z_k \] \[ L - a = - \log 2 \cosh \frac{1}{2} \sum_k z_k \]"
     found = read_document(document_of(latex), seconds=5)
     assert [each.verdict for each in found] == ["definition", "follows"]
-
-
-_WIDTH = r"\[ x = \frac{d p}{d + p s}. \] "
-
-
-@pytest.mark.parametrize(
-    ("latex", "verdict"),
-    [
-        (_WIDTH + r"Hence \[ p = \frac{d x}{d - x s}. \]", "follows"),
-        (_WIDTH + r"\[ y = \frac{d q}{d + p s}. \] Hence \[ q = \frac{d y}{d - x s}. \]", "follows"),
-        (r"\[ n = d + 1. \] \[ d z = a \, d x. \] Hence \[ z = a x. \]", "definition"),
-        (r"\[ n = d + 1. \] \[ \frac{d z}{d x} = a d. \] Hence \[ z = a d x. \]", "definition"),
-        (_WIDTH + r"\[ s = \int_0^d x \, dx. \] Hence \[ p = \frac{d x}{d - x s}. \]", "definition"),
-        (_WIDTH + r"Its derivative is short. Hence \[ p = \frac{d x}{d - x s}. \]", "definition"),
-    ],
-)
-def test_d_is_a_letter_where_each_equation_has_it_alone(latex: str, verdict: str) -> None:
-    """It is none where an equation has differentials alone, or where the document has any calculus."""
-    assert read_document(document_of(latex))[-1].verdict == verdict

@@ -71,32 +71,6 @@ def test_what_stands_in_the_second_column_of_cases_is_a_condition(latex: str, fo
     assert (last_verdict(latex) == "follows") == follows
 
 
-ELIMINATED = (
-    r"\[ A = \begin{bmatrix} 2 & 1 & 1 \\ 4 & 3 & 3 \\ 8 & 7 & 9 \end{bmatrix} \] "
-    r"\[ L = \begin{bmatrix} 1 & & \\ -2 & 1 & \\ -4 & & 1 \end{bmatrix} \quad \text{so that} \quad "
-    r"L A = \begin{bmatrix} 2 & 1 & 1 \\ & 1 & 1 \\ & 3 & LAST \end{bmatrix}. \]"
-)
-
-
-@pytest.mark.parametrize(
-    ("latex", "verdict"),
-    [
-        (ELIMINATED.replace("LAST", "5"), "follows"),
-        (ELIMINATED.replace("LAST", "4"), "independent"),
-        (r"\[ A = \begin{bmatrix} 2 & 1 \\ & 3 \end{bmatrix} \] \[ \det A = 6 \]", "follows"),
-        (r"A is symmetric. \[ A = \begin{bmatrix} 2 & 1 \\ & 3 \end{bmatrix} \] \[ \det A = 6 \]", "not decided"),
-        (r"\[ A = \begin{bmatrix} 2 && 1 \\ 4 && 3 \end{bmatrix} \] \[ \det A = 2 \]", "not decided"),
-        (r"\[ A = \begin{bmatrix} a & b \\ & c \end{bmatrix} \] \[ \det A = a c \]", "not decided"),
-        (
-            r"\[ A = \begin{bmatrix} 2 & \cdots & 1 \\ & \ddots & \\ & & 3 \end{bmatrix} \] \[ \det A = 6 \]",
-            "not decided",
-        ),
-    ],
-)
-def test_an_empty_entry_of_a_matrix_of_numbers_is_zero(latex: str, verdict: str) -> None:
-    assert last_verdict(latex) == verdict
-
-
 @pytest.mark.parametrize(
     ("words", "follows"),
     [

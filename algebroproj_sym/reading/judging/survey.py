@@ -16,7 +16,6 @@ from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by,
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments
-from algebroproj_sym.reading.deriving.components import columns_beside_matrices
 from algebroproj_sym.reading.deriving.indices import Indices
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
@@ -25,7 +24,6 @@ from algebroproj_sym.reading.lexing.commands import MARKS, RELATIONS
 from algebroproj_sym.reading.lexing.names import OFTEN_FUNCTION, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_pieces
 from algebroproj_sym.reading.lexing.tokens import tokens_of
-from algebroproj_sym.reading.parsing.blanks import with_zeros
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
 from algebroproj_sym.reading.parsing.operators import Operators, operators_in, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
@@ -179,21 +177,6 @@ class Survey:
         return are_transposes(self._first_equations, self._prose)
 
     @cached_property
-    def _has_letter_d(self) -> bool:
-        """Whether d is a letter before another one: all equations with d x have d alone, too, without calculus."""
-        displays = (each.display.latex for each in self.statements)
-        if _CALCULUS.search(f"{self._prose} {' '.join(displays)}"):
-            return False
-        beside = list[bool]()
-        for sides in self._first_equations:
-            names = {symbol for side in sides for symbol in symbols_in(side)}
-            names |= {str(each.children[0]) for side in sides for each in side.find_data("big")}
-            divided = [each for each in names if _DERIVATIVE.match(each)]
-            if divided or any(each.startswith("d ") for each in names):
-                beside.append(all(map(_OF_A_SUM.match, divided)) and ("d" in names or bool(divided)))
-        return any(beside) and all(beside)
-
-    @cached_property
     def _operators(self) -> Operators | None:
         """Which operators there are that are applied to something."""
         return operators_in(self._first_equations)
@@ -210,7 +193,7 @@ class Survey:
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
-        if not (self.labels or self._has_transposes or self._operators or self._has_letter_d):
+        if not (self.labels or self._has_transposes or self._operators):
             return self._first
         return {id(each): self._parsed(each, self.labels) for each in self.statements}
 
@@ -229,15 +212,12 @@ class Survey:
         own = self.labels if labels is None else labels
         known = self.given.whole.symbols
         named = self._has_superscripts
-        d_alone = not plain and self._has_letter_d
-        is_name = lambda name: (  # noqa: E731
-            name in known or name in own or (named and _has_index(name)) or (d_alone and name == "d")
-        )
+        is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
         found = found if plain or not self._has_transposes else with_transposes(found)
         if not plain and self._operators:
             found = with_operators(found, self._operators)
-        return found if _HALVES.search(self._prose) else with_zeros(found)
+        return found
 
     def left_of(self, statement: Statement) -> frozenset[str]:
         """Return the letters on the left of a statement that cannot be read: it may give them."""
@@ -372,10 +352,6 @@ class Survey:
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
             found.define(definition)
-        given = {tie.given for tie in self.dependence.ties}
-        for column in columns_beside_matrices(_sides(self.formulas), self.occurring):
-            if column.symbol not in {*given, *sizes, *properties, *self.given.whole.symbols}:
-                found.define(column)
         return found
 
     @cached_property
@@ -389,16 +365,7 @@ class Survey:
         return replace(found, no_numbers=found.no_numbers | matrices, named=named_otherwise(self.statements))
 
 
-_DERIVATIVE, _OF_A_SUM = re.compile(r"d[^/]*/d"), re.compile(r"d[^/]*/d[^_^]*[+-]")
-r"""A fraction with d above and below, and one that is no derivative: ``\frac{d x}{d + x}``."""
-_CALCULUS = re.compile(
-    r"differential|infinitesimal|derivativ|integra[lt]|calculus|\\i*o?int(?![a-z])|\\partial(?![a-z])|\\d*dot(?![a-z])",
-    re.IGNORECASE,
-)
-"""Words and signs of documents in which ``d x`` may be a differential."""
 _PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)
-_HALVES = re.compile(r"symmetr|covarian|correlat|inertia|missing|unknown entr", re.IGNORECASE)
-"""Words of matrices of which one half may be printed, or of which not all is known."""
 _SPECIAL = heard(r"\b<special>\b")
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
 _OF_TIME = heard("<of-time>")

@@ -1,4 +1,4 @@
-"""Files: all of them are written whole, or none of them at all, and JSON is read that says each thing once."""
+"""Files: a set of files is written as a whole or not at all, and JSON with a repeated key is refused."""
 
 import json
 import signal

@@ -1,4 +1,4 @@
-"""Derivation modules as text: which there are, and which sections and numbers they declare, without running them."""
+"""Derivation modules as text: which modules there are, and their sections and numbers, without running them."""
 
 import ast
 import importlib

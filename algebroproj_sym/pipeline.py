@@ -1,4 +1,4 @@
-"""From verdicts to programs and figures.
+"""The steps from verdicts to programs and figures.
 
 Each step takes what the one before it gave; `jobs` worker processes change the time a step takes, never its result.
 """

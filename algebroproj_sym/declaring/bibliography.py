@@ -1,4 +1,4 @@
-"""What is known of the papers: author, title and year, from a file beside the derivations."""
+"""The author, title and year of each paper, from a file beside the derivations."""
 
 import tomllib
 from dataclasses import dataclass

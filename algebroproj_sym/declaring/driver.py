@@ -1,4 +1,4 @@
-"""Drivers: hand-written functions that call generated ones, and travel with the generated package."""
+"""Drivers: hand-written functions that call generated ones, and are part of the generated package."""
 
 import ast
 import inspect

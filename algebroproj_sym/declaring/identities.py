@@ -1,4 +1,4 @@
-"""Identities from elsewhere: files of statements as text, with the verdicts that are expected of them."""
+"""Identities that no paper states: files of statements as text, with the expected verdicts."""
 
 import difflib
 from collections.abc import Mapping

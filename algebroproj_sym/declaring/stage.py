@@ -1,4 +1,4 @@
-"""Stages of a kernel: values on the way that are not rational functions of what comes before, such as a cosine.
+"""Stages of a kernel: intermediate values that are not rational functions of earlier ones, such as a cosine.
 
 Each stage gives symbols that later stages and the results may use.  Proofs treat them as free: what is proved is that
 the right values go in, and that what comes out is used rightly.

@@ -1,4 +1,4 @@
-"""Compiling: coqc and coqchk accept the exported files, and what these assume is compared with what may be."""
+"""Compiling the exported files with coqc and coqchk, and comparing their axioms with the allowed ones."""
 
 import re
 import shutil

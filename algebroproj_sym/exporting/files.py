@@ -1,4 +1,4 @@
-"""The exported files: one a section of a paper, what they all need, and what could not be exported."""
+"""The exported files: one for each section of a paper, those they share, and the list of what is not exported."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence

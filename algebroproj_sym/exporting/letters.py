@@ -1,4 +1,4 @@
-"""Claims in letters as claims about entries: letters are written out, and what constraints define is put in."""
+"""Claims about matrices as letters, written out in entries, with the definitions among their constraints put in."""
 
 from __future__ import annotations
 

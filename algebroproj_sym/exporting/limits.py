@@ -1,4 +1,4 @@
-"""Limits: an expression is a quotient of polynomials, whose denominator is not zero where the variable is."""
+"""Limits: an expression is a quotient of polynomials, and its denominator is not zero where the variable is zero."""
 
 from collections.abc import Sequence
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""How derivations make what they derive, for the claims of installed papers."""
+"""The steps by which derivations compute their results, for the claims of installed papers."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Theorems at rational points: formulas have certain values, or differ, where nothing is divided by zero."""
+"""Theorems at rational points: formulas have certain values there, or differ, and no divisor is zero."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Theorems: a statement that can be read, and a proof that names the trees and certificates behind it."""
+"""Theorems: each has a readable statement, and a proof that names its trees and certificates."""
 
 import re
 from collections.abc import Callable, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""Forms that are arranged: equal to another one, with terms and factors in the order in which they are to be shown.
+"""Arranged forms: equal expressions whose terms and factors are in the order in which they are shown.
 
 SymPy has an order of its own and multiplies numbers out: ``3*(y - x)`` becomes ``-3*x + 3*y``.  What is built here
 stays as it is.

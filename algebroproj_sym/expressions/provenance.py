@@ -1,4 +1,4 @@
-"""Provenance: of which operation on which operands a value is the result, noted while derivations are imported.
+"""Provenance: the operation and the operands behind each value, recorded while derivations are imported.
 
 Nothing rests on it: an export writes the operations out, and a proof assistant computes them again.  A matrix and a
 number carry their provenance; any other scalar, of which SymPy keeps one copy, is found by its value, as it was made

@@ -1,4 +1,4 @@
-"""Divisions that are remembered: SymPy turns x/x into 1 before anyone sees the pole, `over(x, x)` stays."""
+"""Divisions that are remembered: SymPy turns x/x into 1 and so loses the pole, but `over(x, x)` stays."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""How large an expression is, for all that shows expressions."""
+"""The size of an expression, for all code that shows expressions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Forms that are not rational expressions, with real functions or in letters: text, which has readers of its own."""
+"""Forms that are kept as text: those with real functions, and those with matrices as letters."""
 
 import re
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Expressions as text: as `str` of SymPy writes them, or such that every division that was made is seen."""
+"""Expressions as text: as `str` of SymPy writes them, or with every division that was made."""
 
 from functools import lru_cache
 from typing import Any

@@ -1,4 +1,4 @@
-"""Choosing among equal forms of a kernel: by the errors that are measured, and then by the operations they take.
+"""Choosing among equal forms of a kernel: by measured errors, and then by the number of operations.
 
 A derivation may offer several forms of a kernel, and there is the factored form of what it derives.  Each can be
 lowered with quotients as written, or with the reciprocals of shared divisors; with twice the digits where sums may

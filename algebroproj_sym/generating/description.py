@@ -1,4 +1,4 @@
-"""What the documentation of a function says in every language: its formula, and where it has no finite result."""
+"""The documentation of a function, for every language: its formula, and where it has no finite result."""
 
 from collections.abc import Iterable
 from itertools import groupby, product

@@ -1,4 +1,4 @@
-"""Ranges: for which inputs nothing overflows or underflows in a program.
+"""Ranges: the inputs for which nothing in a program overflows or underflows.
 
 Let every input be zero, or between 2^-k and 2^k in absolute value.  Then each number of a program is a multiple of some
 power of two, its absolute value is at most another one, and unless it is zero, at least a third one.  These exponents

@@ -1,4 +1,4 @@
-"""Case distinctions: something is not zero in one case and zero in the other, and the claim holds in both.
+"""Case distinctions: an expression is zero or not zero, and the claim holds in both cases.
 
 A system that is affine in a variable, or two equations in two variables, are solved where slope or determinant do not
 vanish; where they do, they are a further constraint.

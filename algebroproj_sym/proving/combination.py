@@ -1,4 +1,4 @@
-"""Powers of a claim, times powers of what never vanishes, as combinations of what is zero.
+"""Combinations: a power of a claim, times powers of what never vanishes, as a combination of what is zero.
 
 A claim n = 0 follows from g_i = 0 and s != 0 over every field of characteristic 0 exactly if
 ``n**k * s**m == sum(c_i * g_i)`` for some k and m (Hilbert's Nullstellensatz).  After the elimination, Groebner bases

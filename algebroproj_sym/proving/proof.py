@@ -1,4 +1,4 @@
-"""What becomes of a statement: a decision, and the evidence for it."""
+"""The result for a statement: a decision, and the evidence for it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What holds over the reals alone: a sum of squares is zero only where all of them are; with a constant it never is."""
+"""Proofs that hold over the reals alone: a sum of squares is zero only if each square is zero."""
 
 from collections.abc import Sequence
 from itertools import islice

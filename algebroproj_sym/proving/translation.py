@@ -1,4 +1,4 @@
-"""Without loss of generality at the origin: variables that translations take to zero, and the way back.
+"""Translations: variables that may be set to zero without loss of generality, and the way back.
 
 If ``sum(d_i * dP/dx_i)`` is the zero polynomial for every polynomial P of a question, none of them changes along d, and
 a variable with ``d_i != 0`` may be put to zero.  What is then found holds everywhere, after ``x - (x_i/d_i) d`` for x.

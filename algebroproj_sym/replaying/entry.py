@@ -1,4 +1,4 @@
-"""What an entry of the ledger consists of: nothing is missing, nothing is beside it, and the declaration is bound."""
+"""An entry of the ledger: it has each field and no other, and it belongs to its declaration."""
 
 import json
 import re

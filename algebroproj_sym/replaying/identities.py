@@ -1,4 +1,4 @@
-"""Identities from elsewhere: whether the verdict on a statement follows from the evidence beside it."""
+"""Identities that no paper states: whether the verdict on a statement follows from the evidence beside it."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -1,4 +1,4 @@
-"""Identities from elsewhere: their verdicts as a table and as plain data."""
+"""The verdicts on identities that no paper states, as a table and as plain data."""
 
 from collections import Counter
 from collections.abc import Sequence

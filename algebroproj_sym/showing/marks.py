@@ -1,4 +1,4 @@
-r"""What is marked in a formula, because it differs from another one: in LaTeX as ``\class{differs}{...}``."""
+r"""Marks in a formula, where it differs from another one: in LaTeX as ``\class{differs}{...}``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the name of a symbol is read: base letter, star, primes and indices, the one place that knows it.
+"""The parts of the name of a symbol: base letter, star, primes and indices.
 
 In the derivations a symbol is spelled in ASCII: ``up31`` is u'_31, ``upp31`` is u''_31, ``mu1`` is μ_1, ``ps00`` is
 p*_00.  Everything that shows mathematics asks here.

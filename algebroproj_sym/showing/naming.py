@@ -1,4 +1,4 @@
-"""Long forms by the names of what they are made of, as papers write: ``A_v * M * inverse(A_X) * X``."""
+"""Long forms, written with the names of their parts as papers do: ``A_v * M * inverse(A_X) * X``."""
 
 import ast
 from collections.abc import Mapping

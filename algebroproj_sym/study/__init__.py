@@ -1,4 +1,4 @@
-"""Studies: what becomes of the formulas near critical configurations, with how many digits, for which uncertainty.
+"""Studies: how accurate the formulas are near critical configurations, by digits and by uncertainty of the input.
 
 A study is a declaration (`declaration`) of many independent members, whose random numbers are counted (`sampling`);
 a sweep computes them in chunks that survive a kill (`sweeping`) and become one labelled dataset (`datasets`), from

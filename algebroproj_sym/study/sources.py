@@ -1,4 +1,4 @@
-"""The sources of a study: what its numbers depend on, and nothing that merely lies beside it."""
+"""The sources of a study: the files on which its numbers depend."""
 
 import ast
 import hashlib

@@ -1,4 +1,4 @@
-"""All that is asked of a generated function."""
+"""All checks of a generated function."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

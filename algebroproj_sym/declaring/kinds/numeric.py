@@ -1,4 +1,4 @@
-"""A printed number: the one number that the declared rounding makes of the exact one, with as many decimals."""
+"""A printed number: it must be the exact number, rounded as declared to the same number of decimals."""
 
 import re
 from decimal import Decimal

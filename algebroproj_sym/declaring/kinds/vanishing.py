@@ -1,4 +1,4 @@
-"""Where an expression is zero: exactly where one of the printed factors is, wherever it is defined.
+"""Where an expression is zero: the claim says that this is exactly where one of the printed factors is zero.
 
 Over the complex numbers two polynomials have the same zeros exactly if they have the same irreducible factors.
 A factor of the numerator that is also a divisor, or a hypothesis, does not count: where it is zero, the expression is

@@ -1,4 +1,4 @@
-"""Enclosures of numbers: rational bounds of pi, and of roots, sines, cosines and arcs of what is enclosed itself.
+"""Enclosures of numbers: rational bounds of pi, and of roots, sines, cosines and arcs of enclosed numbers.
 
 A sine is between two parts of its series at the ends of its angle; an arc is between two angles whose sines, or
 quotients of sine and cosine, are on both sides of what it is the arc of.

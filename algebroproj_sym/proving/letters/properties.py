@@ -1,4 +1,4 @@
-"""What a letter may be declared to be, and what that says of its entries.
+"""The properties that a letter may have, such as rotation, and what each says of the entries.
 
 Entries are taken as functions of coordinates that reach every matrix of the kind, and nothing else: every rotation of
 space is that of a quaternion which is not zero, every unit vector is the image of the first axis under a reflection.

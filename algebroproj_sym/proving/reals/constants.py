@@ -1,4 +1,4 @@
-"""Algebraic numbers that are zero: by the least equation of the number, and an enclosure of the rest of it."""
+"""Proofs that an algebraic number is zero: by its minimal equation, and an enclosure of the other factor."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Integrals from one number to another: SymPy proposes antiderivatives, and what is shown of them is what counts."""
+"""Integrals between bounds: SymPy proposes an antiderivative, and only what is proved of it counts."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""What is known in a case of a proof, and how single facts are shown: that something is zero, or has a sign."""
+"""The facts of one case of a proof, and proofs of single facts: that an expression is zero, or has a sign."""
 
 from __future__ import annotations
 

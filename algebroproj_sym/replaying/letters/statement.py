@@ -1,4 +1,4 @@
-"""What a statement in letters says: squares of lengths, and what constraints define, are put in."""
+"""A statement in letters, with squares of lengths and the definitions among its constraints put in."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Points at which angles are multiples of one that is transcendental, while its sine and cosine are rational.
+"""Points whose angles are multiples of one transcendental angle that has a rational sine and cosine.
 
 acos(c) with a rational c between -1 and 1, and a rational sine, is not an algebraic number (Lindemann), nor is pi/2.  A
 rational function of it that is not zero at some rational number is not zero there either; a homogeneous one that is

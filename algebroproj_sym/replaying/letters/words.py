@@ -1,4 +1,4 @@
-"""Sums of words, in one form: what is equal by the laws of rings and by transposing is the same dictionary.
+"""Sums of words in one form: two sums that are equal by the laws of rings and transposes give the same dictionary.
 
 An atom is a text, entered with its shape and with what it becomes when it is transposed.  Parts of a word that are
 numbers are taken out of it, as texts of their own.

@@ -1,4 +1,4 @@
-"""What functions are defined as, where terms are defined and smooth, their derivatives and expansions."""
+"""The definitions of functions, where terms are defined and smooth, and their derivatives and expansions."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction

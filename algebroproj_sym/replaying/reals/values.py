@@ -1,4 +1,4 @@
-"""Values of terms at rational points: exact where they are rational, else enclosed, in whatever arithmetic."""
+"""Values of terms at rational points: exact if they are rational, and else enclosed."""
 
 from collections.abc import Mapping
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""What the page asks, and what it is told.  It runs in the browser, so it imports only what an answer needs."""
+"""The answers to the questions of a page.  It runs in the browser, so it imports only what an answer needs."""
 
 import json
 from collections.abc import Callable, Mapping

@@ -195,7 +195,7 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
         raised = cursor.raised
         emit_name(cursor, bare, start)
         emit_power(cursor, above, raised)
-    elif cursor.functions is not None and re.fullmatch("[2-9]", above) and _is_called(cursor, bare):
+    elif cursor.functions is not None and _is_power_of_value(cursor, bare, above) and _is_called(cursor, bare):
         raised, inside = cursor.raised, bracket_ahead(cursor)
         argument = cursor.within(inside)
         argument.until_end()
@@ -206,6 +206,18 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
         emit_name(cursor, bare, start, raised=True)
         emit_power(cursor, above, _without_primes(cursor.raised))
     read_after(cursor)
+
+
+def _is_power_of_value(cursor: Cursor, name: str, above: str) -> bool:
+    r"""Whether what stands above a function is of its value, as in ``f^2(x)`` and, where R(q) stands, ``R^T(q)``.
+
+    That a function has an inverse is another thing, but no function is called by a bold capital.
+    """
+    of_matrix = MARKS.get(above.removeprefix("-")) == "T" or (above == "-1" and _BOLD_CAPITAL.fullmatch(name))
+    return re.fullmatch("[2-9]", above) is not None or (bool(of_matrix) and name in (cursor.functions or ()))
+
+
+_BOLD_CAPITAL = re.compile(r"\\mathbf\{[A-Z]\}(?:_.*)?")
 
 
 def _is_called(cursor: Cursor, name: str) -> bool:
@@ -403,9 +415,26 @@ def emit_power(cursor: Cursor, above: str, raised: Sequence[Piece]) -> None:
         cursor.inner(raised)
 
 
+_THIN = (r"\,", r"\;", r"\:")
+
+
+def _is_before_next(cursor: Cursor) -> bool:
+    r"""Whether scripts behind a thin space belong to the letter behind them, as in ``R(q)\,^L a``."""
+    ahead = replace(cursor)
+    while ahead.text.isspace() or ahead.text in DROPPED:
+        ahead.index += 1
+    thin = any(piece.text in _THIN for piece in cursor.pieces[cursor.index : ahead.index])
+    if cursor.functions is None or not thin or ahead.text == "'":
+        return False
+    if ahead.text == "^" and is_behind([piece.text for piece in ahead.pieces[ahead.index + 1 :]]):
+        return False
+    take_scripts(ahead)
+    return at_symbol(ahead)
+
+
 def read_after(cursor: Cursor) -> None:
     """Read what is attached to a value: powers, marks, the subscript of a bracket."""
-    while cursor.peek() in ("^", "_", "'") and cursor.out[-1].type != "CALLEE":
+    while cursor.peek() in ("^", "_", "'") and cursor.out[-1].type != "CALLEE" and not _is_before_next(cursor):
         cursor.skip()
         while cursor.text in DROPPED:
             cursor.index += 1

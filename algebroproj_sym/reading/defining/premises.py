@@ -94,6 +94,15 @@ class Premise:
         """The sides that are a value of a function, or a square, each with the other side."""
         return tuple((side, other) for side, other in self.both_ways if side.data in _VALUES)
 
+    @cached_property
+    def at_vector(self) -> Definition | None:
+        r"""The function whose value at a vector it gives by other letters, as f of ``f(\mathbf{x}) = a b``."""
+        for side, other in self.both_ways:
+            symbol, parameters = defined_by(side)
+            if symbol and is_one_value(parameters, other):
+                return self._of(symbol, parameters, other)
+        return None
+
     def said(self, symbol: str, value: Formula) -> Definition:
         """Return that it says of a symbol what its value is."""
         return self._of(symbol, (), value)

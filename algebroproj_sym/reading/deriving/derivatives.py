@@ -13,6 +13,7 @@ from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, 
 from algebroproj_sym.reading.deriving.chains import chained, slope_of
 from algebroproj_sym.reading.deriving.implicit import implicit
 from algebroproj_sym.reading.deriving.integrating import integral_in, is_integral
+from algebroproj_sym.reading.deriving.jacobians import jacobian_of
 from algebroproj_sym.reading.deriving.rates import ONE, UNCHANGED, ZERO, rate_of
 from algebroproj_sym.reading.deriving.through import nested, through_arguments
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol, written
@@ -29,10 +30,13 @@ _FIXED = re.compile(
 """What may be fixed though nothing says so: the vectors of the axes, and what has the index of the start."""
 
 
-def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: frozenset[str]) -> list[Definition]:
+def derivatives_in(
+    trees: Iterable[Formula], vocabulary: Vocabulary, occurring: frozenset[str], at_vectors: Sequence[Definition] = ()
+) -> list[Definition]:
     """Return what the derivatives in some formulas are, as far as the functions have definitions.
 
-    A letter changes with time if its derivative by time occurs in the document.
+    A letter changes with time if its derivative by time occurs in the document.  Of some functions it is known what
+    they are at a vector.
     """
     found: dict[str, Definition] = {}
     trees = [*trees]
@@ -51,7 +55,7 @@ def derivatives_in(trees: Iterable[Formula], vocabulary: Vocabulary, occurring: 
             made = _derivative(symbol, vocabulary, occurring)
             if made is not None and made.parameters and symbol not in called:
                 made = replace(made, parameters=())
-            for each in [made] if made is not None else _by_chains(symbol, vocabulary, occurring):
+            for each in [made] if made is not None else _by_chains(symbol, vocabulary, occurring, at_vectors):
                 found[each.symbol] = each
                 waiting += each.symbols
     return [*found.values()][::-1]
@@ -179,14 +183,21 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
     return found or _rate(symbol, function, vocabulary, occurring)
 
 
-def _by_chains(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Iterator[Definition]:
-    """Yield what a first derivative is by the chain rule, which proves and refutes nothing."""
+def _by_chains(
+    symbol: str, vocabulary: Vocabulary, occurring: frozenset[str], at_vectors: Sequence[Definition]
+) -> Iterator[Definition]:
+    """Yield what a first derivative is by the chain rule, or by components, which proves and refutes nothing."""
     match = _DERIVATIVE.fullmatch(symbol if "/" in symbol else f"d{_without_dot(symbol)}/dt")
     if match is None or match[2]:
         return
     sign, _, above, below = match.groups()
     names = _by_bare(sorted(occurring))
     function = names.get(above, "")
+    if made := jacobian_of(above, _bare(below), names, vocabulary, {each.symbol: each for each in at_vectors}):
+        tree, given = made
+        where = " and ".join(dict.fromkeys(each.where for each in given))
+        yield replace(_made(symbol, tree, replace(given[0], where=where), [], vocabulary), role="case")
+        return
     by_it = lambda one, other: has_rate(one, other, occurring)  # noqa: E731
     if tied := implicit(function, names.get(_bare(below), ""), vocabulary, by_it):
         tree, fixed, tying = tied

@@ -538,7 +538,9 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
 
 def _with_rates(standing: Standing, trees: Sequence[Formula], known: Vocabulary) -> Vocabulary:
     """Return a vocabulary with what the derivatives in some formulas stand for."""
-    rates = derivatives_in(trees, known, standing.survey.occurring)
+    above = applicable(standing.premises, standing.part, standing.cited)
+    at_vectors = [each.at_vector for each in above if each.at_vector is not None]
+    rates = derivatives_in(trees, known, standing.survey.occurring, at_vectors)
     changing = {each.symbol for each in rates if _rests_on_what_changes(each, standing.beside)}
     others = {each.symbol for each in rates if standing.beside.variables - known.letters_of(each.tree) - _below(each)}
     return extended(known, [each for each in rates if each.symbol not in changing | others])

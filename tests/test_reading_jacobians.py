@@ -9,8 +9,10 @@ pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
 _POINT = r"\[ \mathbf p = \begin{bmatrix} X \\ Y \\ Z \end{bmatrix} \] "
 _PIXEL = r"\[ \mathbf u = \begin{bmatrix} f X/Z + c \\ f Y/Z + d \end{bmatrix} \] Hence "
+_POWER = _POINT + r"\[ s = X^2 Y \] So "
 _STATE = r"\[ \mathbf x = (p, y, \theta)^T \] "
-_STEP = r"\[ \mathbf f(\mathbf x, \mathbf u) = \begin{bmatrix} p + h \cos\theta \\ y + h \sin\theta \\ \theta + w \end{bmatrix} \] So "
+_MOVED = r"\begin{bmatrix} p + h \cos\theta \\ y + h \sin\theta \\ \theta + w \end{bmatrix} \] So "
+_STEP = r"\[ \mathbf f(\mathbf x, \mathbf u) = " + _MOVED
 _TURNED = r"= \begin{bmatrix} 1 & 0 & -h \sin\theta \\ 0 & 1 & h \cos\theta \\ 0 & 0 & 1 \end{bmatrix} \]"
 _SEEN = r"= \begin{bmatrix} f/Z & 0 & -f X/Z^2 \\ 0 & f/Z & -f Y/Z^2 \end{bmatrix} \]"
 
@@ -27,8 +29,8 @@ def links(latex):
         _STATE + _STEP + r"\[ F = \frac{\partial\mathbf f(\mathbf x, \mathbf u)}{\partial\mathbf x} " + _TURNED,
         _STATE + _STEP + r"\[ F = \frac{\partial\mathbf f}{\partial\mathbf x} " + _TURNED,
         r"\[ u = f X/Z + c \] \[ v = f Y/Z + d \] So \[ \frac{\partial(u, v)}{\partial(X, Y, Z)} " + _SEEN,
-        _POINT + r"\[ s = X^2 Y \] So \[ \frac{\partial s}{\partial\mathbf p} = [2 X Y, X^2, 0] \]",
-        _POINT + r"\[ s = X^2 Y \] So \[ \frac{\partial s}{\partial\mathbf p} = [2 X Y, X^2, 0]^T \]",
+        _POWER + r"\[ \frac{\partial s}{\partial\mathbf p} = (2 X Y, X^2, 0) \]",
+        _POWER + r"\[ \frac{\partial s}{\partial\mathbf p} = \begin{pmatrix} 2 X Y \\ X^2 \\ 0 \end{pmatrix} \]",
     ],
 )
 def test_a_derivative_by_a_printed_vector_has_a_column_for_each_component(latex):

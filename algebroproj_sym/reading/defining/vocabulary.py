@@ -177,6 +177,12 @@ class Vocabulary:
                 return True
         return False
 
+    def with_properties(self, properties: Mapping[str, tuple[str, ...]]) -> Vocabulary:
+        """Return the vocabulary in which some more symbols have properties."""
+        found = self.copied()
+        found._properties = {**found._properties, **properties}
+        return found
+
     def with_complex_numbers(self, numbers: Numbers) -> Vocabulary:
         """Return the vocabulary in which i is the imaginary unit, and other letters stand for complex numbers."""
         found = self.copied()

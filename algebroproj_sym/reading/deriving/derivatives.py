@@ -193,10 +193,10 @@ def _by_chains(
     sign, _, above, below = match.groups()
     names = _by_bare(sorted(occurring))
     function = names.get(above, "")
-    if made := jacobian_of(above, _bare(below), names, vocabulary, {each.symbol: each for each in at_vectors}):
-        tree, given = made
-        where = " and ".join(dict.fromkeys(each.where for each in given))
-        yield replace(_made(symbol, tree, replace(given[0], where=where), [], vocabulary), role="case")
+    if made := jacobian_of(above, _bare(below), names, vocabulary, {one.symbol: one for one in at_vectors}):
+        matrix, (first, *more) = made
+        where = " and ".join(dict.fromkeys(each.where for each in (first, *more)))
+        yield replace(_made(symbol, matrix, replace(first, where=where), [], vocabulary), role="case")
         return
     by_it = lambda one, other: has_rate(one, other, occurring)  # noqa: E731
     if tied := implicit(function, names.get(_bare(below), ""), vocabulary, by_it):

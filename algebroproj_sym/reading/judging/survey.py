@@ -17,6 +17,7 @@ from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments
 from algebroproj_sym.reading.deriving.indices import Indices
+from algebroproj_sym.reading.deriving.quaternions import quaternions_in
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
@@ -296,6 +297,18 @@ class Survey:
         return found.group() if found else ""
 
     @cached_property
+    def quaternions(self) -> frozenset[str]:
+        """The letters that are quaternions, multiplied in a circle; none where words speak of Kronecker's product."""
+        if not _QUATERNION.search(self._prose) or _KRONECKER.search(self._prose):
+            return frozenset()
+        return quaternions_in(each.sides for each in self.formulas.values() if isinstance(each, Parsed))
+
+    @cached_property
+    def has_conjugates(self) -> bool:
+        """Whether words speak of conjugates, which have a star then."""
+        return _CONJUGATE.search(self._prose) is not None
+
+    @cached_property
     def imaginary(self) -> str:
         """The letter that is the imaginary unit; empty for none.
 
@@ -368,6 +381,9 @@ class Survey:
 _PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)
 _SPECIAL = heard(r"\b<special>\b")
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
+_QUATERNION = re.compile(r"\bquaternions?\b", re.IGNORECASE)
+_KRONECKER = re.compile(r"\b(?:Kronecker|tensor products?)\b", re.IGNORECASE)
+_CONJUGATE = re.compile(r"\bconjugates?\b", re.IGNORECASE)
 _OF_TIME = heard("<of-time>")
 _LESS = frozenset(("<", ">", "<=", ">=", "≪", "≫", "≲", "≳"))
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")

@@ -35,6 +35,7 @@ from algebroproj_sym.reading.deriving.indices import excludes
 from algebroproj_sym.reading.deriving.instances import powers_of
 from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
 from algebroproj_sym.reading.deriving.multiples import Multiples
+from algebroproj_sym.reading.deriving.quaternions import AsMatrices
 from algebroproj_sym.reading.deriving.rates import UNCHANGED
 from algebroproj_sym.reading.deriving.solving import solution_of
 from algebroproj_sym.reading.documents.statements import Statement
@@ -121,6 +122,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_with_same_ends(standing, [Way(left, right, told), *(each for each in at_others if not each.under)]),
         *_without_arguments(standing, formula, index),
         *_with_columns(standing, formula, index),
+        *_of_quaternions(standing, formula, index),
         *_as_multiples(standing, left, right),
     ]
     ways += [
@@ -451,6 +453,39 @@ def _with_columns(standing: Standing, formula: Parsed, index: int) -> Iterator[W
     names = {str(letter.children[0]): standing.vocabulary.text(column) for column, letter in letters.items()}
     if letters:
         yield from _changed(standing, formula, index, {}, partial(put_in, values=letters), names)
+
+
+def _of_quaternions(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield a relation of quaternions as one of their matrices, also the equations above it."""
+    known, quaternions = standing.vocabulary, standing.survey.quaternions
+    if not any({*symbols_in(each)} & quaternions for each in formula.sides[index : index + 2]):
+        return
+    is_number = lambda tree: not any(map(known.is_matrix, symbols_in(tree)))  # noqa: E731
+    matrices = AsMatrices(quaternions, is_number, has_conjugates=standing.survey.has_conjugates)
+    left, right = (matrices.turned(each) for each in formula.sides[index : index + 2])
+    if left is None or right is None:
+        return
+    bare = known.copied()
+    for each in known.definitions.values():
+        if {each.symbol, *each.symbols} & quaternions:
+            bare.definitions.pop(each.symbol)
+            if each.symbol in quaternions and not each.parameters and (tree := matrices.turned(each.tree)) is not None:
+                bare.define(replace(each, symbol=base_of(matrices.letter(each.symbol)), tree=tree, usable=each.holds))
+    premises = []
+    for premise in standing.premises:
+        one, other = matrices.turned(premise.left), matrices.turned(premise.right)
+        if not premise.symbols & quaternions:
+            premises.append(premise)
+        elif one is not None and other is not None:
+            premises.append(replace(premise, left=one, right=other))
+    units = {letter: ("orthogonal",) for of, letter in matrices.letters.items() if "unit" in known.properties_of(of)}
+    bare = bare.with_properties(units)
+    of_matrices = replace(formula, sides=(left, right), relations=("=",))
+    there = replace(standing, vocabulary=bare, premises=premises, own=())
+    shown = " = ".join(map(known.text, formula.sides[index : index + 2]))
+    told = ", ".join(f"{bare.name(letter)} for {known.name(of)}" for of, letter in matrices.letters.items())
+    for way in (Way(left, right, bare), *_with_premises(there, of_matrices, 0), *_under_equations(there, left, right)):
+        yield replace(way, doubt=A_VALUE, reads=f"{shown}, with a matrix for each quaternion: {told}")
 
 
 def _as_multiples(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

@@ -34,7 +34,7 @@ _KINDS = (
     "covariance",
 )
 _ANY = "|".join(f"(<is-{kind.replace(' ', '-')}>)" for kind in _KINDS)
-_SEVERAL = heard(_ANY).pattern.replace("matrix", "matrices").replace("vector", "vectors")
+_SEVERAL = re.sub("vector|quaternion", r"\g<0>s", heard(_ANY).pattern.replace("matrix", "matrices"))
 _AFTER = heard(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])", re.NOFLAG)
 _ARE = re.compile(
     r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*are\s+(?:the )?"

@@ -95,6 +95,10 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         or (formula.relations[index] == ":=" and not memory.beside.is_rejected)
         or _is_free(memory, statement, left, right, value=index > 0)
         or _is_new_value(memory, left, right)
+        or (
+            memory.survey.shows_components(left, right, statement.display.place)
+            and {*symbols_in(left), *symbols_in(right)}.isdisjoint(memory.vocabulary.definitions)
+        )
         or (index == 0 and _is_told(memory, left, right))
         or any(_is_instance(memory, each, right) for each in others)
         or (index == 0 and (_brings(memory, statement, left, right) or _names_arguments(left, right)))

@@ -249,7 +249,7 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
     operators = vocabulary.kinds.averages.operators
     for call in (each for tree in trees for each in tree.find_data("call")):
         definition = vocabulary.definitions.get(str(call.children[0]))
-        if definition is None or _SAME_EVERYWHERE.fullmatch(definition.symbol):
+        if definition is None or _SAME_EVERYWHERE.fullmatch(definition.symbol) or definition.tree.data == "marked":
             continue
         if definition.symbol in operators or any(
             each.children[0] in operators for each in definition.tree.find_data("call")

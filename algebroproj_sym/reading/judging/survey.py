@@ -14,8 +14,9 @@ from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, l
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
 from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments
+from algebroproj_sym.reading.deriving.crossed import crossed_in
 from algebroproj_sym.reading.deriving.indices import Indices
 from algebroproj_sym.reading.deriving.quaternions import quaternions_in
 from algebroproj_sym.reading.documents.displays import Document
@@ -295,6 +296,20 @@ class Survey:
         """A word by which values or products may be others than those of real numbers; empty for none."""
         found = _SPECIAL.search(self._prose)
         return found.group() if found else ""
+
+    @cached_property
+    def crossed(self) -> tuple[Definition, ...]:
+        """What printed matrices of cross products say of vectors and of functions, if they say it once."""
+        parsed = ((each.display.place, self.formulas[id(each)]) for each in self.statements)
+        sides = ((place, each.sides) for place, each in parsed if isinstance(each, Parsed))
+        found = {replace(one, place=place): one for place, each in sides for one in crossed_in([each], self.occurring)}
+        symbols = [each.symbol for each in dict.fromkeys(found.values())]
+        return tuple(each for each in found if symbols.count(each.symbol) == 1)
+
+    def shows_components(self, left: Formula, right: Formula, place: int) -> bool:
+        """Whether a relation at a place is the first one that says what the components of a vector are."""
+        told = {each.symbol for each in self.crossed if each.place < place}
+        return any(each.symbol not in told for each in crossed_in([(left, right)], self.occurring))
 
     @cached_property
     def quaternions(self) -> frozenset[str]:

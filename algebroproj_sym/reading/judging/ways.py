@@ -123,6 +123,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_without_arguments(standing, formula, index),
         *_with_columns(standing, formula, index),
         *_of_quaternions(standing, formula, index),
+        *_with_components(standing, left, right, told),
         *_as_multiples(standing, left, right),
     ]
     ways += [
@@ -453,6 +454,20 @@ def _with_columns(standing: Standing, formula: Parsed, index: int) -> Iterator[W
     names = {str(letter.children[0]): standing.vocabulary.text(column) for column, letter in letters.items()}
     if letters:
         yield from _changed(standing, formula, index, {}, partial(put_in, values=letters), names)
+
+
+def _with_components(standing: Standing, left: Formula, right: Formula, told: Vocabulary) -> Iterator[Way]:
+    """Yield a relation with the components of vectors, and the functions, that printed cross products tell."""
+    place = standing.beside.place
+    if standing.survey.shows_components(left, right, place):
+        return
+    above = [each for each in standing.survey.crossed if each.place < place]
+    made = [each for each in above if each.symbol not in standing.vocabulary.definitions]
+    functions = [each for each in made if each.parameters]
+    for given in (functions, made):
+        for known in (extended(standing.vocabulary, given), extended(told, given)):
+            if any(each in made for each in used_by(known, left, right)):
+                yield Way(left, right, known, A_VALUE)
 
 
 def _of_quaternions(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:

@@ -54,3 +54,14 @@ def test_another_frame_is_another_letter(latex):
 def test_a_frame_before_the_next_letter_is_of_that_letter():
     document = document_of(r"\[ s = {}^A p {}^B q \]")
     assert read_document(document)[0].read == "s = p_A*q_B"
+
+
+@pytest.mark.parametrize("space", [r"\,", r"\;", r"\: "])
+def test_a_frame_behind_a_thin_space_is_of_the_letter_behind_it(space):
+    document = document_of(rf"\[ \mathbf{{u}} = \mathbf{{R}}(q){space}^B_A\mathbf{{v}} \]")
+    assert read_document(document)[0].read == "u = R(q)*v_B_A"
+
+
+def test_a_power_or_a_mark_behind_a_thin_space_is_of_what_stands_before_it():
+    document = document_of(r"\[ y = x\,^2 a + A\,^T b + (c d)\,^n \]")
+    assert read_document(document)[0].read == "y = x**2*a + A.T*b + (c*d)**n"

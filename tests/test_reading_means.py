@@ -14,6 +14,10 @@ FOLLOWS = {
         r"The variance is the expected value \[ \mathrm{Var}(X) = E[(X-E[X])^2] = E[X^2 - 2 X E[X] + E[X]^2] "
         r"= E[X^2] - 2 E[X] E[X] + E[X]^2 = E[X^2] - E[X]^2 \]"
     ),
+    "a command that nothing defines": (
+        r"The matrix $A$ is constant. \[ P = \E[\mathbf e \mathbf e^T] \] \[ \mathbf e = A \mathbf d \] Hence "
+        r"\[ P = A \E[\mathbf d \mathbf d^T] A^T \]"
+    ),
     "the covariance of a letter with itself": (
         OF_FUNCTION
         + r"The covariance is \[ C(X, Y) = E[(X - E[X]) (Y - E[Y])] \] Hence \[ C(X, X) = \mathrm{Var}(X) \]"
@@ -55,6 +59,10 @@ FOLLOWS = {
     ),
 }
 MISLEADING = {
+    "a command that nothing defines, of what may be random": (
+        r"\[ P = \E[\mathbf e \mathbf e^T] \] \[ \mathbf e = A \mathbf d \] Hence "
+        r"\[ P = A \E[\mathbf d \mathbf d^T] A^T \]"
+    ),
     "a wrong sign": VARIANCE + r"\[ V = \mathbb{E}(X^2) + \mu^2 \]",
     "the square of the mean": VARIANCE + r"\[ V = \mathbb{E}(X^2) - \mathbb{E}(X^2)^2 \]",
     "a factor that is not constant": r"The expected value is \[ y = a x \] \[ E[y] = a E[x] \]",

@@ -41,3 +41,20 @@ def test_follows(document):
 @pytest.mark.parametrize("document", MISLEADING.values(), ids=MISLEADING)
 def test_does_not_follow(document):
     assert read_document(document_of(document))[-1].verdict not in ("follows", "contradicts")
+
+
+_TURN = r"\[ \mathbf R(t) = \begin{bmatrix} \cos t & -\sin t \\ \sin t & \cos t \end{bmatrix} \] Hence "
+
+
+def test_a_function_that_is_transposed_or_inverted_before_its_argument_has_this_argument():
+    turned = _TURN + r"\[ \mathbf R^T(t) = \mathbf R(-t) \] \[ \mathbf R^{-1}(t) = \mathbf R(-t) \]"
+    assert [each.verdict for each in read_document(document_of(turned))[1:]] == ["follows", "follows"]
+    force = r"\[ t = J^T(q) f \] \[ v = J(q) w \] Hence \[ v^T f = w^T t \]"
+    assert read_document(document_of(force))[-1].verdict == "follows"
+
+
+def test_a_function_that_is_inverted_has_another_value_than_one_over_it():
+    inverse = r"\[ F(x) = 2 x \] Hence \[ F^{-1}(y) = \frac{1}{2 y} \]"
+    assert read_document(document_of(inverse))[-1].verdict not in ("follows", "contradicts")
+    turned = _TURN + r"\[ \mathbf R^T(t) = \mathbf R(t) \]"
+    assert read_document(document_of(turned))[-1].verdict not in ("follows", "contradicts")

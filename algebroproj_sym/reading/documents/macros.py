@@ -48,6 +48,7 @@ _OF_PACKAGES = {
     **dict.fromkeys((r"\cr", r"\tabularnewline"), (0, r"\\")),
     **{rf"\{name}": (1, rf"\begin{{{name}}}#1\end{{{name}}}") for name in ("matrix", "pmatrix", "cases")},
     r"\half": (0, r"\frac{1}{2}"),
+    r"\E": (0, r"\mathbb{E}"),
     **dict.fromkeys((r"\defeq", r"\eqdef", r"\defn"), (0, r"\coloneqq")),
     r"\ra": (0, r"\rightarrow"),
     r"\Ra": (0, r"\Rightarrow"),

@@ -59,3 +59,14 @@ def test_it_rests_on_what_gives_the_function_and_on_what_gives_the_vector():
     latex = _POINT + "\n\n" + _PIXEL + r"\[ \frac{\partial\mathbf u}{\partial\mathbf p} " + _SEEN
     (link,) = read_document(document_of(latex))[-1].links
     assert link.rests_on == ("the derivative of line 3 and line 1",)
+
+
+_THIN = r"\[ r = p - q + s v \] Hence "
+
+
+def test_letters_are_vectors_if_a_derivative_is_a_multiple_of_an_identity_with_a_size():
+    assert links(_THIN + r"\[ \frac{\partial r}{\partial v} = s I_{3 \times 3} \]")[-1] == "follows"
+    both = r"\[ \frac{\partial r}{\partial q} = -I_3 \] \[ \frac{\partial r}{\partial p} = I_3 \]"
+    assert links(_THIN + both)[-2:] == ["follows", "follows"]
+    assert links(_THIN + r"\[ \frac{\partial r}{\partial q} = I_{3 \times 3} \]")[-1] == "independent"
+    assert links(_THIN + r"\[ \frac{\partial r}{\partial v} = I_{3 \times 3} \]")[-1] != "follows"

@@ -73,6 +73,7 @@ def kinds_of(
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
     columns |= frozenset(each for each in occurring if accents & _accents_of_vectors(each))
     columns |= frozenset(letter for side in sides for letter in _ones_in(side))
+    columns |= {*_derived_in(equations)} & {*occurring}
     known = {*said, *columns, *_marked_in(sides, occurring, said | columns), *_tables_in(equations)}
     numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
     known |= vectors_in(sides, words) - numbers
@@ -272,6 +273,18 @@ def _ones_in(side: Formula) -> Iterator[str]:
     r"""Yield what is a column of ones: a bold 1 that is transposed somewhere, unlike the identity."""
     turned = (each.children[0] for each in side.find_data("marked") if each.children[1] == "T")
     yield from (letter for letter in map(lone, turned) if _ONES.fullmatch(letter))
+
+
+def _derived_in(equations: Sequence[Sides]) -> Iterator[str]:
+    r"""Yield the letters of a derivative that is a multiple of an identity with a size: both are vectors."""
+    for sides in equations:
+        factors = [lone(each) for side in sides for term in terms_of(side) for each in (term, *trees_in(term))]
+        if any(map(_SIZED_IDENTITY.fullmatch, factors)):
+            matches = (_QUOTIENT.fullmatch(head_of(side)) for side in sides)
+            yield from (letter.strip() for match in matches if match for letter in match.groups())
+
+
+_SIZED_IDENTITY = re.compile(r"(?:I|\\math(?:bf|bb|rm)\{I\})_(?:[2-9]|\{([2-9])(?:\\times\1)?\})")
 
 
 def _summed_with(columns: frozenset[str], known: Collection[str], equations: Sequence[Sides]) -> Iterator[str]:

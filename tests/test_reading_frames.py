@@ -63,5 +63,6 @@ def test_a_frame_behind_a_thin_space_is_of_the_letter_behind_it(space):
 
 
 def test_a_power_or_a_mark_behind_a_thin_space_is_of_what_stands_before_it():
-    document = document_of(r"\[ y = x\,^2 a + A\,^T b + (c d)\,^n \]")
-    assert read_document(document)[0].read == "y = x**2*a + A.T*b + (c*d)**n"
+    document = document_of(r"\[ y = x\,^2 a + A\,^T b + (c d)\,^n \] \[ z = \sin(30\,^\circ) x \]")
+    assert [each.read for each in read_document(document)] == ["y = x**2*a + A.T*b + (c*d)**n", "z = sin(30*pi/180)*x"]
+    assert read_document(document_of(r"\[ T = 20\,^\circ C \]"))[0].verdict == "not read"

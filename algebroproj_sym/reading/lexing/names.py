@@ -428,8 +428,12 @@ def _is_before_next(cursor: Cursor) -> bool:
         return False
     if ahead.text == "^" and is_behind([piece.text for piece in ahead.pieces[ahead.index + 1 :]]):
         return False
-    take_scripts(ahead)
-    return at_symbol(ahead)
+    _, below, above = take_scripts(ahead)
+    return all(_NAME.match(each) for each in (below, above) if each) and at_symbol(ahead)
+
+
+_NAME = re.compile(r"[a-zA-Z]|\\math")
+"""How the name of a frame begins."""
 
 
 def read_after(cursor: Cursor) -> None:

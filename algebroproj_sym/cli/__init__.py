@@ -24,6 +24,7 @@ SUMMARIES = {
 EPILOG = """
 \b
 Typical commands:
+  algebroproj read paper.tex            judge the equations of your own document
   algebroproj explain okamoto1981:24    show one formula, its verdict and the evidence
   algebroproj check                     judge all installed papers
   algebroproj new mypaper               write a folder to start from

@@ -38,7 +38,7 @@ seconds = click.option(
     default=10.0,
     show_default=True,
     metavar="S",
-    help="Seconds for each identity of a file.",
+    help="Most seconds for one identity or equation. Then it is left open.",
 )
 samples = click.option(
     "--samples",
@@ -46,7 +46,7 @@ samples = click.option(
     default=50,
     show_default=True,
     metavar="N",
-    help="Samples of each kind: ordinary, badly scaled, near each singularity.",
+    help="Random inputs of each kind: ordinary, badly scaled, near each singularity.",
 )
 derivations = click.option(
     "--derivations",

@@ -14,7 +14,7 @@ from algebroproj_sym.cli.terminal import console, echo, echo_json
     "--symbols",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="What letters stand for, the sizes of vectors and matrices, and what equations define.",
+    help="A TOML file that says what letters stand for, how large matrices are, and which equations define a letter.",
 )
 @click.option(
     "--out", type=click.Path(file_okay=False, path_type=Path), metavar="DIR", help="Write a derivation folder to DIR."
@@ -29,10 +29,10 @@ def read(
     """Read the equations of a document, and judge each.
 
     FILE is LaTeX (.tex), Markdown or a Jupyter notebook (.ipynb). Each displayed equation gets a verdict: it is a
-    definition, follows from the definitions above it, contradicts them, is independent of them, is not decided, or is
-    not read. Each verdict names the equations that it rests on. The exit status is 1 if an equation contradicts.
+    definition, follows from the equations above it, contradicts them, is independent of them, is not decided, or is
+    not read. Without --full, only contradictions are shown with all details. The exit status is 1 if there is one.
 
-    With --out, a derivation folder is written, on which algebroproj check runs at once.
+    With --out, a derivation folder is written. Then run: algebroproj check DIR/NAME.
     """
     from algebroproj_sym.reading import document_at, read_document, symbols_file, write_folder
     from algebroproj_sym.reporting.readings import reading_lines, reading_record

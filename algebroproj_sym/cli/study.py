@@ -134,14 +134,14 @@ def _parameter(option: Option) -> click.Option:
 
 
 def _shared(study: Study) -> list[click.Parameter]:
-    @click.option("--members", type=int, default=study.members, show_default=True, help="Number of members.")
+    @click.option("--members", type=int, default=study.members, show_default=True, help="Number of random cases.")
     @click.option("--seed", type=int, default=0, show_default=True, help="Seed of the random numbers.")
     @click.option(
         "--chunk",
         type=int,
         default=study.size,
         show_default=True,
-        help="Members at a time. Fewer take less memory.",
+        help="Members that are computed at a time. Fewer take less memory.",
     )
     @options.jobs
     @click.option("--scheduler", metavar="URL", help="Compute on the dask cluster at URL, such as tcp://HOST:PORT.")

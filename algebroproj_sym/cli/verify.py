@@ -27,7 +27,7 @@ from algebroproj_sym.verifying.verification import verification_record
     type=click.FloatRange(min=0),
     default=0,
     metavar="SECONDS",
-    help="Also climb to large errors, for so long in each function.",
+    help="Also search for the largest error, this long for each function.",
 )
 @options.jobs
 @click.option(

@@ -157,14 +157,16 @@ STUDY = Study(
     name="pair",
     summary="Whether two pictures determine their relative position well enough to be trusted",
     options=(
-        Option("file", Path, None, "Pairs: CSV, OpenCV's as .npz, COLMAP's database or images.txt."),
+        Option("file", Path, None, "File of the pairs: CSV, .npz of OpenCV, or COLMAP's database or images.txt."),
         Option("sigma", float, 0.5, "Standard deviation of the coordinates, in pixels."),
         Option("columns", str, COLUMNS, "Names of the columns of a CSV file, or their numbers."),
         Option("images", str, None, "Names of the left and of the right picture in COLMAP's files."),
         Option("size", str, None, "Width and height of the pictures in pixels, such as 4000,3000."),
         Option("camera", Path, None, "Calibration: TOML, .npz, COLMAP's database or cameras.txt."),
         Option("points", str, None, "Names of the columns with object coordinates, such as X,Y,Z."),
-        Option("ransac", float, None, "Leave out pairs that miss the matrix by more pixels, by PoseLib's RANSAC."),
+        Option(
+            "ransac", float, None, "Leave out pairs that miss the matrix by more pixels than this (PoseLib's RANSAC)."
+        ),
     ),
     members=100,
     size=10,

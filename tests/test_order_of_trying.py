@@ -131,3 +131,8 @@ def test_of_points_that_do_not_fail_only_the_first_is_proved(monkeypatch):
     assert len(places) > 2
     assert len(count) == 1
     assert [place.proof is None for place in places] == [False] + [True] * (len(places) - 1)
+
+
+def test_an_arc_is_less_than_another_one_if_its_sine_is():
+    asked = question("acos(x) - acos(y) = acos(x*y + sqrt(1 - x^2)*sqrt(1 - y^2)) | x <= y")
+    assert decided(asked)["verdict"] == "proved"

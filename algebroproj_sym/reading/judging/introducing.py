@@ -101,7 +101,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         )
         or (index == 0 and _is_told(memory, left, right))
         or any(_is_instance(memory, each, right) for each in others)
-        or (index == 0 and (_brings(memory, statement, left, right) or _names_arguments(left, right)))
+        or (index == 0 and _brings(memory, statement, left, right))
     )
 
 
@@ -124,11 +124,6 @@ def _bound_in(tree: Formula) -> set[str]:
     limits = (letters_in(str(each.children[0])) for each in tree.find_data("big"))
     steps = {each for each in symbols_in(tree) if each.startswith("d ")}
     return steps.union((each.removeprefix("d ") for each in steps), *limits)
-
-
-def _names_arguments(left: Formula, right: Formula) -> bool:
-    """Whether an equation says on which letters one depends, as ``x = x(a, b)``."""
-    return right.data == "call" and left.data == "symbol" and str(left.children[0]) == str(right.children[0])
 
 
 def _may_be_listed(memory: Memory, table: Formula) -> bool:

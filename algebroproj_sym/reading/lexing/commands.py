@@ -105,7 +105,6 @@ BARS = {"|": "BAR", r"\vert": "BAR", r"\lvert": "BAR", r"\rvert": "BAR"} | dict.
 )
 ARGUMENT = "LaTeX leaves open how far the argument of a function goes"
 AXIS = r"[xyzA-SU-Z]"
-LETTER = re.compile(r"[a-zA-Z]|\\[a-zA-Z]+")
 SIZE = re.compile(r"\d+\\times\d+")
 """What says below a matrix how many rows and columns it has."""
 VALUE_ENDS = frozenset(

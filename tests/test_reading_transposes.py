@@ -56,5 +56,7 @@ def test_a_function_that_is_transposed_or_inverted_before_its_argument_has_this_
 def test_a_function_that_is_inverted_has_another_value_than_one_over_it():
     inverse = r"\[ F(x) = 2 x \] Hence \[ F^{-1}(y) = \frac{1}{2 y} \]"
     assert read_document(document_of(inverse))[-1].verdict not in ("follows", "contradicts")
+    product = read_document(document_of(r"\[ y = R(q) x \] \[ R^T (a - b) = R^T a - R^T b \] \[ z = R^T(q, s) x \]"))
+    assert [each.read for each in product[1:]] == ["R.T*(a - b) = R.T*a - R.T*b", "z = R(q, s).T*x"]
     turned = _TURN + r"\[ \mathbf R^T(t) = \mathbf R(t) \]"
     assert read_document(document_of(turned))[-1].verdict not in ("follows", "contradicts")

@@ -37,6 +37,7 @@ from algebroproj_sym.reading.lexing.pieces import (
     outside_braces,
     pieces_of,
     says_more,
+    split_pieces,
 )
 
 
@@ -213,8 +214,29 @@ def _is_power_of_value(cursor: Cursor, name: str, above: str) -> bool:
 
     That a function has an inverse is another thing, but no function is called by a bold capital.
     """
+    if re.fullmatch("[2-9]", above):
+        return True
     of_matrix = MARKS.get(above.removeprefix("-")) == "T" or (above == "-1" and _BOLD_CAPITAL.fullmatch(name))
-    return re.fullmatch("[2-9]", above) is not None or (bool(of_matrix) and name in (cursor.functions or ()))
+    return bool(of_matrix) and name in (cursor.functions or ()) and _at_lone_letters(cursor)
+
+
+def _at_lone_letters(cursor: Cursor) -> bool:
+    """Whether the bracket that follows has nothing but letters with commas between them, perhaps with frames."""
+    parts = split_pieces(bracket_ahead(cursor)[1:-1], (",",))
+    return all(_is_alone(cursor.within(part)) for part in parts)
+
+
+def _is_alone(cursor: Cursor) -> bool:
+    """Whether there is one letter, with scripts before and behind it."""
+    cursor.skip()
+    take_scripts(cursor)
+    cursor.skip()
+    if not at_symbol(cursor):
+        return False
+    take_letter(cursor)
+    take_scripts(cursor)
+    cursor.skip()
+    return cursor.index == len(cursor.pieces)
 
 
 _BOLD_CAPITAL = re.compile(r"\\mathbf\{[A-Z]\}(?:_.*)?")

@@ -68,5 +68,5 @@ def test_letters_are_vectors_if_a_derivative_is_a_multiple_of_an_identity_with_a
     assert links(_THIN + r"\[ \frac{\partial r}{\partial v} = s I_{3 \times 3} \]")[-1] == "follows"
     both = r"\[ \frac{\partial r}{\partial q} = -I_3 \] \[ \frac{\partial r}{\partial p} = I_3 \]"
     assert links(_THIN + both)[-2:] == ["follows", "follows"]
-    assert links(_THIN + r"\[ \frac{\partial r}{\partial q} = I_{3 \times 3} \]")[-1] == "independent"
-    assert links(_THIN + r"\[ \frac{\partial r}{\partial v} = I_{3 \times 3} \]")[-1] != "follows"
+    for wrong in (r"\frac{\partial r}{\partial q} = I_{3 \times 3}", r"\frac{\partial r}{\partial v} = I_{3 \times 3}"):
+        assert links(_THIN + rf"\[ {wrong} \]")[-1] not in ("follows", "contradicts")

@@ -130,3 +130,8 @@ def test_follows(document):
 @pytest.mark.parametrize("document", MISLEADING.values(), ids=MISLEADING)
 def test_does_not_follow(document):
     assert read_document(document_of(document))[-1].links[-1].verdict not in ("follows", "contradicts")
+
+
+def test_an_expected_value_in_square_brackets_has_no_index():
+    latex = r"\[ m = \mathbb{E}[x] \] \[ y = K_k [a - b] \] \[ z = K_k (a - b) \]"
+    assert read_document(document_of(latex))[-1].read == "z = K_k*(a - b)"

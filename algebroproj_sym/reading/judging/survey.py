@@ -23,7 +23,7 @@ from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
 from algebroproj_sym.reading.lexing.commands import MARKS, RELATIONS
-from algebroproj_sym.reading.lexing.names import OFTEN_FUNCTION, split_symbol
+from algebroproj_sym.reading.lexing.names import OF_CHANCE, OFTEN_FUNCTION, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_pieces
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
@@ -100,7 +100,8 @@ class Survey:
             lone |= {str(one) for one, other in pairs if not (other and other.type in ("LP", "LS"))}
             squared = [(one.type, str(one)) for one, other in pairwise(tokens) if other.type == "LS"]
             before |= {letter for kind, letter in squared if kind in ("SYMBOL", "CALLEE")}
-            indexed = indexed or any(kind == "CALLEE" and letter not in "EPV" for kind, letter in squared)
+            called = [letter for kind, letter in squared if kind == "CALLEE" and letter not in "EPV"]
+            indexed = indexed or not all(map(OF_CHANCE.fullmatch, called))
         found = {each for each in found if not (each in lone and OFTEN_FUNCTION.fullmatch(each))} | (nested - lone)
         return functions_called(self.statements).union(found, before if indexed else ())
 

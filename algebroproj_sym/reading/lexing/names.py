@@ -333,7 +333,7 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
     bracket = cursor.peek() if cursor.functions is not None and not raised else ""
     index = _INDEX.fullmatch(_inside_of(cursor)) if bracket == "[" and whole in (cursor.functions or ()) else None
     of_chance = index and _EXPECTATION.fullmatch(whole) and _VARIABLE.fullmatch(index[0])
-    if index and not (of_chance or _OF_CHANCE.fullmatch(whole)):
+    if index and not (of_chance or OF_CHANCE.fullmatch(whole)):
         letter, primes, below, above = split_symbol(whole)
         cursor.index += len(bracket_ahead(cursor))
         indexed = written(letter, primes, f"{below},{index[0]}" if below else index[0], above)
@@ -356,7 +356,7 @@ _FUNCTION = re.compile(r"(?:[a-zA-Z]{2,}|\\(?:Gamma|Delta|Pr)|\\math(?:bb|ds)\{[
 """What is a function before a bracket, whatever stands in it."""
 OFTEN_FUNCTION = re.compile(r"\\delta(?:_.*)?")
 """What is one as well, if it never stands alone."""
-_OF_CHANCE = re.compile(r"(?:\\math(?:bb|ds)\{[EPV]\}|[Vv]ar|[Cc]ov|\\Pr)(?:_.*)?")
+OF_CHANCE = re.compile(r"(?:\\math(?:bb|ds)\{[EPV]\}|[Vv]ar|[Cc]ov|\\Pr)(?:_.*)?")
 """What has no index in square brackets: it is a function of what is random."""
 _EXPECTATION = re.compile(r"[EPV](?:_.*)?")
 """What is a function before a square bracket; a P with an index is one if it stands nowhere alone."""

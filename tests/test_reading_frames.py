@@ -66,3 +66,11 @@ def test_a_power_or_a_mark_behind_a_thin_space_is_of_what_stands_before_it():
     document = document_of(r"\[ y = x\,^2 a + A\,^T b + (c d)\,^n \] \[ z = \sin(30\,^\circ) x \]")
     assert [each.read for each in read_document(document)] == ["y = x**2*a + A.T*b + (c*d)**n", "z = sin(30*pi/180)*x"]
     assert read_document(document_of(r"\[ T = 20\,^\circ C \]"))[0].verdict == "not read"
+
+
+def test_a_star_above_a_letter_with_a_frame_is_part_of_its_name():
+    given = r"\[ {}^A h = {}^A X^{*}_B \, {}^B h \] \[ {}^B h = {}^B I \, {}^B v \]"
+    latex = given + r" Hence \[ {}^A h = {}^A X^{*}_B \, {}^B I \, {}^B v \]"
+    assert [each.verdict for each in read_document(document_of(latex))] == ["definition", "definition", "follows"]
+    latex = latex.replace(r"Hence \[ {}^A h = {}^A X^{*}_B", r"Hence \[ {}^A h = {}^A X_B")
+    assert read_document(document_of(latex))[-1].verdict not in ("follows", "contradicts")

@@ -3,7 +3,7 @@
 import re
 from dataclasses import replace
 
-from algebroproj_sym.reading.lexing.commands import BIG, DROPPED
+from algebroproj_sym.reading.lexing.commands import BIG, DROPPED, PART_OF_NAME
 from algebroproj_sym.reading.lexing.cursor import Cursor
 from algebroproj_sym.reading.lexing.names import (
     at_symbol,
@@ -175,7 +175,8 @@ def _read_with_scripts(cursor: Cursor, below: str, above: str, start: int) -> No
     if above:
         subscript = f"{above}^{subscript}"
     frame = bool(above) and cursor.functions is not None and _FRAME.fullmatch(own_above) is not None
-    axis = own_above if frame or is_axis(cursor, letter, own_above) else ""
+    is_part = cursor.functions is not None and PART_OF_NAME.fullmatch(own_above) is not None
+    axis = own_above if frame or is_part or is_axis(cursor, letter, own_above) else ""
     emit_name(cursor, written(letter, primes, subscript, axis), start)
     if not axis:
         emit_power(cursor, own_above, cursor.raised)

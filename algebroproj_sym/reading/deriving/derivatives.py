@@ -187,11 +187,14 @@ def _by_chains(
     symbol: str, vocabulary: Vocabulary, occurring: frozenset[str], at_vectors: Sequence[Definition]
 ) -> Iterator[Definition]:
     """Yield what a first derivative is by the chain rule, or by components, which proves and refutes nothing."""
+    names = _by_bare(sorted(occurring))
+    if "^2" in symbol:
+        yield from _second_by_chains(symbol, names, vocabulary)
+        return
     match = _DERIVATIVE.fullmatch(symbol if "/" in symbol else f"d{_without_dot(symbol)}/dt")
     if match is None or match[2]:
         return
     sign, _, above, below = match.groups()
-    names = _by_bare(sorted(occurring))
     function = names.get(above, "")
     if made := jacobian_of(above, _bare(below), names, vocabulary, {one.symbol: one for one in at_vectors}):
         matrix, (first, *more) = made
@@ -218,6 +221,25 @@ def _by_chains(
         if not _change(others - {names[_bare(below)]}, names[_bare(below)], occurring, sign):
             yield replace(_made(symbol, tree, definition, [*kept], vocabulary), role="case")
             yield from [] if free is None else [free]
+
+
+def _second_by_chains(symbol: str, names: dict[str, str], vocabulary: Vocabulary) -> Iterator[Definition]:
+    """Yield what a second partial derivative is, through the letters that give those in its function."""
+    above, *below = _names_of_second(symbol)
+    made = [chained(r"\partial", names.get(above, ""), each, names, vocabulary) for each in below]
+    if made and all(each is not None and each[3] is None for each in made):
+        first, last = (each for each in made if each is not None)
+        tree = Tree("slope", [first[0], last[0].children[1]])
+        yield replace(_made(symbol, tree, first[2], [], vocabulary), role="case")
+
+
+def _names_of_second(symbol: str) -> tuple[str, ...]:
+    """Return the bare names of the function of a second partial derivative, and of both letters; empty for none."""
+    if mixed := _MIXED.fullmatch(symbol):
+        return mixed[1], mixed[2], mixed[3]
+    match = _DERIVATIVE.fullmatch(symbol)
+    is_second = match is not None and match[1] == r"\partial" and match[2] == "^2"
+    return (match[3], match[4], match[4]) if match and is_second else ("",)
 
 
 def _function_of(match: re.Match[str]) -> str:

@@ -20,7 +20,7 @@ HasRate = Callable[[str, str], bool]
 def implicit(
     function: str, variable: str, vocabulary: Vocabulary, has_rate: HasRate
 ) -> tuple[Formula, tuple[str, ...], Definition] | None:
-    """Return the derivative of a letter that nothing gives, from the one definition of another letter that has it.
+    """Return the derivative of a letter that nothing gives, from the one definition that ties it to others.
 
     Parameters
     ----------
@@ -37,23 +37,29 @@ def implicit(
         The derivative, the letters that do not change, and the definition from which it is; None if there is none.
     """
     known = [each for each in vocabulary.definitions.values() if function in vocabulary.letters_of(each.tree)]
-    if function in vocabulary.definitions or len(known) != 1:
+    tying = [each for each in known if _ties(each, function, variable, vocabulary, has_rate)]
+    if function in vocabulary.definitions or len(tying) != 1:
         return None
-    (given,) = known
+    (given,) = tying
+    fixed = tuple(sorted((vocabulary.letters_of(given.tree) | {given.symbol}) - {function, variable}))
+    below = slope_of(given.tree, function)
+    if variable == given.symbol:
+        return Tree("fraction", [ONE, below]), fixed, given
+    above: Formula = Tree("sum", [Token("SIGN", "-"), slope_of(given.tree, variable)])
+    return Tree("fraction", [above, below]), fixed, given
+
+
+def _ties(given: Definition, function: str, variable: str, vocabulary: Vocabulary, has_rate: HasRate) -> bool:
+    """Whether a definition makes a letter a function of all others in it, which change by themselves."""
     letters = vocabulary.letters_of(given.tree)
     fixed = (letters | {given.symbol}) - {function, variable}
     told = vocabulary.dependence.equated.get(given.symbol, frozenset()) <= {*given.symbols}
     usable = given.usable and told and not given.parameters and given.role == "definition"
     if not usable or variable not in letters | {given.symbol} or stands_within(variable, letters):
-        return None
+        return False
     constant = vocabulary.dependence.constant
     free = all(each in constant or has_rate(function, each) for each in fixed)
     if not free or any(has_rate(each, variable) or has_rate(variable, each) for each in fixed):
-        return None
-    if any(vocabulary.moves_with(fixed - {given.symbol} - constant, each) for each in (variable, function)):
-        return None
-    below = slope_of(given.tree, function)
-    if variable == given.symbol:
-        return Tree("fraction", [ONE, below]), tuple(sorted(fixed)), given
-    above: Formula = Tree("sum", [Token("SIGN", "-"), slope_of(given.tree, variable)])
-    return Tree("fraction", [above, below]), tuple(sorted(fixed)), given
+        return False
+    others = fixed - {given.symbol} - constant
+    return not any(vocabulary.moves_with(others, each) for each in (variable, function))

@@ -438,11 +438,7 @@ class Memory:
         """Return the equations between sides of a statement: of those next to each other, and of the first and last."""
         pairs = [*(pairwise(sides) if len(sides) > 2 else ()), *([(sides[0], sides[-1])] if len(sides) > 1 else ())]
         names = frozenset((statement.number, statement.label)) - {""}
-        known = self.vocabulary.definitions.values()
-        new = [
-            each.symbol for each in known if each.symbols and self.asserted.get(each.symbol, each.place) >= each.place
-        ]
-        special = bool(self.beside.case([each for each in new if self.vocabulary.definitions[each].explicit]))
+        special = bool(self.beside.case_of_premise)
         display, words = statement.display, self.beside.words
         given = where_of(statement), display.part, display.place, names, special, words
         chained = len(formula.sides) > 2

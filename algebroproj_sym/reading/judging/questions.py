@@ -229,7 +229,10 @@ def stated_by(vocabulary: Vocabulary, tree: Formula) -> tuple[Question, ...]:
         or questions[0].letters is not None
     ):
         return tuple(questions)
-    whole = real_text(vocabulary.value(tree), "the definition")
+    try:
+        whole = real_text(vocabulary.value(tree), "the definition")
+    except _UNASKED:
+        return ()
     return (Question(whole, whole),)
 
 
@@ -244,12 +247,34 @@ _SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")
 """How functions are called that are the same ones of all letters, unlike p in p(x) and p(y)."""
 
 
+_OF_AN_AXIS = re.compile(r"(?:\\[a-z]+\{)?[A-Z]\}?_\{?(?:[123xyz]|\\(?:mathrm|text)\{[xyz]\})\}?")
+
+
+def _is_turn(definition: Definition) -> bool:
+    """Whether a function is the printed rotation about an axis, by which it is called: of any angle the same one."""
+    tree = without_brackets(definition.tree)
+    turns = [each for each in tree.find_data("function") if each.children[0] in ("sin", "cos")]
+    return (
+        tree.data == "matrix"
+        and _OF_AN_AXIS.fullmatch(definition.symbol) is not None
+        and {*symbols_in(tree)} == {*definition.parameters}
+        and len(_symbols_within(tree)) == sum(len(_symbols_within(each)) for each in turns) > 0
+    )
+
+
+def _symbols_within(tree: Formula) -> list[Any]:
+    """Return each place of a symbol in a formula."""
+    return [*tree.scan_values(lambda each: isinstance(each, Token) and each.type == "SYMBOL")]
+
+
 def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
     """Return a function that is taken at lone letters, all others than it was defined with; empty for none."""
     operators = vocabulary.kinds.averages.operators
     for call in (each for tree in trees for each in tree.find_data("call")):
         definition = vocabulary.definitions.get(str(call.children[0]))
-        if definition is None or _SAME_EVERYWHERE.fullmatch(definition.symbol) or definition.tree.data == "marked":
+        if definition is None or _SAME_EVERYWHERE.fullmatch(definition.symbol):
+            continue
+        if definition.tree.data == "marked" or _is_turn(definition):
             continue
         if definition.symbol in operators or any(
             each.children[0] in operators for each in definition.tree.find_data("call")

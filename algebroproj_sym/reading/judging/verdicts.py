@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
 from algebroproj_sym.proving import Question
+from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.files import Line
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.parsing.grammar import Parsed
@@ -96,8 +97,16 @@ class Reading:
         roughly = [place for place, relation in enumerate(relations) if relation in _ROUGHLY]
         exactly = {link.verdict for place, link in enumerate(self.links) if place not in roughly}
         found = exactly or {link.verdict for link in self.links}
+        if self._sets_to_zero and found == {"definition", "independent"}:
+            return "definition"
         order: tuple[Verdict, ...] = ("contradicts", "not decided", "independent", "definition", "follows")
         return next((verdict for verdict in order if verdict in found), "not decided")
+
+    @property
+    def _sets_to_zero(self) -> bool:
+        """Whether a chain says what a letter is, and in its last link that this is zero."""
+        is_zero = self.formula is not None and self.formula.sides[-1] == ZERO
+        return is_zero and {link.verdict for link in self.links[:-1]} == {"definition"}
 
     @property
     def supposes(self) -> bool:

@@ -61,13 +61,20 @@ def _derivative(above: str, below: str) -> str | None:
     return f"{above}/{below}" if rest else ""
 
 
+def _derivative_at(cursor: Cursor) -> str | None:
+    """Return the text of the derivative that the next fraction is; None if it is none."""
+    ahead = replace(cursor, index=cursor.index + 1)
+    above, below = bare(ahead.group()), bare(ahead.group())
+    is_plain = cursor.functions is None or (above.startswith("d") and cursor.known("d"))
+    return None if is_plain else _derivative(above, below)
+
+
 def read_fraction(cursor: Cursor) -> None:
     """Read a fraction, a derivative, or d/dx before what it is of."""
     start = cursor.place
+    derivative = _derivative_at(cursor)
     cursor.index += 1
     above, below = cursor.group(), cursor.group()
-    is_plain = cursor.functions is None or (bare(above).startswith("d") and cursor.known("d"))
-    derivative = None if is_plain else _derivative(bare(above), bare(below))
     if derivative is None:
         cursor.out.append(Token("FRACTION", r"\frac", start_pos=start))
         cursor.inner(above)
@@ -293,7 +300,9 @@ _RATES = frozenset((r"\dot", r"\ddot"))
 
 
 def _is_factor(cursor: Cursor, last: str) -> bool:
-    r"""Whether the next letter is no part of an angle, as in ``\sin\theta K`` and ``\cos\theta \dot\theta``."""
+    r"""Whether what comes next is no part of an angle, as in ``\sin\theta K`` and ``\cos E \frac{dE}{dt}``."""
+    if cursor.text in FRACTIONS:
+        return _derivative_at(cursor) is not None
     return last in _ANGLES and (cursor.text in _RATES or (cursor.text.isalpha() and cursor.text.isupper()))
 
 

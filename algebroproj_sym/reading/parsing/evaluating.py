@@ -353,7 +353,7 @@ def _short(number: Any) -> str:
     return text
 
 
-_SMOOTH = (sympy.sin, sympy.cos, sympy.tan, sympy.exp, sympy.log, sympy.sinh, sympy.cosh, sympy.atan, over)
+_SMOOTH = (sympy.sin, sympy.cos, sympy.tan, sympy.exp, sympy.log, sympy.sinh, sympy.cosh, sympy.atan, sympy.atan2, over)
 
 
 def slope_of(value: Any, variable: Any) -> Any:

@@ -15,6 +15,7 @@ from algebroproj_sym.reading.prose.sentences import (
     IN_THIS_CASE,
     last_sentence,
     main_clause,
+    sentences_of,
     strange_word,
     without_formulas,
     without_laws,
@@ -75,6 +76,20 @@ class Beside:
         bare = {bare_name(each) for each in given}
         kept = lambda match: "" if not match[1] or bare_name(match[1]) in bare else match[0]  # noqa: E731
         return _case_in(_LET.sub(kept, words))
+
+    @property
+    def case_of_premise(self) -> str:
+        """Return a word by which the equation may serve a case alone; empty for none.
+
+        It stands in its own sentence, or in the one before it where the sentence goes on from it.  A sentence near it
+        that supposes something, or neglects it, speaks of what stands behind it as well: "We neglect the wind".
+        """
+        *above, _ = sentences_of(self.before)
+        own = f"{self.sentence} {self.condition} {self.behind}"
+        if above and _LEANS.match(without_formulas(self.sentence)):
+            own = f"{above[-1]} {own}"
+        found = next(filter(None, map(_CARRIES.search, above)), None)
+        return _case_in(own) or (found.group() if found else "")
 
     @property
     def case_within(self) -> str:
@@ -348,6 +363,12 @@ def _case_in(words: str) -> str:
     return " ".join(found.group().split())[:20] if found else ""
 
 
+_LEANS = heard(
+    r"\W*(?:$|(?:and |so )?(?:<concludes>|then|this|that|these|here|its?|they|there|now|so|in (?:this|that|such))\b)"
+)
+"""How a sentence begins that goes on from the one before it."""
+_CARRIES = heard(r"\b<roughly partly supposes>\b|\A\W*<condition>\b")
+"""A word by which the sentences behind it may be of a case as well."""
 _SEVERAL = re.compile(r"\b(?:are|were|have|give|read|become|follow|equal)\b(?![^.]*\b(?:we|you|it)\b)", re.IGNORECASE)
 _EQUATIONS = heard(r"\b<equations>\b")
 _AMOUNTS = heard(r"\b(<amount>)\b(?! (?:equations?|relations?|sides?|terms?|expressions?|formula\w*|steps?|numbers?$))")

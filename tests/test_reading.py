@@ -243,6 +243,18 @@ def test_markdown_and_notebooks_are_read_with_the_lines_of_the_file(tmp_path):
     assert "$$ a = b $$" in line
 
 
+def test_macros_that_the_code_of_a_notebook_has_written_are_known(tmp_path):
+    shown = {"data": {"text/markdown": ["$\n", "\\def\\mf{\\mathbf}\n", "$$ c = 1 $$\n"]}}
+    cells = [
+        {"cell_type": "code", "source": ["load()"], "metadata": {}, "outputs": [shown]},
+        {"cell_type": "markdown", "source": ["Let\n", "$$ \\mf r = f \\mf u + g \\mf v $$"], "metadata": {}},
+    ]
+    (tmp_path / "a.ipynb").write_text(json.dumps({"cells": cells}, indent=1), encoding="utf-8")
+    (found,) = read_document(document_at(tmp_path / "a.ipynb"))
+    assert found.read == "r = f*u + g*v"
+    assert "mf r" in (tmp_path / "a.ipynb").read_text(encoding="utf-8").split("\n")[found.line - 1]
+
+
 def test_a_file_that_is_no_document_is_refused_by_name(tmp_path):
     (tmp_path / "a.tex").write_bytes(b"\xff\xfe\xff")
     (tmp_path / "a.ipynb").write_text("[" * 50_000, encoding="utf-8")

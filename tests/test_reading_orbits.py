@@ -28,12 +28,33 @@ FOLLOWS = {
     "the derivative of an angle": BEARING + r"Hence \[ \frac{\partial b}{\partial x} = -\frac{y}{x^2 + y^2} \]",
     "the rate of an angle": BEARING + r"Its rate is \[ \dot b = \frac{x \dot y - y \dot x}{x^2 + y^2} \]",
     "turns by other angles": TURNS + TURNED % "-",
+    "what is related to another thing": (
+        r"The energy is \[ \epsilon = \frac{v^2}{2} - \frac{\mu}{r}. \] It is related to the semimajor axis by "
+        r"\[ \epsilon = -\frac{\mu}{2a}. \] Solving for the speed gives "
+        r"\[ v = \sqrt{\mu \left(\frac2r - \frac1a\right)} \]"
+    ),
+    "a square behind an equation": (
+        r"The height is \[ z = (N (1 - e^2) + h) \sin p, \] where $e^2 = 2 f - f^2$. Hence "
+        r"\[ z = (N (1 - f)^2 + h) \sin p \]"
+    ),
     "a derivative behind an angle": (
         r"The height is \[ h = k \cos E \] where $k$ is constant. Hence "
         r"\[ \frac{dh}{dt} = -k \sin E \frac{dE}{dt} \]"
     ),
 }
 MISLEADING = {
+    "points with a square": (
+        r"The height is \[ z = (N (1 - e^2) + h) \sin p. \] There are points where $e^2 = 2 f - f^2$. In general "
+        r"\[ z = (N (1 - f)^2 + h) \sin p \]"
+    ),
+    "a square in a case": (
+        r"The height is \[ z = (N (1 - e^2) + h) \sin p, \] where $e^2 = 2 f - f^2$ if the shell is cut. Hence "
+        r"\[ z = (N (1 - f)^2 + h) \sin p \]"
+    ),
+    "what is related to a thing of another one": (
+        r"The force is \[ F = m a. \] It is related to the stretch of the spring by \[ F = -k x. \] "
+        r"The damper has \[ F = -c v. \] Hence \[ k x = c v \]"
+    ),
     "the inverse of a derivative": MEAN
     + r"The derivatives are \[ \frac{\partial E}{\partial e} = \frac{a \sin E}{r} \] "
     r"\[ \frac{\partial E}{\partial M} = \frac{r}{a} \]",

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
 from pathlib import Path
+from typing import Any
 
 from algebroproj_sym.reading.documents.escapes import escapes_rows, escapes_subscripts, unescaped
 from algebroproj_sym.reading.documents.files import (
@@ -402,12 +403,24 @@ def _notebook(path: Path, text: str) -> Document:
     try:
         book = json.loads(text)
         cells = book["cells"] if "cells" in book else [cell for sheet in book["worksheets"] for cell in sheet["cells"]]
-        sources = [cell["source"] for cell in cells if cell["cell_type"] == "markdown"]
-        parts = [part if isinstance(part, list) else part.splitlines(keepends=True) for part in sources]
+        parts = [part for cell in cells for part in _shown_by(cell)]
         written = [line for part in parts for line in [*(str(each).rstrip("\n") for each in part), ""]]
-    except (ValueError, KeyError, TypeError, RecursionError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise UnreadableDocumentError(f"{path}: expected a Jupyter notebook, got something else") from error
     return document_of("\n".join(written), latex=False, lines=tuple(map(Line, _lines_of(written, text))))
+
+
+def _shown_by(cell: Any) -> Iterator[list[str]]:
+    """Yield the lines that a cell shows: its text, or the definitions of macros that its code has written."""
+    shown = [cell["source"]] if cell["cell_type"] == "markdown" else []
+    outputs = cell.get("outputs", ()) if not shown else ()
+    shown += [data for each in outputs if (data := each.get("data", {}).get("text/markdown"))]
+    for each in shown:
+        lines = each if isinstance(each, list) else each.splitlines(keepends=True)
+        yield lines if cell["cell_type"] == "markdown" else [line for line in lines if _MACRO.match(str(line))]
+
+
+_MACRO = re.compile(r"\s*\\(?:def|(?:re)?newcommand|DeclareMathOperator)\b")
 
 
 def _lines_of(written: list[str], text: str) -> Iterator[int]:

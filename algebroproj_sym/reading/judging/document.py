@@ -15,7 +15,9 @@ from algebroproj_sym.reading.defining.recognising import (
     is_reordered,
     is_value_of_itself,
     operations_in,
+    says_more_than_a_number,
     values_in,
+    without_power,
 )
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.displays import Display, Document
@@ -43,7 +45,7 @@ from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.reading.prose.meanings import VARIES
 from algebroproj_sym.reading.prose.sentences import last_sentence
 from algebroproj_sym.reading.prose.supposing import (
@@ -143,6 +145,10 @@ def _without_rough_value(formula: Parsed) -> tuple[int, Parsed]:
     return place, replace(formula, sides=formula.sides[place:], relations=formula.relations[place:])
 
 
+_BEGINS = re.compile(r"(?:\A|[.,;]|\band)\s*(?:[Ww]here|[Ii]n which)\s*\Z")
+"""How a clause begins that says what something is: not as in "points where"."""
+
+
 class _Pass:
     """Goes through a document once, and collects definitions, premises and questions."""
 
@@ -200,7 +206,12 @@ class _Pass:
                 self.memory.vocabulary.define(definition)
                 if number or (beside(statement, "").supposes and definition.symbol in self.memory.seen):
                     self.memory.valued.add(definition.symbol)
-            elif says and definition is None and ends_clause(statement.display) and self._introduces_within(formula):
+            elif (
+                says
+                and definition is None
+                and ends_clause(statement.display)
+                and self._introduces_within(formula, before)
+            ):
                 given = self.memory.premises_of(statement, formula, formula.sides)
                 self.memory.premises += [replace(each, special=False) for each in given]
         self.memory.give_anew(formula)
@@ -223,13 +234,24 @@ class _Pass:
         if above is not None and goes_on_with(before, ended=has_ended(above)):
             self.memory.given_at |= dict.fromkeys((defined_by(side)[0] for side in formula.sides), above.place)
 
-    def _introduces_within(self, formula: Parsed) -> bool:
-        r"""Whether an equation within the text says what a new letter is, though not alone: "where $L L^T = K$"."""
+    def _introduces_within(self, formula: Parsed, before: str) -> bool:
+        r"""Whether an equation within the text says what a new letter is, though not alone: "where $L L^T = K$".
+
+        So does "where $e^2 = 2 f - f^2$" of the square of a letter that no equation gives.
+        """
         lone = [symbol for side in formula.sides if (symbol := defined_by(side)[0])]
         new = {*symbols_in(formula.sides[0])} - {*self.memory.asserted, *self.memory.vocabulary.definitions}
+        if formula.relations == ("=",) and len(formula.sides) == 2 and self._gives_a_square(*formula.sides):
+            return _BEGINS.search(before) is not None
         if formula.relations != ("=",) or len(lone) != 1 or not new:
             return False
         return lone[0] not in new and self.memory.vocabulary.is_matrix(lone[0])
+
+    def _gives_a_square(self, left: Formula, right: Formula) -> bool:
+        base = without_power(left)
+        symbol = defined_by(base)[0]
+        given = {*self.memory.given_at, *self.memory.vocabulary.definitions, *symbols_in(right), ""}
+        return base is not left and symbol not in given and says_more_than_a_number(right)
 
     def _displayed(
         self, statement: Statement, found: Parsed | UnreadableError, place: int

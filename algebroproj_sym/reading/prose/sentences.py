@@ -123,4 +123,10 @@ _WORD = re.compile(r"[^\W\d_]{2,}|\b[^\W\d_]\d{2,}")
 
 def without_formulas(text: str) -> str:
     """Return words without formulas, references, and what names the letters of an equation alone."""
-    return re.sub(r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|\b[Ii]n terms of [^,.$]*", " ", text)
+    return _FORMULAS.sub(" ", text)
+
+
+_FORMULAS = re.compile(
+    r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|\b[Ii]n terms of [^,.$]*"
+    r"|\brelated to (?:the |its |an? )?(?:(?!of\b)[a-z-]+ ){1,2}by\b"
+)

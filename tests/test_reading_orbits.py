@@ -55,6 +55,10 @@ MISLEADING = {
         r"The force is \[ F = m a. \] It is related to the stretch of the spring by \[ F = -k x. \] "
         r"The damper has \[ F = -c v. \] Hence \[ k x = c v \]"
     ),
+    "roots of opposite numbers": (
+        r"The rate of the ellipse is \[ q := -\frac{\sqrt{m a}}{r} \sin E. \] Hence "
+        r"\[ q = -\frac{\sqrt{-m a}}{r} \sinh H \]"
+    ),
     "the inverse of a derivative": MEAN
     + r"The derivatives are \[ \frac{\partial E}{\partial e} = \frac{a \sin E}{r} \] "
     r"\[ \frac{\partial E}{\partial M} = \frac{r}{a} \]",
@@ -100,6 +104,16 @@ def test_a_letter_that_is_set_to_zero_where_it_is_given_is_defined_there():
     assert (given.verdict, [each.verdict for each in given.links]) == ("definition", ["definition", "independent"])
     assert follows.verdict == "follows"
     assert read_document(document_of(r"The residual is \[ r := y - a x = 2 \]"))[-1].verdict == "independent"
+
+
+def test_slanted_capitals_are_letters():
+    given, found = read_document(document_of(r"The rate is \[ \varOmega = 2 n \] Hence \[ r \varOmega = 2 n r \]"))
+    assert (given.read, given.verdict, found.verdict, found.formula.chose) == (
+        "varOmega = 2*n",
+        "definition",
+        "follows",
+        "",
+    )
 
 
 def test_a_factorial_that_is_not_computed_ends_no_document():

@@ -409,7 +409,7 @@ def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[
     questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = iter([*outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions)))] if questions else ())
     return [
-        (tuple(each), _with_letters(each, _of_entries([*islice(decided, len(each))])))
+        (tuple(each), _with_letters(each, _if_wide(_of_entries([*islice(decided, len(each))]))))
         if isinstance(each, list)
         else ((), Outcome("open", "none", 0.0, each))
         for each in asked
@@ -420,6 +420,13 @@ def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
     """Return an outcome with what its letters are taken for among its hypotheses."""
     letters = {name: text for each in questions for name, text in (each.letters or {}).items()}
     return replace(outcome, hypotheses=(*outcome.hypotheses, *(f"{name} is {text}" for name, text in letters.items())))
+
+
+def _if_wide(outcome: Outcome) -> Outcome:
+    """Return an outcome; no proof if it holds but where something and its opposite are both the square of a root."""
+    if outcome.verdict == "proved" and any(f"-{each}" in outcome.hypotheses for each in outcome.hypotheses):
+        return Outcome("open", "none", outcome.seconds, "it is shown only where a root in it is zero")
+    return outcome
 
 
 def _of_entries(found: Sequence[Outcome]) -> Outcome:

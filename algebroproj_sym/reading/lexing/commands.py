@@ -10,7 +10,9 @@ _GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi "
     "omega varepsilon varphi varrho vartheta varkappa varpi varsigma"
 )
-GREEK = frozenset(f"\\{name}" for low in _GREEK_NAMES.split() for name in (low, low.capitalize()))
+GREEK = frozenset(
+    f"\\{name}" for low in _GREEK_NAMES.split() for name in (low, low.capitalize(), f"var{low.capitalize()}")
+)
 LETTERS = GREEK | {r"\ell", r"\hbar", r"\imath", r"\jmath", r"\nabla", r"\infty", r"\emptyset"}
 BOLD = {
     r"\bm": r"\mathbf",

@@ -202,7 +202,7 @@ def _by_chains(
         yield replace(_made(symbol, matrix, replace(first, where=where), [], vocabulary), role="case")
         return
     by_it = lambda one, other: has_rate(one, other, occurring)  # noqa: E731
-    if tied := implicit(function, names.get(_bare(below), ""), vocabulary, by_it):
+    if tied := implicit(sign, function, names.get(_bare(below), ""), vocabulary, by_it):
         tree, fixed, tying = tied
         yield replace(_made(symbol, tree, tying, [*fixed], vocabulary), role="case")
         return

@@ -18,12 +18,16 @@ HasRate = Callable[[str, str], bool]
 
 
 def implicit(
-    function: str, variable: str, vocabulary: Vocabulary, has_rate: HasRate
+    sign: str, function: str, variable: str, vocabulary: Vocabulary, has_rate: HasRate
 ) -> tuple[Formula, tuple[str, ...], Definition] | None:
-    """Return the derivative of a letter that nothing gives, from the one definition that ties it to others.
+    r"""Return the derivative of a letter that nothing gives, from the one definition that ties it to others.
+
+    A total derivative has none where several definitions have the letter.
 
     Parameters
     ----------
+    sign : str
+        How the derivative begins: ``d`` or ``\partial``.
     function, variable : str
         The letter, and the one by which the derivative is taken.
     vocabulary : Vocabulary
@@ -38,7 +42,7 @@ def implicit(
     """
     known = [each for each in vocabulary.definitions.values() if function in vocabulary.letters_of(each.tree)]
     tying = [each for each in known if _ties(each, function, variable, vocabulary, has_rate)]
-    if function in vocabulary.definitions or len(tying) != 1:
+    if function in vocabulary.definitions or len(tying) != 1 or (sign == "d" and len(known) > 1):
         return None
     (given,) = tying
     fixed = tuple(sorted((vocabulary.letters_of(given.tree) | {given.symbol}) - {function, variable}))

@@ -104,8 +104,9 @@ class Reading:
 
     @property
     def _sets_to_zero(self) -> bool:
-        """Whether a chain says what a letter is, and in its last link that this is zero."""
-        is_zero = self.formula is not None and self.formula.sides[-1] == ZERO
+        """Whether a chain says by a sign what a letter is, and in its last link that this is zero."""
+        formula = self.formula
+        is_zero = formula is not None and formula.relations[0] == ":=" and formula.sides[-1] == ZERO
         return is_zero and {link.verdict for link in self.links[:-1]} == {"definition"}
 
     @property

@@ -52,6 +52,8 @@ class Dependence:
     """The letters that words call constant."""
     arguments: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """The functions that are taken at the same letters in the whole document, with these."""
+    axes_turn: bool = False
+    """Whether words speak of axes that turn or move."""
     _related: dict[str, frozenset[str]] = field(default_factory=dict, compare=False)
 
     @cached_property

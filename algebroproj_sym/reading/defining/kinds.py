@@ -10,7 +10,7 @@ An accent is that of vectors if letters that have it are multiplied with a cross
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import pairwise, permutations
 from typing import Any
 
 from lark import Token
@@ -27,6 +27,7 @@ from algebroproj_sym.reading.prose.inner import vectors_in
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
 """A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
 _SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")
+_THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
 _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?![a-z]{2})")
 _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
@@ -76,7 +77,8 @@ def kinds_of(
     columns |= {*_derived_in(equations)} & {*occurring}
     known = {*said, *columns, *_marked_in(sides, occurring, said | columns), *_tables_in(equations)}
     numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
-    known |= vectors_in(sides, words) - numbers
+    columns |= frozenset(_stretched_in(equations)) - numbers
+    known |= vectors_in(sides, words) - numbers | columns
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
     closure = _Closure(
         {*known, *(each for each in occurring if _BOLD.search(before_condition(each)))}, equations, occurring
@@ -285,6 +287,20 @@ def _derived_in(equations: Sequence[Sides]) -> Iterator[str]:
 
 
 _SIZED_IDENTITY = re.compile(r"(?:I|\\math(?:bf|bb|rm)\{I\})_(?:[2-9]|\{([2-9])(?:\\times\1)?\})")
+
+
+def _stretched_in(equations: Iterable[Sides]) -> Iterator[str]:
+    r"""Yield the letters of eigenvectors, as x in ``A x = \lambda x``: of numbers, nobody prints x twice."""
+    for one, other in (pair for sides in equations for pair in permutations(sides, 2)):
+        if one.data == other.data == "run" and len(one.children) == 2:
+            capital, letter = map(lone, trees_in(one))
+            if (
+                _THIN_CAPITAL.fullmatch(capital)
+                and letter
+                and not CAPITAL.match(letter)
+                and lone(trees_in(other)[-1]) == letter
+            ):
+                yield from () if lone(trees_in(other)[0]) == capital else (letter,)
 
 
 def _summed_with(columns: frozenset[str], known: Collection[str], equations: Sequence[Sides]) -> Iterator[str]:

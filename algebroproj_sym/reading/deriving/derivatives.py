@@ -24,10 +24,8 @@ _DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
 _LOGARITHM = re.compile(r"(\\(?:ln|log)(?![a-z]))?(.*)")
 _MIXED = re.compile(r"\\partial\^2(.+)/\\partial(.+?)\\partial(.+)")
 _OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
-_FIXED = re.compile(
-    r"_\{?0|\\(?:mathbf|vec|hat|overrightarrow)\{?(?:\\mathbf\{?)?(?:[ijkxyz]\}*$|e\}*_\{?[xyz123]\}?$)"
-)
-"""What may be fixed though nothing says so: the vectors of the axes, and what has the index of the start."""
+_AT_START = re.compile(r"_\{?0")
+_AXIS = re.compile(r"\\(?:mathbf|vec|hat|overrightarrow)\{?(?:\\mathbf\{?)?(?:[ijkxyz]\}*$|e\}*_\{?[xyz123]\}?$)")
 
 
 def derivatives_in(
@@ -282,9 +280,18 @@ def _of_factors(
 
 
 def _are_constant(letters: Iterable[str], vocabulary: Vocabulary) -> bool:
-    """Whether letters are numbers, or said to be constant, or may be fixed though nothing says so."""
-    known = vocabulary.dependence.constant
-    return all(each in known or _FIXED.search(each) or vocabulary.constant(each) is not None for each in letters)
+    """Whether letters are numbers, or said to be constant, or may be fixed though nothing says so.
+
+    What has the index of the start may be, and so may a vector of an axis.
+    """
+    known, axes_turn = vocabulary.dependence.constant, vocabulary.dependence.axes_turn
+    return all(
+        each in known
+        or _AT_START.search(each)
+        or (_AXIS.search(each) and not axes_turn)
+        or vocabulary.constant(each) is not None
+        for each in letters
+    )
 
 
 def _rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:

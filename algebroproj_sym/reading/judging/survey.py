@@ -34,6 +34,7 @@ from algebroproj_sym.reading.prose.devices import heard
 from algebroproj_sym.reading.prose.inner import is_given
 from algebroproj_sym.reading.prose.meanings import (
     Meanings,
+    axes_turn,
     dependences,
     functions_called,
     has_superscripts,
@@ -270,7 +271,7 @@ class Survey:
         own = {name: defined_by(next(iter(of)))[1] for name, of in self._arguments.items() if len(of) == 1}
         time = ("t",) if _OF_TIME.search(self._prose) else ()
         arguments = {name: of + time if of and "t" not in of else of for name, of in own.items()}
-        return Dependence(tuple(ties), by_time, constants_in(self.statements), arguments)
+        return Dependence(tuple(ties), by_time, constants_in(self.statements), arguments, axes_turn(self._prose))
 
     @cached_property
     def indices(self) -> Indices:
@@ -283,9 +284,8 @@ class Survey:
         """What words say of letters and signs."""
         given = frozenset(tie.given for tie in self.dependence.ties)
         iterated = frozenset(map(without_above, iterates_in(self._first_equations)))
-        equations = (each.sides for each in self.formulas.values() if isinstance(each, Parsed))
-        sides = tuple(_sides(self.formulas))
-        return Meanings(self.statements, self._prose, sides, given, iterated, is_given(equations))
+        equations = [each.sides for each in self.formulas.values() if isinstance(each, Parsed)]
+        return Meanings(self.statements, self._prose, equations, given, iterated, is_given(equations))
 
     @cached_property
     def restricted(self) -> frozenset[str]:

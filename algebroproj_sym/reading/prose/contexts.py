@@ -17,8 +17,9 @@ _COMMANDS = re.compile(
 """The commands with which a sentence may begin, and no words of them but those in brackets of a font."""
 _BEGINS = heard(_AND + "(?:" + "|".join(f"(?P<{kind}><begins-{kind}>)" for kind in _KINDS) + ")", re.DOTALL)
 _WHERE = heard(
-    _AND + r"(?P<words>(?:in|on|at|for|near|under|during|along|across)\s+(?:the\s+|an?\s+)?(?:[a-z-]+\s+){1,2}?"
-    r"(?P<head>(?!<of-a-text manner>\b)[a-z-]+))"
+    _AND + r"(?P<words>(?:in|on|at|for|near|under|during|along|across)\s+"
+    r"(?:(?<!for )the\s+|(?:the\s+|an?\s+)?(?:(?!(?:the|an?|we|it|one)\b)[a-z-]+\s+){1,2}?)"
+    r"(?P<head>(?!(?:<of-a-text manner arises>|the|an?|of|we|it|one)\b)[a-z-]+\b))"
     r"(?=\s*(?:,|:|$|\$|(?:the|we|it|its|one|this|that|an?|there|is|are|has|holds|hence|thus|then)\b))"
 )
 """How a sentence begins with a place in a wide sense: one of which the last word is the same is another."""
@@ -28,7 +29,7 @@ _OF_ANOTHER = heard(
 )
 """How a sentence begins with a thing of somebody: "In the model of Smith"."""
 _PROPER = re.compile(
-    r"\W*(?:And\s+|But\s+)?(?:[Ii]n|[Oo]n|[Aa]t|[Nn]ear)\s+(?:the\s+)?(?P<words>[A-Z][a-z]{2,})"
+    r"\W*(?:And\s+|But\s+)?(?:[Ii]n|[Oo]n|[Aa]t|[Nn]ear|[Ff]or)\s+(?:the\s+)?(?P<words>[A-Z][a-z]{2,})"
     r"(?=\s*(?:,|:|$|(?:the|we|it|its|one|this|an?)\b))"
 )
 _FRONT = heard(
@@ -55,6 +56,8 @@ _ABSENT = re.compile(r"without|in the absence|ignoring|neglecting|excluding|omit
 _WHILE = ("while", "as long as", "so long as", "until")
 _THINGS = ("front", "source", "place", "name", "sort", "state", "time", "extent", "of several")
 """The kinds of contexts that a sentence of its own may begin."""
+_ELSEWHERE = {"time", "place", "range", "extent", "sort"}
+"""The kinds of contexts of which one is elsewhere than any other."""
 _BEHIND = heard(
     r"[\s,]*((?:(?:but )?only )?(?:<if>|while|with (?:\w+ )?probability|"
     r"for (?:very |all |sufficiently )?(?:small|large|low|high|weak|strong|even|odd|positive|negative))\b[^.;]*)",
@@ -107,7 +110,7 @@ class Context:
         if self.words.startswith(("in general", "generally")):
             return bool(other.kind)
         kinds = {self.kind, other.kind}
-        if "front" in kinds or kinds == {"time", "place"}:
+        if "front" in kinds or len(kinds & _ELSEWHERE) == 2:
             return bool(other.kind)
         if self.kind != other.kind:
             return other.kind == "condition" or other.words.startswith(_WHILE)
@@ -186,7 +189,8 @@ def context_of(sentence: str, behind: str = "") -> Context:
         thing = _OF_A_THING.match(bare.lower())
         place = _OF_ANOTHER.match(bare.lower()) or _WHERE.match(bare.lower())
         if thing is None and place is not None:
-            return Context(f"{place['head']} of several", _LEADS.sub("", " ".join(place["words"].split()), count=1))
+            where = _LEADS.sub("", " ".join(place["words"].split()), count=1)
+            return Context(f"{place['head']} of several" if " " in where else "place", where)
         return Context("name", " ".join(thing[1].split())) if thing else _front_of(bare.lower())
     words = " ".join(found[found.lastgroup].split())
     return Context(found.lastgroup, _LEADS.sub("", words, count=1) if found.lastgroup in _THINGS else words)

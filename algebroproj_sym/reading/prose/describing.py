@@ -89,16 +89,14 @@ def _named_before(before: str, behind: str) -> list[str]:
             return []
         leads = True
         tokens.pop()
-    found, stopped = _nouns(tokens[::-1])
-    while stopped in _DETERMINERS and len(tokens) > len(found) + 2:
-        rest = tokens[: -len(found) - 1]
-        if rest[-1].lower() != "of":
+    found, stopped = more, _ = _nouns(tokens[::-1])
+    while more and stopped in ("of", *_DETERMINERS):
+        tokens = tokens[: -len(more) - (stopped != "of")]
+        if [each.lower() for each in tokens[-1:]] != ["of"]:
             break
-        tokens = rest[:-1]
+        tokens.pop()
         more, stopped = _nouns(tokens[::-1])
-        found += more
-        if not more:
-            break
+        found = found + more
     if stopped in _ACTORS and found:
         found.pop()
     if stopped not in _DETERMINERS or (len(found) > 1 and _GENERAL.fullmatch(found[1])):

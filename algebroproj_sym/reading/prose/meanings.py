@@ -16,9 +16,10 @@ from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, symbols_in, trees_in
 from algebroproj_sym.reading.prose.acting import acted_on
-from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.devices import heard, says
 from algebroproj_sym.reading.prose.inner import products_in
 from algebroproj_sym.reading.prose.phrases import SET, called, symbols_in_list
 
@@ -205,6 +206,11 @@ def has_superscripts(words: str) -> bool:
     return _SUPERSCRIPTS.search(words) is not None
 
 
+def axes_turn(words: str) -> bool:
+    """Whether the text speaks of axes that turn or move."""
+    return says("<axes-turn>", words)
+
+
 def dependences(words: str) -> Iterator[tuple[str, str]]:
     """Yield the pairs of letters of which the first is said to be a function of the second; what moves is one of t."""
     yield from ((symbol, "t") for each in _MOVES.findall(words) for symbol in symbols_in_list(each))
@@ -220,8 +226,9 @@ def prose_of(statements: Iterable[Statement]) -> str:
     for each in displays.values():
         if each.environment != "inline":
             words += [each.before]
-    last = [*displays.values()][-1:]
-    return " ".join(" ".join([*words, *(f"{each.before} {each.after}" for each in last)]).split())
+    for last in [*displays.values()][-1:]:
+        words += [last.before, f"${last.latex}$" if last.environment == "inline" else "", last.after]
+    return " ".join(" ".join(words).split())
 
 
 @dataclass(frozen=True)
@@ -232,8 +239,8 @@ class Meanings:
     """All statements of the document."""
     words: str
     """The text between its displays."""
-    sides: Sequence[Formula]
-    """The sides of those that were read."""
+    equations: Sequence[Sequence[Formula]]
+    """The sides of each of those that were read."""
     given: frozenset[str]
     """The symbols that are alone on the left somewhere."""
     iterated: frozenset[str]
@@ -242,8 +249,33 @@ class Meanings:
     """Whether the document says itself what an inner product is."""
 
     @cached_property
+    def _paired(self) -> frozenset[str]:
+        """The indices that a product has twice and no other side has, as in ``a = u_i v_i``.
+
+        An index is counted, and not summed over, if a sum sign has it, or if it stands once on another side of such a
+        product, as in ``p_i = m_i v_i``.
+        """
+        found, counted = set[str](), set[str]()
+        for sides in self.equations:
+            indices = [{index for symbol in symbols_in(side) for index in _indices_of(symbol)} for side in sides]
+            for side in sides:
+                others = {
+                    index for other, each in zip(sides, indices, strict=True) if other is not side for index in each
+                }
+                twice = {*_repeated_in(side, 2)}
+                found |= twice - others
+                counted |= {index for other in sides for index in twice & others - {*_repeated_in(other, 2)}}
+                counted |= {str(each) for big in side.find_data("big") for each in _INDEX.findall(str(big.children[0]))}
+        return frozenset(found - counted)
+
+    @cached_property
     def _has_degrees(self) -> bool:
         return _DEGREES.search(self.words) is not None
+
+    @cached_property
+    def sides(self) -> Sequence[Formula]:
+        """The sides of all."""
+        return [side for sides in self.equations for side in sides]
 
     @cached_property
     def _has_bases(self) -> bool:
@@ -363,6 +395,9 @@ class Meanings:
         index = _summed_silently(formula.sides) or (_twice_in(formula.sides) if self._has_convention else "")
         if index:
             return f"the index {index} may be summed over without a summation sign"
+        repeated = {each for side in formula.sides for each in _repeated_in(side, 3)}
+        if repeated & self._paired:
+            return f"the index {min(repeated & self._paired)} may be summed over without a summation sign"
         return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
 
     def _of_tree(self, tree: Formula, symbols: set[str]) -> str:
@@ -432,6 +467,21 @@ def _summed_silently(sides: Sequence[Formula]) -> str:
                 if other != place and (free := theirs) and (lone := twice - theirs) and free & indices[place]:
                     return min(lone)
     return ""
+
+
+def _repeated_in(side: Formula, times: int) -> Iterator[str]:
+    """Yield the indices that a term has a number of times or more, as ``u_i^2 v_i`` has i three times."""
+    for term in terms_of(side):
+        found = [*_factors_indices(term)]
+        yield from sorted(each for each in {*found} if found.count(each) >= times)
+
+
+def _factors_indices(factor: Formula) -> list[str]:
+    if factor.data == "power" and (exponent := _text(factor.children[1])).isdigit():
+        return _factors_indices(trees_in(factor)[0]) * min(int(exponent), 3)
+    if factor.data in ("run", "product", *IN_BRACKETS):
+        return [index for each in trees_in(factor) for index in _factors_indices(each)]
+    return _scripts_of(_text(factor))
 
 
 def _labels_in(side: Formula, product: Formula, indices: Collection[str]) -> set[str]:

@@ -57,7 +57,7 @@ _WHILE = ("while", "as long as", "so long as", "until")
 _THINGS = ("front", "source", "place", "name", "sort", "state", "time", "extent", "of several")
 """The kinds of contexts that a sentence of its own may begin."""
 _ELSEWHERE = {"time", "place", "range", "extent", "sort"}
-"""The kinds of contexts of which one is elsewhere than any other."""
+"""The kinds of contexts of which one is elsewhere than any other; but "for even" may be short for a range."""
 _BEHIND = heard(
     r"[\s,]*((?:(?:but )?only )?(?:<if>|while|with (?:\w+ )?probability|"
     r"for (?:very |all |sufficiently )?(?:small|large|low|high|weak|strong|even|odd|positive|negative))\b[^.;]*)",
@@ -110,7 +110,7 @@ class Context:
         if self.words.startswith(("in general", "generally")):
             return bool(other.kind)
         kinds = {self.kind, other.kind}
-        if "front" in kinds or len(kinds & _ELSEWHERE) == 2:
+        if "front" in kinds or (len(kinds & _ELSEWHERE) == 2 and kinds != {"range", "sort"}):
             return bool(other.kind)
         if self.kind != other.kind:
             return other.kind == "condition" or other.words.startswith(_WHILE)

@@ -72,6 +72,11 @@ _FRONT_MATTER = re.compile(r"\A---[ \t]*\n.*?\n---[ \t]*\n", re.DOTALL)
 _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
+_PROSE_BLOCK = re.compile(
+    r"\s*```+\s*\{(?:admonition|note|tip|important|hint|seealso|warning|caution|attention|danger|margin|dropdown|card|"
+    r"prf:[a-z]+)\}"
+)
+"""The line on which a block of words begins in MyST, which is no code."""
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _SPACED = re.compile(
     r"(?:(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*|\\[lc]?dots\s*|\\l?eqno\s*\{?\s*)\((\d[\d.]*[a-z]?)\)\s*\}?\s*$"
@@ -255,11 +260,19 @@ def _uncited(found: re.Match[str]) -> str:
 
 
 def _without_blocks(text: str) -> str:
-    """Return Markdown without blocks of code; those that are formulas stand between dollars, at the same places."""
-    kept, place = list[str](), 0
+    """Return Markdown without blocks of code; those that are formulas stand between dollars, at the same places.
+
+    Blocks of words remain, without the lines on which they begin and end.
+    """
+    kept, place, within = list[str](), 0, 0
     opening: re.Match[str] | None = None
     for mark in _MARK.finditer(text):
-        if opening is None and (mark[2] != ":::" or mark[3]):
+        begins = opening is None and _PROSE_BLOCK.match(mark.group()) is not None
+        if begins or (opening is None and within and mark.group().strip() == "```"):
+            within += 1 if begins else -1
+            kept += [text[place : mark.start()], _blank(mark)]
+            place = mark.end()
+        elif opening is None and (mark[2] != ":::" or mark[3]):
             kept.append(text[place : mark.start()])
             place, opening = mark.start(), mark
         elif opening is not None and mark[2] == opening[2] and not mark.group().strip(" \t`~:"):

@@ -41,6 +41,8 @@ _OF_PACKAGES = {
     r"\cross": (0, r"\times"),
     r"\vdot": (0, r"\cdot"),
     r"\grad": (0, r"\nabla"),
+    **dict.fromkeys((r"\tcolon", r"\dcolon"), (0, ":")),
+    **{rf"\{name}": (0, rf"\operatorname{{{name}}}") for name in ("tr", "Tr", "trace", "dev", "sym")},
     r"\order": (1, r"\mathcal{O}(#1)"),
     r"\vb*": (1, r"\mathbf{#1}"),
     **dict.fromkeys((r"\vu", r"\vu*"), (1, r"\hat{\mathbf{#1}}")),

@@ -27,6 +27,7 @@ from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     UnreadableError,
     bare,
+    contracts,
     outside_braces,
     outside_brackets,
     says_more,
@@ -146,7 +147,8 @@ def _is_shown(inside: Sequence[Piece]) -> bool:
     listed = outside_brackets([piece.text for piece in outside_braces(inside)])
     ends = inside[0].text + inside[-1].text if inside else ""
     is_interval = ends in ("[)", "(]") and listed.count(",") == 1
-    return is_interval or says_more(inside) or (curly and any(text in (",", ";", *ELLIPSES) for text in listed))
+    more = says_more(inside) and not contracts(inside)
+    return is_interval or more or (curly and any(text in (",", ";", *ELLIPSES) for text in listed))
 
 
 def _close(cursor: Cursor, kind: str) -> None:

@@ -66,7 +66,7 @@ BINOMIALS = _words(r"\binom \dbinom \tbinom")
 BIG = _words(r"\sum \prod \int \iint \iiint \oint \lim \max \min \sup \inf \bigcup \bigcap \argmin \argmax")
 FUNCTIONS = _words(
     "sin cos tan cot sec csc arcsin arccos arctan arccot asin acos atan atan2 arctan2 sinh cosh tanh coth arcsinh "
-    "arccosh arctanh arsinh arcosh artanh sech csch exp log ln lg det tr trace Tr diag rank sign sgn adj sinc"
+    "arccosh arctanh arsinh arcosh artanh sech csch exp log ln lg det tr trace Tr dev sym diag rank sign sgn adj sinc"
 )
 OPERATORS = _words(
     "var cov corr std mean avg min max sup inf lim arg vec grad div rot curl re im rk dim ker span pr erf erfc sat"

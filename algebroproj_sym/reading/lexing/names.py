@@ -34,6 +34,7 @@ from algebroproj_sym.reading.lexing.pieces import (
     Piece,
     UnreadableError,
     bare,
+    contracts,
     outside_braces,
     pieces_of,
     says_more,
@@ -322,9 +323,14 @@ def _read_differential(cursor: Cursor, letter: str, start: int) -> None:
     read_after(cursor)
 
 
+_OF_DENSITIES = re.compile(r"[a-zPE](?![a-z])|\\math(?:bb|ds)|[VCP][a-z]|\\Pr")
+"""How letters are written that are rather functions than factors."""
+
+
 def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -> None:
     """Add the token of a letter, or of a function before its bracket, or a value with a condition, as in ``p(y|x)``."""
-    if cursor.functions is not None and not raised and says_more(inside := bracket_ahead(cursor)):
+    inside = bracket_ahead(cursor) if cursor.functions is not None and not raised else []
+    if inside and says_more(inside) and not (contracts(inside) and not _OF_DENSITIES.match(whole)):
         cursor.index += len(inside)
         cursor.chose = "a value with a condition, such as p(y|x), is read as a letter of its own"
         text = "".join(piece.text for piece in inside if not piece.text.isspace() and piece.text not in DROPPED)

@@ -138,6 +138,17 @@ def says_more(inside: Sequence[Piece]) -> bool:
     return double or any(each % 2 for each in bars) or any(text in RELATIONS or text == ":" for text in texts)
 
 
+def contracts(inside: Sequence[Piece]) -> bool:
+    r"""Whether a bracket has a product such as ``\mathbf{A} : \mathbf{B}`` of bold letters, and no condition."""
+    texts = [piece.text for piece in inside]
+    parts = [each.split() for each in " ".join(texts).split(" : ")]
+    others = any(each in RELATIONS or each in ("|", r"\mid", r"\vert", r"\|", r"\Vert") for each in texts)
+    return len(parts) > 1 and not others and not any(_BOLD.isdisjoint(part) for part in parts)
+
+
+_BOLD = {*BOLD, r"\mathbf", r"\mathbb", r"\mathsf"}
+
+
 def _outside_angles(texts: Sequence[str]) -> list[str]:
     r"""Return what stands in no ``\langle u | v \rangle``."""
     inner = [*accumulate((text == r"\langle") - (text == r"\rangle") for text in texts)]

@@ -25,12 +25,15 @@ from algebroproj_sym.proving.letters.deciding import Found, Point, decide
 from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.properties import PROPERTIES, Letter, declared_letters
 from algebroproj_sym.proving.letters.statements import Statement
+from algebroproj_sym.proving.letters.words import Algebra, NotWordsError
+from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.proof import Proof
 
 __all__ = [
     "PROPERTIES",
     "Found",
     "Point",
+    "are_same",
     "declared_in",
     "prove_letters",
     "prove_texts",
@@ -125,6 +128,22 @@ def worked_out(lhs: str, rhs: str, letters: Mapping[str, str]) -> str:
     """
     found = without_derivatives(_read(lhs, rhs, letters, (), ()))
     return f"{letters_text(found.left)} = {letters_text(found.right)}"
+
+
+def are_same(one: str, other: str, letters: Mapping[str, str]) -> bool:
+    """Whether two texts have the same normal form in words.
+
+    Examples
+    --------
+    >>> are_same("3/2*trace(A.T*A)", "3*(1/2*trace(A*A.T))", {"A": "nxn"})
+    True
+    """
+    statement = _read(one, other, letters, (), ())
+    try:
+        algebra = Algebra(statement.letters)
+        return algebra.poly(statement.left) == algebra.poly(statement.right)
+    except (NotWordsError, EffortExceededError):
+        return False
 
 
 def _read(

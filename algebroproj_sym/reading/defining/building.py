@@ -14,7 +14,6 @@ from algebroproj_sym.reading.defining.parts import (
     Size,
     column,
     constant,
-    divided,
     in_order,
     joined,
     number_of,
@@ -26,9 +25,22 @@ from algebroproj_sym.reading.defining.parts import (
     times,
     transposed,
     without,
+    without_numbers,
 )
-from algebroproj_sym.reading.defining.sizing import TABLE, Reader
+from algebroproj_sym.reading.defining.sizing import POSITIVE, TABLE, Reader
 from algebroproj_sym.reading.defining.summing import Depends, arranged
+from algebroproj_sym.reading.defining.tensors import (
+    CONTRACTS,
+    DIMENSIONS,
+    contracted,
+    deviator,
+    dyad,
+    multiplied,
+    quotient,
+    summed,
+    symmetric,
+    trace,
+)
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
 from algebroproj_sym.reading.parsing.factors import MEAN
@@ -68,7 +80,7 @@ class _Parts(_Gathering):
         if square is not None and any(value.is_one for value in values):
             square[0].unite(square[1])
             values = [self._identity(square) if value.is_one else value for value in values]
-        return sum_of(list(zip((sign == "-" for sign in signs), values, strict=True)))
+        return summed(list(zip((sign == "-" for sign in signs), values, strict=True)))
 
     def _identity(self, shape: Shape) -> Part:
         """Return what 1 stands for beside a square matrix, as in ``1 - K H``."""
@@ -77,17 +89,24 @@ class _Parts(_Gathering):
     def product(self, first: Part, *rest: Any) -> Part:
         found = first
         for sign, other in zip(rest[::2], rest[1::2], strict=True):
-            found = joined(str(sign) if sign.type == "CIRCLED" else sign.type, found, other)
+            if str(sign) in CONTRACTS and self.reader.kinds.contracts:
+                found = contracted(found, other)
+            elif str(sign) in CONTRACTS:
+                raise refused("a product that is given otherwise")
+            elif sign == "otimes" and self.reader.kinds.dyads:
+                found = dyad(found, other)
+            else:
+                found = joined(str(sign) if sign.type == "CIRCLED" else sign.type, found, other)
         return found
 
     def quotient(self, *parts: Part) -> Part:
-        return reduce(divided, parts)
+        return reduce(quotient, parts)
 
     def fraction(self, above: Part, below: Part) -> Part:
-        return divided(above, below)
+        return quotient(above, below)
 
     def run(self, *factors: Part) -> Part:
-        return reduce(times, factors)
+        return reduce(multiplied, factors)
 
     def chained(self, slope: Part, rate: Part) -> Part:
         """Return the derivative of a function times that of its argument, which is a number."""
@@ -167,15 +186,20 @@ class _Parts(_Gathering):
         if slope.is_zero:
             return slope
         direction = self.direction(variable)
+        if self.reader.is_tensor(variable):
+            return contracted(slope, direction)
         return joined("DOT", slope, direction) if slope.shape[1].value == 1 else times(slope, direction)
 
     def gradient(self, value: Part, variable: Part) -> Part:
         """Return the column of the derivatives of a number that nothing gives."""
-        return self.reader.whole("gradient", [scalar(value, "a gradient"), column(variable)], variable.shape)
+        return self.reader.whole("gradient", [scalar(value, "a gradient"), self._varied(variable)], variable.shape)
 
     def direction(self, variable: Part) -> Part:
-        """Return the direction in which a vector changes."""
-        return self.reader.whole("direction", [column(variable)], variable.shape)
+        """Return the direction in which a vector or a tensor changes."""
+        return self.reader.whole("direction", [self._varied(variable)], variable.shape)
+
+    def _varied(self, variable: Part) -> Part:
+        return variable if self.reader.is_tensor(variable) else column(variable)
 
     def factorial(self, base: Part) -> Part:
         return self.reader.whole("factorial", [scalar(base, "a factorial")], base.shape)
@@ -190,10 +214,15 @@ class _Parts(_Gathering):
         (argument,) = arguments
         if name == "diag" and not argument.is_number:
             raise refused("a diagonal matrix of a vector")
-        if name in ("det", "tr", "Tr", "trace"):
+        if name == "det":
             argument.shape[0].unite(argument.shape[1])
-            kind = "det" if name == "det" else "trace"
-            return number_of(lambda: f"{kind}({argument.text()})", argument)
+            return number_of(lambda: f"det({argument.text()})", argument)
+        if name in ("tr", "Tr", "trace"):
+            return trace(argument)
+        if name == "dev" and not argument.is_number and self.reader.rows == DIMENSIONS:
+            return deviator(argument, self._identity)
+        if name == "sym" and not argument.is_number:
+            return symmetric(argument)
         if name == "exp" and argument.shape[0].value != 1:
             return self._exponential(argument)
         return self._value(str(name), scalar(argument, str(name)))
@@ -228,7 +257,14 @@ class _Parts(_Gathering):
         return self.power(self.function(name, arguments), exponent)
 
     def root(self, inside: Part) -> Part:
-        return self._value("sqrt", scalar(inside, "a root"))
+        """Return a root; that of positive numbers stands before it."""
+        numbers, rest = without_numbers(scalar(inside, "a root"))
+        factors = [*numbers, rest]
+        printed = [each for each in factors if POSITIVE.fullmatch(each.text())]
+        others = [each for each in factors if each not in printed]
+        if not (printed and others):
+            return self._value("sqrt", inside)
+        return times(*(self._value("sqrt", reduce(times, each)) for each in (printed, others)))
 
     def nth_root(self, degree: Part, inside: Part) -> Part:
         raise refused("a root of another degree than two")
@@ -288,6 +324,10 @@ class _Parts(_Gathering):
     def norm(self, inside: Part) -> Part:
         if inside.is_number:
             return self._value("abs", inside)
+        if self.reader.is_tensor(inside):
+            number = self.root(joined(":", inside, inside))
+            number.square = lambda: joined(":", inside, inside)
+            return number
         column(inside)
         number = self._value("norm", inside)
         number.square = lambda: joined("DOT", inside, inside)

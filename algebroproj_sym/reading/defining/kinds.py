@@ -9,7 +9,7 @@ An accent is that of vectors if letters that have it are multiplied with a cross
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise, permutations
 from typing import Any
 
@@ -18,6 +18,13 @@ from lark import Token
 from algebroproj_sym.reading.defining.averages import Averages, averages_in
 from algebroproj_sym.reading.defining.composing import composed_in
 from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
+from algebroproj_sym.reading.defining.tensors import (
+    contract_otherwise,
+    fourth_in,
+    second_in,
+    speaks_of_dyads,
+    speaks_of_tensors,
+)
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
 from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, factors_of, head_of, inner_of, is_mean, terms_of
@@ -59,6 +66,14 @@ class Kinds:
     """The capitals that are no numbers, and have an inverse or a determinant somewhere: they are no vectors."""
     averages: Averages = field(default_factory=Averages)
     """What stands for expected values."""
+    second: frozenset[str] = frozenset()
+    """The letters that are tensors of the second order whatever their scripts are: they are no columns."""
+    fourth: frozenset[str] = frozenset()
+    """The symbols that are tensors of the fourth order."""
+    contracts: bool = False
+    r"""Whether ``A : B`` is the sum of the products of their entries: no equation says otherwise."""
+    dyads: bool = False
+    r"""Whether ``a \otimes b`` is ``a b^T``: words speak of tensors, and of no other product with this sign."""
 
 
 def kinds_of(
@@ -90,7 +105,10 @@ def kinds_of(
     inverted = frozenset(letter for side in sides for letter in _inverted_in(side)) & closure.known
     averages = averages_in(equations, words)
     found = frozenset(closure.known), columns, frozenset(closure.open)
-    return Kinds(*found, oblong=oblong, inverted=inverted, averages=averages)
+    second = second_in(sides) if speaks_of_tensors(words) else frozenset[str]()
+    fourth = fourth_in(equations, second)
+    kinds = Kinds(*found, oblong=oblong, inverted=inverted, averages=averages, second=second, fourth=fourth)
+    return replace(kinds, contracts=not contract_otherwise(equations), dyads=speaks_of_dyads(words))
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:

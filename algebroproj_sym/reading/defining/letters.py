@@ -22,6 +22,7 @@ from algebroproj_sym.reading.defining.parts import (
     same_shape,
 )
 from algebroproj_sym.reading.defining.sizing import Reader
+from algebroproj_sym.reading.defining.tensors import Map
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -79,6 +80,10 @@ def _asked(reader: Reader, left: Formula, right: Formula, given: Sequence[tuple[
 
 def _of_one_shape(reader: Reader, left: Formula, right: Formula) -> list[Part]:
     sides = [reader.part(tree) for tree in (left, right)]
+    if all(isinstance(side, Map) for side in sides):
+        same_shape(*sides)
+        matrix = reader.whole("any matrix", [], sides[0].shape)
+        sides = [side.of(matrix) for side in sides if isinstance(side, Map)]
     if not any(side.is_zero for side in sides):
         same_shape(*sides)
     return sides

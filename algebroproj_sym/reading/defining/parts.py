@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import reduce
 
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -82,6 +83,8 @@ class Part:
         Its square, if that is simpler.
     turned : Part or None
         What it is the transpose of.
+    scaled : tuple of Part or None
+        The number, and what it is multiplied by, if it is such a product.
     weight : int
         Of how many parts it is made.
     is_zero, is_one : bool
@@ -103,6 +106,7 @@ class Part:
         self.text = text
         self.square: Callable[[], Part] | None = None
         self.turned: Part | None = None
+        self.scaled: tuple[Part, Part] | None = None
         self.blocks: Blocks = []
         self.weight: int = 1 + sum(part.weight for part in inside)
         self.is_zero = False
@@ -251,6 +255,7 @@ def _product(left: Part, right: Part) -> Part:
         shape = (left.shape[0], right.shape[1])
     found = Part(shape, lambda: f"{left.text()}*{right.text()}", left, right)
     found.terms = product_terms(left, right) or found.terms
+    found.scaled = (left, right) if left.is_number else None
     found.is_table = all(each.is_table or each.turned is not None for each in (left, right))
     return found
 
@@ -305,11 +310,22 @@ def divided(above: Part, below: Part) -> Part:
     return found
 
 
+def without_numbers(part: Part) -> tuple[list[Part], Part]:
+    """Return the numbers by which something is multiplied, and what is left of it."""
+    if part.scaled is None:
+        return [], part
+    number, rest = part.scaled
+    before, first = without_numbers(number)
+    behind, last = without_numbers(rest)
+    return [*before, first, *behind], last
+
+
 def joined(kind: str, left: Part, right: Part) -> Part:
     """Return a product with a point or a cross, or ``A : B``, the sum of the products of their entries."""
     if kind in (":", "colon") and 1 not in (left.shape[1].value, right.shape[1].value):
         same_shape(left, right)
-        return number_of(lambda: f"trace(({left.text()}).T*{right.text()})", left, right)
+        numbers, rest = without_numbers(left)
+        return reduce(times, numbers, number_of(lambda: f"trace(({rest.text()}).T*{right.text()})", rest, right))
     if kind not in ("DOT", "CROSS"):
         raise refused("a product in a circle")
     if left.is_number or right.is_number:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator, Mapping
 
 from algebroproj_sym.proving import Question
+from algebroproj_sym.proving.letters import are_same
 from algebroproj_sym.reading.defining.dependence import ANY, COUNTED, is_number, letters_in, letters_of_symbol
+from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.parts import Part, Shape, Size, constant, refused, sum_of
+from algebroproj_sym.reading.defining.tensors import identity_of, unknown
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
+from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
 
@@ -20,6 +24,8 @@ FREE = "free"
 """How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
 WHOLE = "whole"
 """How the name of any other value begins."""
+POSITIVE = re.compile(r"[1-9]\d*(?:/\([1-9]\d*\))?(?:\*[1-9]\d*(?:/\([1-9]\d*\))?)*")
+"""A positive number as text: its root may be irrational, and is a letter of which nothing is known."""
 TABLE = re.compile(r"\\mathbf(?:\{(?:\\\w+\{)*[A-Z]\}|[A-Z]\})")
 
 
@@ -81,6 +87,8 @@ class Reader:
         vocabulary = self._vocabulary
         name, size, properties = vocabulary.name(symbol), vocabulary.size_of(symbol), vocabulary.properties_of(symbol)
         self._names.add(name)
+        if symbol in vocabulary.kinds.fourth:
+            return self._fourth(symbol, is_identity="identity" in properties)
         if vocabulary.is_component(symbol):
             raise UnreadableError(f"{name} is a component of a letter")
         if size is None and not properties and not vocabulary.is_matrix(symbol):
@@ -99,8 +107,17 @@ class Reader:
         part.is_table = TABLE.search(symbol) is not None or symbol in vocabulary.kinds.inverted
         return part
 
+    def _fourth(self, symbol: str, *, is_identity: bool) -> Part:
+        """Return a tensor of the fourth order: the identity, or one of which nothing is known."""
+        shape = (Size(), Size())
+        if is_identity:
+            return identity_of(symbol, shape)
+        return unknown(symbol, shape, lambda name, part: self.whole(name, [part], part.shape))
+
     def size(self, size: Size) -> str:
         """Return a size as text."""
+        if size.value is None and self._vocabulary.rows is not None:
+            size.unite(Size(self._vocabulary.rows))
         if size.value is not None:
             return str(size.value)
         if size.root not in self._sizes:
@@ -113,6 +130,16 @@ class Reader:
     def function(self, name: str, argument: str) -> str:
         """Return the name of the number that is the value of a function."""
         return self._functions.setdefault(f"{name}({argument})", f"value{len(self._functions) + 1}_")
+
+    @property
+    def kinds(self) -> Kinds:
+        """What the letters of the document are."""
+        return self._vocabulary.kinds
+
+    @property
+    def rows(self) -> int | None:
+        """How many rows vectors and matrices have if nothing else says it; None for any number."""
+        return self._vocabulary.rows
 
     @property
     def definitions(self) -> Collection[str]:
@@ -151,6 +178,8 @@ class Reader:
     def is_column(self, symbol: str) -> bool:
         """Whether a symbol is written as a vector; a derivative by a vector may be a row, or a matrix."""
         above, _, below = symbol.partition("/")
+        if " " not in symbol and not below and split_symbol(symbol)[0] in self._vocabulary.kinds.second:
+            return False
         written = _BARE.search(above) and not _BARE.search(below) if below else self._column.search(symbol)
         return bool(written) or symbol in self._vocabulary.kinds.columns
 
@@ -189,6 +218,11 @@ class Reader:
         if any(each.weight > 1 for each in arguments):
             return shape
         return self._values.setdefault((function, *(each.text() for each in arguments)), shape)
+
+    def is_tensor(self, part: Part) -> bool:
+        """Whether a part has a letter that is a tensor of the second order."""
+        second = self._vocabulary.kinds.second
+        return any(" " not in each and split_symbol(each)[0] in second for each in part.symbols)
 
     def may_be_square(self, symbol: str) -> bool:
         """Whether a letter is a bold capital, or one that is called a matrix, of which nothing says the size."""
@@ -242,13 +276,24 @@ class Reader:
         for own, shape in self._wholes.values():
             if (text := f"{self.size(shape[0])}x{self.size(shape[1])}") != "1x1":
                 letters[own] = f"{text} symmetric" if own in self._symmetric else text
+        for own, other in self._same_values(letters):
+            texts = [re.sub(rf"\b{own}\b", other, each) for each in texts]
         return Question(texts[0], texts[1], tuple(self._laws()), letters=letters)
+
+    def _same_values(self, letters: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+        """Yield values of functions, each with an earlier one that is the same."""
+        calls = [(name, *call[:-1].split("(", 1)) for call, name in self._functions.items()]
+        for place, (own, kind, argument) in enumerate(calls):
+            for other, same, value in calls[:place]:
+                if kind == same and "value" not in argument and are_same(argument, value, letters):
+                    yield own, other
+                    break
 
     def _laws(self) -> list[str]:
         found = []
         for call, name in self._functions.items():
             kind, _, argument = call.partition("(")
-            if kind == "sqrt":
+            if kind == "sqrt" and not POSITIVE.fullmatch(argument[:-1]):
                 found.append(f"{name}^2 = {argument[:-1]}")
         return found
 

@@ -119,6 +119,7 @@ class Vocabulary:
         self.imaginary = imaginary
         self.numbers: Numbers = "real"
         self.is_flat = False
+        self.rows: int | None = None
         self.dependence = dependence
         self.euler = euler
         self.uncomputed: Values | None = None
@@ -144,14 +145,14 @@ class Vocabulary:
             imaginary=self.imaginary,
             reals=self.reals,
         )
-        copied.numbers, copied.is_flat = self.numbers, self.is_flat
+        copied.numbers, copied.is_flat, copied.rows = self.numbers, self.is_flat, self.rows
         copied.definitions, copied._values = dict(self.definitions), dict(self._values)
         copied._names, copied._taken = self._names, self._taken
         return copied
 
     def with_identity(self, *trees: Formula) -> Vocabulary | None:
         """Return the vocabulary in which a lone I is the identity matrix; None if there is none, or if it is given."""
-        letters = {symbol for tree in trees for symbol in self.letters_of(tree) if LIKE_IDENTITY.fullmatch(symbol)}
+        letters = {symbol for tree in trees for symbol in self.letters_of(tree) if self.is_like_identity(symbol)}
         given = {*self.definitions, *self._properties, *self._sizes, *self.kinds.named}
         if not letters or letters & given or any(map(self._multiplies_identity, trees)):
             return None
@@ -169,10 +170,13 @@ class Vocabulary:
         trees = [tree, *(each.tree for each in self.used_in(tree))]
         for run in (run for each in trees for run in each.find_data("run")):
             factors = [each for each in run.children if isinstance(each, Tree)]
-            lone = [
-                each for each in factors if each.data == "symbol" and LIKE_IDENTITY.fullmatch(str(each.children[0]))
+            lone = [each for each in factors if each.data == "symbol" and self.is_like_identity(str(each.children[0]))]
+            others = [
+                symbol
+                for each in factors
+                if each not in lone
+                for symbol in symbols_in(_without_numbers(each, self.kinds.fourth))
             ]
-            others = [symbol for each in factors if each not in lone for symbol in symbols_in(each)]
             if lone and any(self.is_no_number(each) or _CAPITAL.match(each) for each in others):
                 return True
         return False
@@ -183,10 +187,22 @@ class Vocabulary:
         found._properties = {**found._properties, **properties}
         return found
 
+    def is_like_identity(self, symbol: str) -> bool:
+        r"""Whether a symbol is written as the identity, also of matrices, as ``\mathbb{I}^{sym}`` may be."""
+        written = LIKE_IDENTITY.match if symbol in self.kinds.fourth else LIKE_IDENTITY.fullmatch
+        return written(symbol) is not None
+
     def with_complex_numbers(self, numbers: Numbers) -> Vocabulary:
         """Return the vocabulary in which i is the imaginary unit, and other letters stand for complex numbers."""
         found = self.copied()
         found.numbers = numbers
+        found.forget()
+        return found
+
+    def with_rows(self, rows: int) -> Vocabulary:
+        """Return the vocabulary in which vectors and matrices have so many rows, if nothing else says how many."""
+        found = self.copied()
+        found.rows = rows
         found.forget()
         return found
 
@@ -518,6 +534,21 @@ class Vocabulary:
             return self._evaluated(definition.tree, own)
 
         return function
+
+
+def _without_numbers(tree: Formula, fourth: frozenset[str]) -> Formula:
+    """Return a formula without its traces, determinants and lengths, and without what stands below lines.
+
+    So it is without ``A : B``, if none of both is a tensor of the fourth order.
+    """
+    if tree.data == "fraction":
+        return _without_numbers(trees_in(tree)[0], fourth)
+    signs = [str(each) for each in tree.children if isinstance(each, Token)]
+    contracts = tree.data == "product" and signs in ([":"], ["colon"]) and fourth.isdisjoint(symbols_in(tree))
+    if contracts or tree.data == "norm" or (tree.data == "function" and signs[0] in ("tr", "Tr", "trace", "det")):
+        return Tree("number", [Token("NUMBER", "1")])
+    parts = [_without_numbers(each, fourth) if isinstance(each, Tree) else each for each in tree.children]
+    return Tree(tree.data, parts)
 
 
 def _is_symbol(token: object) -> bool:

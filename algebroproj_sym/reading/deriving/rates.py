@@ -12,13 +12,14 @@ from lark import Token, Tree
 from algebroproj_sym.reading.defining.labels import E
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
 
 UNCHANGED = " not change"
 """How the name of a derivative ends that rests on letters that are taken to be fixed."""
 ONE: Formula = Tree("number", [Token("NUMBER", "1")])
 ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
 TWO: Formula = Tree("number", [Token("NUMBER", "2")])
+_MINUS_ONE: Formula = Tree("sum", [Token("SIGN", "-"), ONE])
 MOST_COPIES = 20_000
 _LINEAR = ("group", "bracket", "items", "cell")
 
@@ -77,6 +78,10 @@ def _rate(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
         return _of_power(base, exponent, rates)
     if tree.data == "function" and tree.children[0] in ("sin", "cos", "exp", "ln", "log"):
         return _of_function(tree, rates)
+    if tree.data == "function" and tree.children[0] in ("tr", "Tr", "trace", "dev", "sym"):
+        return _with(tree, 1, _rate(trees_in(tree)[0], rates))
+    if tree.data == "function" and tree.children[0] == "det":
+        return _of_determinant(tree, rates)
     if tree.data in ("root", "norm"):
         return _of_length(tree, rates)
     if tree.data == "inner" and len(items := _items(tree)) == 2:
@@ -167,9 +172,29 @@ def _of_power(base: Formula, exponent: Formula, rates: Mapping[str, Formula]) ->
     if base == E and E.children[0] in rates and (rate := _rate(exponent, rates)) is not None:
         return Tree("chained", [Tree("power", [base, exponent]), rate])
     times = str(exponent.children[0]) if exponent.data == "number" else ""
+    if exponent == _MINUS_ONE:
+        rate = _rate(base, rates)
+        inverse: Formula = Tree("power", [base, exponent])
+        return None if rate is None else _sum([("-", Tree("run", [inverse, Tree("group", [rate]), inverse]))])
+    if not symbols_in(exponent) and not times:
+        rate = _rate(base, rates)
+        slope: Formula = Tree(
+            "fraction", [Tree("run", [Tree("group", [exponent]), Tree("power", [base, exponent])]), base]
+        )
+        return None if rate is None else Tree("chained", [slope, Tree("group", [rate])])
     if not (times.isdigit() and 1 < int(times) <= MOST_MATRIX_POWER):
         raise UnreadableError("the derivative of a power in it is not computed")
     return _rate(Tree("run", [base] * int(times)), rates)
+
+
+def _of_determinant(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
+    r"""Return the rate of a determinant: ``\det A \, \mathrm{tr}(A^{-1} \dot A)``."""
+    (inside,) = trees_in(tree)
+    rate, matrix = _rate(inside, rates), Tree("group", [without_brackets(inside)])
+    if rate is None:
+        return None
+    product: Formula = Tree("run", [Tree("power", [matrix, _MINUS_ONE]), Tree("group", [without_brackets(rate)])])
+    return Tree("run", [tree, Tree("function", [Token("FUNCTION", "tr"), Tree("items", [product])])])
 
 
 def _of_function(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:

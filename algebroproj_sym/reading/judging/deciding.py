@@ -173,7 +173,8 @@ def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:
             hypotheses=outcome.hypotheses,
             certificate=outcome.certificate,
         )
-    return replace(link, reason=("the prover cannot read it: " if outcome.unreadable else "") + outcome.reason)
+    why = ("the prover cannot read it: " if outcome.unreadable else "") + outcome.reason
+    return replace(link, reason=link.reason or why)
 
 
 def _holds_beside(way: Way, repaired: Way) -> bool:

@@ -43,10 +43,10 @@ from algebroproj_sym.reading.judging.signs import denied_by_words, without_denie
 from algebroproj_sym.reading.judging.stationary import set_to_zero
 from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
-from algebroproj_sym.reading.judging.ways import Standing, gives_at_other_index, ways_of
+from algebroproj_sym.reading.judging.ways import Standing, by_components, gives_at_other_index, ways_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
-from algebroproj_sym.reading.prose.meanings import VARIES
+from algebroproj_sym.reading.prose.meanings import SUMMED, VARIES
 from algebroproj_sym.reading.prose.sentences import last_sentence
 from algebroproj_sym.reading.prose.supposing import (
     goes_on_in_display,
@@ -290,7 +290,11 @@ class _Pass:
                 for index in range(1, len(links) if links[0].verdict == "definition" else 1):
                     if relates_new_letters(self.memory, found, index):
                         links[index] = Link("definition", f"{OPEN}: {reason}")
-            return Reading(number, statement.latex, read, "", tuple(links), statement, found), []
+            if reason.endswith(SUMMED) and {*found.relations} == {"="}:
+                asked = [*self._by_components(statement, found, place, links)]
+                if not (self.memory.beside.is_conditional or statement.condition):
+                    self.memory.summed += self.memory.premises_of(statement, found, found.sides)
+            return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])
         definition = definition_in(self.memory, statement, found, explicit=False)
@@ -327,6 +331,16 @@ class _Pass:
         self.memory.give_anew(found)
         self.memory.take(statement, found, defines=definition is not None)
         return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
+
+    def _by_components(
+        self, statement: Statement, formula: Parsed, place: int, links: Sequence[Link]
+    ) -> Iterator[Asked]:
+        """Yield what is asked of the links of a formula in index notation."""
+        standing = self._standing(statement, formula)
+        for index, link in enumerate(links):
+            if ways := [*by_components(standing, *formula.sides[index : index + 2])]:
+                no, claimed = False, self.memory.beside.follows
+                yield Asked(place, index, ways, link, no, no, no, no, no, no, no, claimed)
 
     def _begins(self, statement: Statement, formula: Parsed) -> bool:
         """Whether a chain begins with an equation that gives the letter on its left."""
@@ -396,7 +410,8 @@ class _Pass:
         own = [each for words, each in self.within if supposes(self.memory.beside, words)]
         own += self._explained_behind()
         own += set_to_zero(self.memory.beside, premises, self._free(statement), self._place_above)
-        return Standing(self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, own)
+        summed = self.memory.serving_of(self.memory.summed)
+        return Standing(self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, own, summed)
 
     @property
     def _place_above(self) -> int:

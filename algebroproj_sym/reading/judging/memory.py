@@ -85,6 +85,7 @@ class Memory:
         self.tied = set[str]()
         self.named: dict[tuple[str, int], frozenset[str]] = {}
         self.open: dict[str, int] = {}
+        self.summed: list[Premise] = []
         self.introduced = False
         self.context = ANYWHERE
         self.held = ANYWHERE
@@ -494,9 +495,12 @@ class Memory:
     @property
     def serving(self) -> list[Premise]:
         """The premises that do not belong to another context, and those that words cite."""
+        return self.serving_of([*self.premises, *(each for _, each in self.stated)])
+
+    def serving_of(self, known: Sequence[Premise]) -> list[Premise]:
+        """Return the equations that do not belong to another context, and those that words cite."""
         cited = self.cited
         changed = self.beside.exchanged
-        known = [*self.premises, *(each for _, each in self.stated)]
         premises = (
             each for each in known if not (changed & each.symbols or self.apart & each.names or self._is_of_some(each))
         )

@@ -8,7 +8,14 @@ from itertools import pairwise
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.dependence import Dependence, Tie, letters_in, letters_of_symbol, ties_of
+from algebroproj_sym.reading.defining.dependence import (
+    Dependence,
+    Tie,
+    index_of,
+    letters_in,
+    letters_of_symbol,
+    ties_of,
+)
 from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
 from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, labels_in, lone_letter, without_above
 from algebroproj_sym.reading.defining.premises import crosses_in
@@ -19,6 +26,7 @@ from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arg
 from algebroproj_sym.reading.deriving.crossed import crossed_in
 from algebroproj_sym.reading.deriving.indices import Indices
 from algebroproj_sym.reading.deriving.quaternions import quaternions_in
+from algebroproj_sym.reading.deriving.summation import indices_in, is_in_index_notation
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
@@ -325,6 +333,33 @@ class Survey:
         return _CONJUGATE.search(self._prose) is not None
 
     @cached_property
+    def has_tensors_of_three_rows(self) -> bool:
+        """Whether words speak of tensors, and of no other number of dimensions."""
+        return _TENSORS.search(self._prose) is not None and not self.is_flat
+
+    @cached_property
+    def is_flat(self) -> bool:
+        """Whether words speak of another number of dimensions than three."""
+        return _FLAT.search(self._prose) is not None
+
+    @cached_property
+    def sums_over_indices(self) -> bool:
+        """Whether sums over repeated indices are not written: words say so, or letters look so beside no sum."""
+        sums = any(index_of(str(big.children[0])) for side in _sides(self.formulas) for big in side.find_data("big"))
+        unsaid = not sums and _TENSORS.search(self._prose) is not None
+        return self.meanings.has_convention or (unsaid and is_in_index_notation(self.occurring, self.tensor_indices))
+
+    @cached_property
+    def tensor_indices(self) -> frozenset[str]:
+        """The letters that are indices of tensors."""
+        return indices_in(self.occurring)
+
+    @cached_property
+    def has_permutations(self) -> bool:
+        """Whether words speak of the sign of permutations as a letter with three indices."""
+        return _PERMUTATIONS.search(self._prose) is not None
+
+    @cached_property
     def imaginary(self) -> str:
         """The letter that is the imaginary unit; empty for none.
 
@@ -396,6 +431,8 @@ class Survey:
 
 _PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)
 _SPECIAL = heard(r"\b<special>\b")
+_TENSORS, _FLAT = heard(r"\b<tensors>\b"), heard(r"(?<![a-z])<flat>")
+_PERMUTATIONS = heard(r"\b<permutations>\b")
 _COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
 _QUATERNION = re.compile(r"\bquaternions?\b", re.IGNORECASE)
 _KRONECKER = re.compile(r"\b(?:Kronecker|tensor products?)\b", re.IGNORECASE)

@@ -23,6 +23,7 @@ from algebroproj_sym.reading.defining.premises import (
     with_given,
 )
 from algebroproj_sym.reading.defining.recognising import defined_by, differ_in_one_letter
+from algebroproj_sym.reading.defining.tensors import DIMENSIONS, depend_on_size
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers, Vocabulary
 from algebroproj_sym.reading.deriving.arguments import Changed, alike, known_without, premise_without, without_arguments
@@ -38,6 +39,7 @@ from algebroproj_sym.reading.deriving.multiples import Multiples
 from algebroproj_sym.reading.deriving.quaternions import AsMatrices
 from algebroproj_sym.reading.deriving.rates import UNCHANGED
 from algebroproj_sym.reading.deriving.solving import solution_of
+from algebroproj_sym.reading.deriving.summation import in_components
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
@@ -90,6 +92,8 @@ class Standing:
     """Where each letter was alone on a side for the last time."""
     own: Sequence[Premise] = ()
     """The equations within the text that its own sentence supposes."""
+    summed: Sequence[Premise] = ()
+    """The equations above it in which an index is summed over silently."""
 
     @property
     def follows(self) -> bool:
@@ -125,6 +129,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *_of_quaternions(standing, formula, index),
         *_with_components(standing, left, right, told),
         *_as_multiples(standing, left, right),
+        *by_components(standing, left, right),
     ]
     ways += [
         replace(way, vocabulary=other, reads=f"{' = '.join(map(other.text, way.sides))}, where I is the identity")
@@ -132,7 +137,25 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
     ways += [each for way in ways if not way.reads for each in along_directions_in(way)]
+    if standing.survey.has_tensors_of_three_rows:
+        ways += [_with_three_rows(way) for way in ways if _depends_on_size(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+
+
+def _depends_on_size(way: Way) -> bool:
+    """Whether what a way asks may depend on how many rows its letters have, as the trace of the identity does."""
+    used = used_by(way.vocabulary, *way.sides)
+    trees = [*way.sides, *(each.tree for each in used)]
+    letters = frozenset().union(*map(way.vocabulary.letters_of, trees))
+    has_identity = any("identity" in way.vocabulary.properties_of(each) for each in letters)
+    return depend_on_size(trees, has_identity=has_identity) and not any(each.parameters for each in used)
+
+
+def _with_three_rows(way: Way) -> Way:
+    """Return a way in which vectors and matrices have three rows, if nothing else says how many."""
+    shown = way.reads or " = ".join(map(way.vocabulary.text, way.sides))
+    known = way.vocabulary.with_rows(DIMENSIONS)
+    return replace(way, vocabulary=known, doubt=A_VALUE, reads=f"{shown}, in three dimensions")
 
 
 def along_directions_in(way: Way) -> Iterator[Way]:
@@ -501,6 +524,32 @@ def _of_quaternions(standing: Standing, formula: Parsed, index: int) -> Iterator
     told = ", ".join(f"{bare.name(letter)} for {known.name(of)}" for of, letter in matrices.letters.items())
     for way in (Way(left, right, bare), *_with_premises(there, of_matrices, 0), *_under_equations(there, left, right)):
         yield replace(way, doubt=A_VALUE, reads=f"{shown}, with a matrix for each quaternion: {told}")
+
+
+def by_components(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation in index notation by its components, with the last that is given of each letter.
+
+    Of what is given in the same section, the first serves as well.
+    """
+    survey = standing.survey
+    if not survey.sums_over_indices or survey.is_flat:
+        return
+    above = applicable([*standing.premises, *standing.summed], standing.part, standing.cited)
+    given = [*standing.vocabulary.definitions.values(), *(each.gives for each in (*above, *standing.own) if each.gives)]
+    given.sort(key=lambda each: each.place)
+    shown = " = ".join(map(standing.vocabulary.text, (left, right)))
+    seen = []
+    here, others = ([each for each in given if (each.part == standing.part) is same] for same in (True, False))
+    for serving in (given, [*others, *here[::-1]]):
+        found = in_components((left, right), serving, survey.tensor_indices, unit=survey.has_permutations)
+        if found is None or found in seen:
+            return
+        seen.append(found)
+        ours, theirs, known, components = found
+        if components & {*standing.vocabulary.definitions} - {each.symbol for each in known}:
+            return
+        reads = f"{shown}, with sums from 1 to 3 over what stands twice in a term as an index"
+        yield Way(ours, theirs, extended(standing.vocabulary, known), A_VALUE, reads)
 
 
 def _as_multiples(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

@@ -286,7 +286,8 @@ class Meanings:
         return re.search(r"\boperators\b", _OF_SIGNS.sub("", self.words)) is not None
 
     @cached_property
-    def _has_convention(self) -> bool:
+    def has_convention(self) -> bool:
+        """Whether words say that sums are taken over repeated indices."""
         return _CONVENTION.search(self.words) is not None
 
     @cached_property
@@ -392,12 +393,12 @@ class Meanings:
                 return f"{symbol} {self._letters[symbol]}"
             if symbol.startswith(r"\hat{") and self._has_operators:
                 return f"{symbol} may be an operator"
-        index = _summed_silently(formula.sides) or (_twice_in(formula.sides) if self._has_convention else "")
+        index = _summed_silently(formula.sides) or (_twice_in(formula.sides) if self.has_convention else "")
         if index:
-            return f"the index {index} may be summed over without a summation sign"
+            return f"the index {index} {SUMMED}"
         repeated = {each for side in formula.sides for each in _repeated_in(side, 3)}
         if repeated & self._paired:
-            return f"the index {min(repeated & self._paired)} may be summed over without a summation sign"
+            return f"the index {min(repeated & self._paired)} stands three times in a term, and twice elsewhere"
         return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
 
     def _of_tree(self, tree: Formula, symbols: set[str]) -> str:
@@ -432,6 +433,7 @@ class Meanings:
         return ""
 
 
+SUMMED = "may be summed over without a summation sign"
 _PRIME = re.compile(r"\bprimes?\b[^.$]*\b(?:derivatives?|differentiation)\b[^.$]*\$([^$]*)\$", re.IGNORECASE)
 _MICRO = re.compile(r"=\s*[\d.]+\s*(?:\\[,;: ]|~)?\s*(\\mu\s*(?:\\[,;:])?\s*[mgsAVFHJWN])\s*[.,]?\s*$")
 _TRANSFORM = re.compile(r"\\(?:mathcal|mathscr|mathfrak)\s*\{?\s*[A-Z]\s*\}?\s*(?:\\left\s*)?(?:\\\{|\\lbrace)")

@@ -171,7 +171,7 @@ DOCUMENTS = {
         True,
     ),
     "a trace under the summation convention": (
-        r"We use the summation convention. \[ s = a_{ii} b \] Let \[ a_{ij} = c_i d_j. \] Hence \[ s = c_i d_i b. \]",
+        r"We use the summation convention. \[ s = a_{ii} b \] Let \[ a_{ij} = c_i d_j. \] Hence \[ s = c_1 d_1 b. \]",
         True,
     ),
     "a bracket under the summation convention": (

@@ -47,6 +47,7 @@ def last(latex):
         (FLUID, r"\sigma_{ij} S_{ij} = - p S_{kk} + 2 \mu S_{ij} S_{ij}"),
         (SIGNS, r"\epsilon_{ijk} \epsilon_{imn} = \delta_{jm} \delta_{kn} - \delta_{jn} \delta_{km}"),
         (CROSS, r"w_i u_i = 0"),
+        (r"With the summation convention, \[ s = a_{ii} b. \] Let \[ a_{ij} = c_i d_j. \] Hence ", r"s = c_i d_i b"),
     ],
 )
 def test_what_follows_by_components(above, claim):

@@ -56,7 +56,7 @@ def test_a_product_of_quaternions_is_associative_and_linear(latex):
         _UNIT.replace("a unit quaternion", "a quaternion") + r"\[ \mathbf q^* \otimes \mathbf s = \mathbf p \]",
         _UNIT.replace("its conjugate", "the optimal one") + r"\[ \mathbf s^* = \mathbf p^* \otimes \mathbf q^* \]",
         r"No quaternion is Kronecker's product. \[ A = B \otimes C \] So \[ A^{-1} C = B^{-1} \otimes C \]",
-        r"The tensor product is \[ a = b \otimes c \] \[ d = a \otimes f \] So \[ d = b \otimes c \otimes f \]",
+        r"The tensor product is \[ a = b \otimes c \] \[ d = a \otimes f \] So \[ d = c \otimes b \otimes f \]",
     ],
 )
 def test_it_is_not_commutative_and_nothing_else_is_taken_for_one(latex):

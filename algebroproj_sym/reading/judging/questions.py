@@ -424,7 +424,8 @@ def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
 
 def _if_wide(outcome: Outcome) -> Outcome:
     """Return an outcome; no proof if it holds but where something and its opposite are both the square of a root."""
-    if outcome.verdict == "proved" and any(f"-{each}" in outcome.hypotheses for each in outcome.hypotheses):
+    roots = {each for each in outcome.hypotheses if each.endswith(" >= 0")}
+    if outcome.verdict == "proved" and any(f"-{each}" in roots for each in roots):
         return Outcome("open", "none", outcome.seconds, "it is shown only where a root in it is zero")
     return outcome
 

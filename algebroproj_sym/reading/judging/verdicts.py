@@ -106,7 +106,7 @@ class Reading:
     def _sets_to_zero(self) -> bool:
         """Whether a chain says by a sign what a letter is, and in its last link that this is zero."""
         formula = self.formula
-        is_zero = formula is not None and formula.relations[0] == ":=" and formula.sides[-1] == ZERO
+        is_zero = formula is not None and formula.relations[:1] == (":=",) and formula.sides[-1] == ZERO
         return is_zero and {link.verdict for link in self.links[:-1]} == {"definition"}
 
     @property

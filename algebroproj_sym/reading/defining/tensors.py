@@ -113,7 +113,7 @@ def unknown(name: str, shape: Shape, whole: Callable[[str, Part], Part]) -> Map:
 def dyad(left: Part, right: Part) -> Part:
     r"""Return ``a \otimes b``: a matrix of two columns, a map of two matrices."""
     if left.is_number or right.is_number:
-        return multiplied(left, right)
+        raise refused("a product in a circle")
     ends = left.shape[1].value, right.shape[1].value
     if ends == (1, 1):
         return times(left, transposed(right))

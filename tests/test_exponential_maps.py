@@ -464,6 +464,11 @@ def test_the_exponential_of_another_matrix_is_a_named_error(text):
         prove_texts(text, "eye(3)", {"A": "3x3", "v": "3x1", "w": "3x1"})
 
 
+def test_a_letter_may_be_named_as_lengths_of_rods_are():
+    letters = {"v": "3x1", "l_1": "1x1"}
+    assert prove_texts("l_1*norm(v)**2*cos(l_1)", "l_1*cos(-l_1)*dot(v, v)", letters).verdict == "proved"
+
+
 def test_a_name_of_a_function_of_an_angle_is_a_named_error():
     with pytest.raises(LetterError, match="expected another name than c0_1"):
         prove_texts("cos(c0_1)*v", "v", V)

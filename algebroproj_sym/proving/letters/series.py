@@ -98,7 +98,7 @@ class _Translation:
         }
         for name in (
             f"{kind}_{place + 1}"
-            for kind in ("c0", "c1", "c2", "c3", "c4", "c5", "l")
+            for kind in ("c0", "c1", "c2", "c3", "c4", "c5", "length")
             for place in range(len(self.cores))
         ):
             if name in taken:
@@ -211,7 +211,7 @@ class _Translation:
                 found.append(_filled(RELATIONS[pair], pair, place, square))
             if core in self.lengths:
                 square = made("power", core, value=2) if core.shape == ONE else made("dot", core, core)
-                length = made("power", Term("symbol", ONE, (), f"l_{place}"), value=2)
+                length = made("power", Term("symbol", ONE, (), f"length_{place}"), value=2)
                 found.append(minus(length, self.plain(square, known)))
         return found
 
@@ -228,7 +228,7 @@ class _Translation:
             return self.of_sum(term.kind, _terms(term.parts[0]), known)
         if term.kind == "norm":
             angle = self.angle(term.parts[0])
-            length = Term("symbol", ONE, (), f"l_{self.cores.index(angle.core) + 1}")
+            length = Term("symbol", ONE, (), f"length_{self.cores.index(angle.core) + 1}")
             return made("product", number(abs(angle.factor)), length)
         if term.kind not in ("exp", "jl", "jr"):
             parts = [self.plain(part, known) for part in term.parts]

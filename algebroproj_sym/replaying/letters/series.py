@@ -98,7 +98,7 @@ class _Series:
                 else:
                     self.highest[angle.of] = max(self._needed(part), self.highest.get(angle.of, 1))
         require(seen == {*listed} and len(seen) == len(listed), "the angles are not those of the statement")
-        own = {f"{kind}_{k}" for kind in ("c0", "c1", "c2", "c3", "c4", "c5", "l") for k in range(1, len(listed) + 1)}
+        own = {f"{kind}_{k}" for kind in ("c0", "c1", "c2", "c3", "c4", "c5", "length") for k in range(1, len(listed) + 1)}
         names = {part.value for node in statement.nodes for part in parts_of(node) if part.kind in ("symbol", "letter")}
         require(not own & (names | self.letters.keys()), "a name stands for a function of an angle, too")
 
@@ -209,7 +209,7 @@ class _Series:
             if core in self.highest and core in self.smallest:
                 yield self._filled(BETWEEN[self.highest[core] - 1], core, 0)
             if core in self.lengths:
-                length = made("power", Node("symbol", NUMBER, (), f"l_{place}"), value=2)
+                length = made("power", Node("symbol", NUMBER, (), f"length_{place}"), value=2)
                 yield made("sum", length, made("product", constant(-1), self.plain(self._square(core))))
 
     def _filled(self, text: str, core: Node, doublings: int) -> Node:
@@ -254,7 +254,7 @@ class _Series:
         (inner,) = part.parts
         if part.kind == "norm":
             angle = self._angle(inner)
-            symbol = Node("symbol", NUMBER, (), f"l_{self.listed.index(angle.of) + 1}")
+            symbol = Node("symbol", NUMBER, (), f"length_{self.listed.index(angle.of) + 1}")
             return made("product", constant(abs(angle.factor)), symbol)
         if part.kind in ("sin", "cos"):
             return self._of_sum(_terms(inner))[part.kind == "sin"]

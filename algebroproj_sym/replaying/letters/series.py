@@ -98,7 +98,9 @@ class _Series:
                 else:
                     self.highest[angle.of] = max(self._needed(part), self.highest.get(angle.of, 1))
         require(seen == {*listed} and len(seen) == len(listed), "the angles are not those of the statement")
-        own = {f"{kind}_{k}" for kind in ("c0", "c1", "c2", "c3", "c4", "c5", "length") for k in range(1, len(listed) + 1)}
+        own = {
+            f"{kind}_{k}" for kind in ("c0", "c1", "c2", "c3", "c4", "c5", "length") for k in range(1, len(listed) + 1)
+        }
         names = {part.value for node in statement.nodes for part in parts_of(node) if part.kind in ("symbol", "letter")}
         require(not own & (names | self.letters.keys()), "a name stands for a function of an angle, too")
 

@@ -86,6 +86,7 @@ def texts(latex: str) -> list[str | None]:
         (r"\ma J = \ve a^T \ve b", r"\mathbf J = \mathbf a^T \mathbf b"),
         (r"\ve = a + b \ve x", r"\ve = a + b \ve x"),
         (r"\min_t \, - f + g", r"\min_t -f + g"),
+        (r"\Delta{}u = 2 \Delta{}t^2", r"\Delta u = 2 \Delta t^2"),
         (r"c = \frac{f}{k}\> \sin t", r"c = \frac{f}{k} \sin t"),
         (r"q = (-½ m + a₀ b₁⁴) c", r"q = (-\frac{1}{2} m + a_0 b_1^4) c"),
         (r"g \buildrel {\text{def}}\over{=} a b", r"g \overset{\text{def}}{=} a b"),

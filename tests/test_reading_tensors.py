@@ -3,6 +3,8 @@ r"""Tensors of continuum mechanics: ``A : B``, dyads, deviators, linear maps of 
 import pytest
 
 from algebroproj_sym.reading import document_of, read_document
+from algebroproj_sym.reading.defining.tensors import second_in
+from algebroproj_sym.reading.parsing.grammar import parsed
 
 pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
@@ -146,3 +148,8 @@ OTHERWISE = [
 @pytest.mark.parametrize("latex", OTHERWISE)
 def test_other_products_with_these_signs_are_left_open(latex):
     assert last(latex).verdict not in ("follows", "contradicts")
+
+
+def test_a_letter_behind_a_nabla_is_no_tensor_of_the_second_order():
+    sides = parsed(r"s = \tr(\nabla \mathbf{u} + (\nabla \mathbf{u})^T) + \nabla \mathbf{v} : \mathbf{e}").sides
+    assert second_in(sides) == {r"\mathbf{e}"}

@@ -26,7 +26,7 @@ from algebroproj_sym.reading.defining.parts import (
 )
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.factors import LIKE_IDENTITY, inner_of, terms_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, symbols_in, trees_in, without_brackets
 from algebroproj_sym.reading.prose.devices import says
 
 DIMENSIONS = 3
@@ -238,10 +238,15 @@ def _operands(side: Formula) -> Iterator[Formula]:
 
 
 def _letters_of(part: Any) -> Iterator[str]:
-    """Yield the letters of the terms of a matrix, without their scripts: the last one of a product."""
+    r"""Yield the letters of the terms of a matrix, without their scripts: the last one of a product.
+
+    In ``\nabla \mathbf{u}`` the letter is that of a vector.
+    """
     if part.data == "items":
         part = trees_in(part)[0]
     for term in terms_of(part):
+        if r"\nabla" in symbols_in(term):
+            continue
         last = trees_in(term)[-1] if term.data == "run" else term
         letter = lone(inner_of(last) if last.data != "fraction" else last)
         if letter and " " not in letter and "/" not in letter:

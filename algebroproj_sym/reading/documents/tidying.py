@@ -347,6 +347,16 @@ def _needless_braces(page: _Page, piece: Piece) -> bool:
     return True
 
 
+def _end_of_command(page: _Page, _: Piece) -> bool:
+    r"""Leave out braces round nothing that only end a command, as in ``\Delta{}t``; scripts may be of the braces."""
+    if not (page.out and page.out[-1].text in LETTERS and page.waiting.next == "}"):
+        return False
+    if any(page.waiting.follows("}", script) for script in ("^", "_")):
+        return False
+    page.waiting.pop()
+    return True
+
+
 def _ends_script(out: Sequence[Piece]) -> bool:
     """Whether pieces end with a script in braces: no argument comes behind it."""
     depth = 0
@@ -588,6 +598,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[_Page, Piece], bool]], ...] = (
     ((r"\prime",), _prime),
     ((r"\times",), _cross),
     (("|", r"\vert", r"\lvert"), _ket),
+    (("{",), _end_of_command),
     (("{",), _needless_braces),
     (("{",), _brace),
     (("{",), _label),

@@ -14,6 +14,7 @@ RATE = r"\[ \dot{\mathbf{r}} = \dot x \mathbf{e}_1 + \dot y \mathbf{e}_2. \]"
 START = r"At $t = 0$ we have \[ x = x_0. \] "
 
 MISLEADING = {
+    "do not write": r"Do not write \[ c = a + b. \] Hence \[ 2 c = 2 a + 2 b. \]",
     "an eigenvector": r"\[ A x = \lambda x \] Hence \[ A = \lambda I. \]",
     "an eigenvector by words": r"Let $v$ be an eigenvector of $M$: \[ M v = \lambda v \] Hence \[ M = \lambda. \]",
     "a generalised eigenvector": r"\[ K u = \omega^2 M u \] Hence \[ K = \omega^2 M. \]",

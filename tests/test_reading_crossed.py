@@ -53,6 +53,8 @@ def test_a_printed_matrix_of_the_cross_product_defines_it(latex):
         r"\[ \mathbf w^T \mathbf w = w_1^2 + w_2^2 + w_3^2 \] " + _BRACKET,
         _HAT.replace("w_1", "v_1") + r"\[ \hat w w = 0 \]",
         _HAT + r"\[ \hat v v = 0 \]",
+        "It would be wrong to write " + _FUNCTION + r"Hence \[ S(\mathbf a) \mathbf b = -S(\mathbf b) \mathbf a \]",
+        "Do not write " + _FUNCTION + r"Hence \[ S(\mathbf a) \mathbf b = -S(\mathbf b) \mathbf a \]",
     ],
 )
 def test_another_matrix_or_one_further_down_does_not(latex):

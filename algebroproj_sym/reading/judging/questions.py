@@ -409,7 +409,7 @@ def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[
     questions = [question for group in asked if isinstance(group, list) for question in group]
     decided = iter([*outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions)))] if questions else ())
     return [
-        (tuple(each), _with_letters(each, _if_wide(_of_entries([*islice(decided, len(each))]))))
+        (tuple(each), _with_letters(each, _without_opposite_roots(_of_entries([*islice(decided, len(each))]))))
         if isinstance(each, list)
         else ((), Outcome("open", "none", 0.0, each))
         for each in asked
@@ -422,7 +422,7 @@ def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
     return replace(outcome, hypotheses=(*outcome.hypotheses, *(f"{name} is {text}" for name, text in letters.items())))
 
 
-def _if_wide(outcome: Outcome) -> Outcome:
+def _without_opposite_roots(outcome: Outcome) -> Outcome:
     """Return an outcome; no proof if it holds but where something and its opposite are both the square of a root."""
     roots = {each for each in outcome.hypotheses if each.endswith(" >= 0")}
     if outcome.verdict == "proved" and any(f"-{each}" in roots for each in roots):

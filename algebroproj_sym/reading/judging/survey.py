@@ -60,6 +60,7 @@ from algebroproj_sym.reading.prose.phrases import (
     sizes_in,
     vectors_in,
 )
+from algebroproj_sym.reading.prose.words import beside
 
 
 @dataclass(frozen=True)
@@ -308,8 +309,9 @@ class Survey:
 
     @cached_property
     def crossed(self) -> tuple[Definition, ...]:
-        """What printed matrices of cross products say of vectors and of functions, if they say it once."""
-        parsed = ((each.display.place, self.formulas[id(each)]) for each in self.statements)
+        """What printed matrices of cross products that hold say of vectors and of functions, if they say it once."""
+        held = (each for each in self.statements if not beside(each, "").is_conditional)
+        parsed = ((each.display.place, self.formulas[id(each)]) for each in held)
         sides = ((place, each.sides) for place, each in parsed if isinstance(each, Parsed))
         found = {replace(one, place=place): one for place, each in sides for one in crossed_in([each], self.occurring)}
         symbols = [each.symbol for each in dict.fromkeys(found.values())]

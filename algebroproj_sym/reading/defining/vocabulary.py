@@ -336,6 +336,10 @@ class Vocabulary:
         """Return a formula as text."""
         return text_of(tree, self.name)
 
+    def equation(self, *sides: Formula) -> str:
+        """Return an equation as text."""
+        return " = ".join(map(self.text, sides))
+
     def plain(self, symbol: str) -> Any:
         """Return what a symbol stands for without any definition: letters, or a matrix of them.
 

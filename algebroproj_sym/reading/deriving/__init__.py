@@ -1,1 +1,6 @@
-"""Deriving: what else an equation says: its derivatives, at another index, solved for a letter, with numbers put in."""
+"""Deriving: what else an equation says.
+
+By its derivatives (`derivatives`, `gradients`, `jacobians`), its integrals (`integrating`), at another index
+(`indexed`), solved for a letter (`solving`), and with numbers put in (`instances`).  Vectors and tensors are read by
+components (`crossed`, `summation`), and quaternions as matrices (`quaternions`).
+"""

@@ -2,6 +2,7 @@ r"""What printed matrices of cross products, and columns with blocks, say of the
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import permutations
 
 from lark import Token, Tree
 
@@ -27,25 +28,35 @@ def crossed_in(equations: Iterable[Sequence[Formula]], occurring: Collection[str
     [('S', 'S(w) as the matrix of the cross product'), ('w', 'w_1 to w_3 as the components of w')]
     """
     for sides in equations:
-        for side, other in ((one, other) for one in sides for other in sides if one is not other):
+        for side, other in permutations(sides, 2):
             if block := _block(side, other):
                 yield _as_column(*block)
-            if not (entries := _crossed(other)):
-                continue
-            letter = (
-                lone(without_brackets(side.children[0])) if side.data == "marked" and side.children[1] == "hat" else ""
-            )
-            if side.data == "call" and (inside := [lone(without_brackets(each)) for each in trees_in(side)]):
-                letter = inside[0] if len(inside) == 1 and _are_components(entries, inside[0]) else ""
-                mark: Formula = Tree("marked", [letter_of(letter), Token("MARK", "hat")])
-                where = f"{_plain(str(side.children[0]))}({_plain(letter)}) as the matrix of the cross product"
-                if letter:
-                    yield Definition(str(side.children[0]), (letter,), mark, where, -1, True, role="case")
-            elif accent := _ACCENT.fullmatch(lone(side)):
-                letter = f"{accent[1]}{accent[2]}"
-                letter = letter if letter in occurring and _are_components(entries, letter) else ""
+            entries = _crossed(other)
+            letter = _vector_of(side, entries, occurring) if entries else ""
+            if letter and side.data == "call":
+                yield _as_function(str(side.children[0]), letter)
             if letter and letter not in entries:
                 yield _as_column(letter, entries)
+
+
+def _vector_of(side: Formula, entries: Sequence[str], occurring: Collection[str]) -> str:
+    """Return the vector of which a side is the matrix of the cross product, with some entries; empty for none."""
+    if side.data == "marked":
+        return lone(without_brackets(side.children[0])) if side.children[1] == "hat" else ""
+    if side.data == "call":
+        inside = [lone(without_brackets(each)) for each in trees_in(side)]
+        letter = inside[0] if len(inside) == 1 else ""
+    else:
+        accent = _ACCENT.fullmatch(lone(side))
+        letter = f"{accent[1]}{accent[2]}" if accent else ""
+        letter = letter if letter in occurring else ""
+    return letter if _are_components(entries, letter) else ""
+
+
+def _as_function(name: str, letter: str) -> Definition:
+    mark: Formula = Tree("marked", [letter_of(letter), Token("MARK", "hat")])
+    where = f"{_plain(name)}({_plain(letter)}) as the matrix of the cross product"
+    return Definition(name, (letter,), mark, where, -1, True, role="case")
 
 
 def _as_column(letter: str, entries: Sequence[str]) -> Definition:

@@ -23,6 +23,7 @@ from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.applying import with_what_is_true_here
+from algebroproj_sym.reading.judging.components import by_components
 from algebroproj_sym.reading.judging.deciding import OPEN, Asked, decide
 from algebroproj_sym.reading.judging.introducing import (
     begins_anew,
@@ -40,10 +41,11 @@ from algebroproj_sym.reading.judging.questions import (
     used_by,
 )
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
+from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.stationary import set_to_zero
 from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
-from algebroproj_sym.reading.judging.ways import Standing, by_components, gives_at_other_index, ways_of
+from algebroproj_sym.reading.judging.ways import gives_at_other_index, ways_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.reading.prose.meanings import SUMMED, VARIES

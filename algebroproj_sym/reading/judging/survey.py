@@ -38,7 +38,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, pars
 from algebroproj_sym.reading.parsing.operators import Operators, operators_in, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
 from algebroproj_sym.reading.prose.acting import acted_on
-from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.devices import heard, says
 from algebroproj_sym.reading.prose.inner import is_given
 from algebroproj_sym.reading.prose.meanings import (
     Meanings,
@@ -82,6 +82,10 @@ class Survey:
     @cached_property
     def _prose(self) -> str:
         return prose_of(self.statements)
+
+    def _says(self, form: str) -> bool:
+        """Whether the text has words of a form, as for `says`."""
+        return says(form, self._prose)
 
     @cached_property
     def functions(self) -> frozenset[str]:
@@ -245,7 +249,7 @@ class Survey:
     @cached_property
     def has_programs(self) -> bool:
         """Whether the text speaks of programs, in which a letter gets new values by ``:=``."""
-        return _PROGRAMS.search(self._prose) is not None
+        return self._says(r"\b<programs>\b")
 
     @cached_property
     def _has_superscripts(self) -> bool:
@@ -278,7 +282,7 @@ class Survey:
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
         by_time = by_time or "t" in {symbol for each in self.formulas.values() for symbol in _turning(each)}
         own = {name: defined_by(next(iter(of)))[1] for name, of in self._arguments.items() if len(of) == 1}
-        time = ("t",) if _OF_TIME.search(self._prose) else ()
+        time = ("t",) if self._says("<of-time>") else ()
         arguments = {name: of + time if of and "t" not in of else of for name, of in own.items()}
         return Dependence(tuple(ties), by_time, constants_in(self.statements), arguments, axes_turn(self._prose))
 
@@ -304,7 +308,7 @@ class Survey:
     @cached_property
     def special(self) -> str:
         """A word by which values or products may be others than those of real numbers; empty for none."""
-        found = _SPECIAL.search(self._prose)
+        found = heard(r"\b<special>\b").search(self._prose)
         return found.group() if found else ""
 
     @cached_property
@@ -325,30 +329,30 @@ class Survey:
     @cached_property
     def quaternions(self) -> frozenset[str]:
         """The letters that are quaternions, multiplied in a circle; none where words speak of Kronecker's product."""
-        if not _QUATERNION.search(self._prose) or _KRONECKER.search(self._prose):
+        if not self._says(r"\b<quaternions>\b") or self._says(r"\b<no-quaternions>\b"):
             return frozenset()
         return quaternions_in(each.sides for each in self.formulas.values() if isinstance(each, Parsed))
 
     @cached_property
     def has_conjugates(self) -> bool:
         """Whether words speak of conjugates, which have a star then."""
-        return _CONJUGATE.search(self._prose) is not None
+        return self._says(r"\b<conjugates>\b")
 
     @cached_property
     def has_tensors_of_three_rows(self) -> bool:
         """Whether words speak of tensors, and of no other number of dimensions."""
-        return _TENSORS.search(self._prose) is not None and not self.is_flat
+        return self._says(r"\b<tensors>\b") and not self.is_flat
 
     @cached_property
     def is_flat(self) -> bool:
         """Whether words speak of another number of dimensions than three."""
-        return _FLAT.search(self._prose) is not None
+        return self._says(r"(?<![a-z])<flat>")
 
     @cached_property
     def sums_over_indices(self) -> bool:
         """Whether sums over repeated indices are not written: words say so, or letters look so beside no sum."""
         sums = any(index_of(str(big.children[0])) for side in _sides(self.formulas) for big in side.find_data("big"))
-        unsaid = not sums and _TENSORS.search(self._prose) is not None
+        unsaid = not sums and self._says(r"\b<tensors>\b")
         return self.meanings.has_convention or (unsaid and is_in_index_notation(self.occurring, self.tensor_indices))
 
     @cached_property
@@ -359,7 +363,7 @@ class Survey:
     @cached_property
     def has_permutations(self) -> bool:
         """Whether words speak of the sign of permutations as a letter with three indices."""
-        return _PERMUTATIONS.search(self._prose) is not None
+        return self._says(r"\b<permutations>\b")
 
     @cached_property
     def imaginary(self) -> str:
@@ -367,7 +371,7 @@ class Survey:
 
         It is said to be a root of -1, or a document that speaks of complex numbers has it in an exponent of e.
         """
-        spoken = any(_COMPLEX.search(f"{each.before} {each.after}") for each in self.document.formulas)
+        spoken = any(says(r"\b<complex-numbers>\b", f"{each.before} {each.after}") for each in self.document.formulas)
         return next((each for each in sorted(self._units) if spoken or self._is_root(each)), "")
 
     @cached_property
@@ -431,15 +435,6 @@ class Survey:
         return replace(found, no_numbers=found.no_numbers | matrices, named=named_otherwise(self.statements))
 
 
-_PROGRAMS = re.compile(r"\b(?:programs?|algorithms?|loops?|assigned|assignments?|pseudo-?code)\b", re.IGNORECASE)
-_SPECIAL = heard(r"\b<special>\b")
-_TENSORS, _FLAT = heard(r"\b<tensors>\b"), heard(r"(?<![a-z])<flat>")
-_PERMUTATIONS = heard(r"\b<permutations>\b")
-_COMPLEX = re.compile(r"\b(?:complex|imaginary|real part|Euler's formula)\b", re.IGNORECASE)
-_QUATERNION = re.compile(r"\bquaternions?\b", re.IGNORECASE)
-_KRONECKER = re.compile(r"\b(?:Kronecker|tensor products?)\b", re.IGNORECASE)
-_CONJUGATE = re.compile(r"\bconjugates?\b", re.IGNORECASE)
-_OF_TIME = heard("<of-time>")
 _LESS = frozenset(("<", ">", "<=", ">=", "≪", "≫", "≲", "≳"))
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 

@@ -126,7 +126,4 @@ def without_formulas(text: str) -> str:
     return _FORMULAS.sub(" ", text)
 
 
-_FORMULAS = re.compile(
-    r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|\b[Ii]n terms of [^,.$]*"
-    r"|\brelated to (?:the |its |an? )?(?:(?!of\b)[a-z-]+ ){1,2}by\b"
-)
+_FORMULAS = heard(r"\$[^$]*\$|\\(?:eq)?ref\s*\{[^{}]*\}|\\[a-zA-Z]+|<of-letters>", re.NOFLAG)

@@ -1,0 +1,51 @@
+"""Relations by components: of vectors in printed cross products, and in index notation."""
+
+from collections.abc import Iterator
+
+from algebroproj_sym.reading.defining.premises import applicable, extended
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.deriving.summation import in_components
+from algebroproj_sym.reading.judging.doubts import A_VALUE
+from algebroproj_sym.reading.judging.questions import Way, used_by
+from algebroproj_sym.reading.judging.standing import Standing
+from algebroproj_sym.reading.parsing.grammar import Formula
+
+
+def with_printed_components(standing: Standing, left: Formula, right: Formula, told: Vocabulary) -> Iterator[Way]:
+    """Yield a relation with the components of vectors, and the functions, that printed cross products tell."""
+    place = standing.beside.place
+    if standing.survey.shows_components(left, right, place):
+        return
+    above = [each for each in standing.survey.crossed if each.place < place]
+    made = [each for each in above if each.symbol not in standing.vocabulary.definitions]
+    functions = [each for each in made if each.parameters]
+    for given in (functions, made):
+        for known in (extended(standing.vocabulary, given), extended(told, given)):
+            if any(each in made for each in used_by(known, left, right)):
+                yield Way(left, right, known, A_VALUE)
+
+
+def by_components(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation in index notation by its components, with the last that is given of each letter.
+
+    Of what is given in the same section, the first serves as well.
+    """
+    survey = standing.survey
+    if not survey.sums_over_indices or survey.is_flat:
+        return
+    above = applicable([*standing.premises, *standing.summed], standing.part, standing.cited)
+    given = [*standing.vocabulary.definitions.values(), *(each.gives for each in (*above, *standing.own) if each.gives)]
+    given.sort(key=lambda each: each.place)
+    shown = standing.vocabulary.equation(left, right)
+    seen = []
+    here, others = ([each for each in given if (each.part == standing.part) is same] for same in (True, False))
+    for serving in (given, [*others, *here[::-1]]):
+        found = in_components((left, right), serving, survey.tensor_indices, unit=survey.has_permutations)
+        if found is None or found in seen:
+            return
+        seen.append(found)
+        ours, theirs, known, components = found
+        if components & {*standing.vocabulary.definitions} - {each.symbol for each in known}:
+            return
+        reads = f"{shown}, with sums from 1 to 3 over what stands twice in a term as an index"
+        yield Way(ours, theirs, extended(standing.vocabulary, known), A_VALUE, reads)

@@ -1,0 +1,151 @@
+"""Relations with what equations above them say put in."""
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+
+from algebroproj_sym.reading.defining.dependence import free_symbols
+from algebroproj_sym.reading.defining.premises import Premise, extended, given_values, with_given
+from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
+from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.deriving.derivatives import computed, derivatives_in
+from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
+from algebroproj_sym.reading.deriving.rates import UNCHANGED
+from algebroproj_sym.reading.deriving.solving import solution_of
+from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.questions import Way, used_by
+from algebroproj_sym.reading.judging.standing import Standing
+from algebroproj_sym.reading.parsing.factors import base_of
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.prose.words import Beside
+
+MOST_SOLVED = 4
+"""For how many vectors and matrices an equation is solved."""
+
+
+_CHANGES = frozenset(
+    {
+        *("loses", "gains", "burns", "ejects", "gathers", "hardens", "softens", "melts", "evaporates", "leaks"),
+        *("empties", "drains", "shrinks", "draws", "apart", "faster", "slower", "accelerates", "decelerates"),
+    }
+)
+"""Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""
+
+
+def with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield the ways to take a relation that rest on equations above it, and on derivatives."""
+    left, right = formula.sides[index], formula.sides[index + 1]
+    seen = [tuple(map(id, used_by(standing.vocabulary, left, right)))]
+    for known in _vocabularies(standing, left, right):
+        used = used_by(known, left, right)
+        if (ids := tuple(map(id, used))) not in seen:
+            seen.append(ids)
+            yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
+    yield from _with_given_values(standing, left, right)
+    yield from _with_computed(standing, formula, index)
+
+
+def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator[Vocabulary]:
+    """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others."""
+    for given in ([], standing.given_beside(left, right), standing.given):
+        known = extended(standing.vocabulary, given)
+        yield known
+        yield with_rates(standing, (left, right), known)
+    wanted = {*symbols_in(left), *symbols_in(right)}
+    parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
+    supposed = frozenset().union(*(each.symbols for each in standing.own))
+    for each in standing.near():
+        tied = (parameters | supposed) & each.symbols
+        for solution in [] if tied else solutions(each, standing.vocabulary, wanted):
+            yield extended(standing.vocabulary, [solution])
+
+
+def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation in which values that equations above give, such as E(X), stand for what they say.
+
+    What gives one of its sides serves, or does not: ``s^2 = b`` may follow from other equations than ``s^2 = a``.
+    """
+    premises = standing.above
+    others = [each for each in premises if {left, right}.isdisjoint(value for value, _ in each.values)]
+    for serving in (premises, others)[: 1 + (len(others) < len(premises))]:
+        values = given_values(serving, standing.vocabulary, (left, right))
+        if any(each.role != "definition" for each in values.values()):
+            ours, theirs = (with_given(side, values) for side in (left, right))
+            for plain in ([], standing.given_beside(left, right)):
+                yield Way(ours, theirs, extended(standing.vocabulary, [*plain, *values.values()]), A_VALUE)
+
+
+def _with_computed(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    r"""Yield a relation with what stands behind ``\frac{d}{dx}`` and ``\int_a^b`` computed, also in what is put in."""
+    left, right = formula.sides[index], formula.sides[index + 1]
+    told, occurring, own = standing.told, standing.survey.occurring, free_symbols(left) | free_symbols(right)
+    variables = variables_of(formula.sides)
+    sides = [between_bounds(side, variables, told) for side in (left, right)] if variables else [left, right]
+    (ours, made), (theirs, more) = (computed(side, told, occurring, own) for side in sides)
+    put_in = [each for each in used_by(told, left, right) if any(map(is_integral, each.tree.iter_subtrees()))]
+    worked = [computed(each.tree, told, occurring, own) for each in put_in]
+    made = [*made, *more, *(each for _, further in worked for each in further)]
+    if not (made or sides != [left, right]) or any(_rests_on_what_changes(each, standing.beside) for each in made):
+        return
+    given = [replace(each, tree=tree) for each, (tree, _) in zip(put_in, worked, strict=True)]
+    known = extended(standing.vocabulary, [*made, *given])
+    plain = not variables and not any(each.where.startswith(OVER) for each in made)
+    doubt = doubt_of(standing.beside, formula, index, standing.vocabulary) if plain else A_VALUE
+    yield Way(ours, theirs, known, doubt)
+    yield Way(ours, theirs, extended(with_rates(standing, (ours, theirs), told), [*made, *given]), A_VALUE)
+
+
+def from_integrals(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation with a letter for which a near or cited equation of integrals is solved."""
+    occurring, own = standing.survey.occurring, free_symbols(left) | free_symbols(right)
+    for each in standing.near():
+        if not any(is_integral(part) for side in (each.left, each.right) for part in side.iter_subtrees()):
+            continue
+        sides = each.left, each.right
+        (one, made), (other, more) = (computed(side, standing.vocabulary, occurring, own) for side in sides)
+        trees = {letter.symbol: letter.tree for letter in (*made, *more)}
+        one, other = (with_integrals(side, trees, standing.vocabulary) for side in (one, other))
+        worked = replace(each, left=one, right=other)
+        for solution in solutions(worked, standing.vocabulary, {*symbols_in(left), *symbols_in(right)}):
+            where = "; ".join((solution.where, *(letter.where for letter in (*made, *more))))
+            yield Way(left, right, extended(standing.vocabulary, [replace(solution, where=where)]), A_VALUE)
+
+
+def solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:
+    """Yield what an equation says of a number in which it is linear, or else of vectors and matrices."""
+    if share_a_sum(premise.left, premise.right):
+        return
+    if (solution := premise.solved(vocabulary, wanted)) is not None:
+        yield solution
+        return
+    factors = factors_of_zero(premise.left, premise.right)
+    if are_lone(factors):
+        return
+    unknown = premise.symbols.intersection(wanted).difference(vocabulary.definitions)
+    has_vectors = any(map(vocabulary.is_matrix, premise.symbols))
+    factors = [each for each in factors if not vocabulary.is_matrix(base_of(each))]
+    numbers = {each: not vocabulary.is_matrix(each) for each in sorted(unknown)}
+    values = {
+        each: solution_of(premise.left, premise.right, each, is_number=is_number)
+        for each, is_number in numbers.items()
+        if not is_number or (has_vectors and not leave_a_choice(factors, each))
+    }
+    yield from [premise.said(each, value) for each, value in values.items() if value is not None][:MOST_SOLVED]
+
+
+def with_rates(standing: Standing, trees: Sequence[Formula], known: Vocabulary) -> Vocabulary:
+    """Return a vocabulary with what the derivatives in some formulas stand for."""
+    at_vectors = [each.at_vector for each in standing.above if each.at_vector is not None]
+    rates = derivatives_in(trees, known, standing.survey.occurring, at_vectors)
+    changing = {each.symbol for each in rates if _rests_on_what_changes(each, standing.beside)}
+    others = {each.symbol for each in rates if standing.beside.variables - known.letters_of(each.tree) - _below(each)}
+    return extended(known, [each for each in rates if each.symbol not in changing | others])
+
+
+def _below(rate: Definition) -> set[str]:
+    """Return the letter by which a derivative is."""
+    return {rate.symbol.rpartition("/")[2].removeprefix(r"\partial").removeprefix("d").strip()}
+
+
+def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
+    """Whether a derivative takes letters to be fixed though words say that something changes."""
+    return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})

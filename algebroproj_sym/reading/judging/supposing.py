@@ -1,0 +1,48 @@
+"""Relations with what their own sentences suppose."""
+
+from collections.abc import Collection, Iterator
+
+from algebroproj_sym.reading.defining.dependence import index_of, letters_of_symbol
+from algebroproj_sym.reading.defining.premises import extended, given_values, with_given
+from algebroproj_sym.reading.judging.doubts import A_VALUE
+from algebroproj_sym.reading.judging.questions import Way, used_by
+from algebroproj_sym.reading.judging.standing import Standing
+from algebroproj_sym.reading.judging.substituting import solutions, with_rates
+from algebroproj_sym.reading.judging.survey import Survey
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+
+
+def as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation with what its own sentence supposes put in, alone and with the equations above it."""
+    own = standing.supposed(left, right)
+    supposed = [each.gives for each in own if each.gives is not None]
+    used = (left, right, *(each.tree for each in used_by(standing.vocabulary, left, right)))
+    bound = {symbol for side in used for part in side.find_data("big") for symbol in _bound_in(part, standing.survey)}
+    places = {(each.symbol, each.place) for each in supposed}
+    twice = len({symbol for symbol, _ in places}) < len(places)
+    if not own or twice or bound.intersection(each.symbol for each in supposed):
+        return
+    for premises, given in (([], []), (standing.above, standing.given)):
+        known = extended(standing.vocabulary, [*given, *supposed])
+        yield Way(left, right, known, A_VALUE)
+        values = given_values([*premises, *own], known, (left, right))
+        if values:
+            ours, theirs = (with_given(side, values) for side in (left, right))
+            yield Way(ours, theirs, extended(known, values.values()), A_VALUE)
+    last = standing.near(1)
+    wanted = {*symbols_in(left), *symbols_in(right)}
+    changing = with_rates(standing, [side for each in own for side in (each.left, each.right)], standing.vocabulary)
+    for each in (*standing.near(), *own):
+        for solution in solutions(each, changing, wanted):
+            yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
+    letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
+    tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
+    for under in dict.fromkeys(((*tied, *last), tied)):
+        yield Way(left, right, changing, A_VALUE, under=under)
+
+
+def _bound_in(big: Formula, survey: Survey) -> Collection[str]:
+    """Return the letters of an integral or a sum into which nothing is put; in a sum, those that may change with it."""
+    index = index_of(str(big.children[0]))
+    varying = survey.dependence.related(index) | {index} if index else frozenset()
+    return [each for each in symbols_in(big) if not index or varying & {each, *letters_of_symbol(each)}]

@@ -12,6 +12,7 @@ from itertools import pairwise
 
 from lark import Tree
 
+from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.factors import terms_of
@@ -247,3 +248,38 @@ def require_no_value(name: str, symbols: Iterable[str], definitions: Collection[
     bound += [each[2:] for each in symbols if each.startswith("d ")]
     if defined := [each for each in bound if each in definitions]:
         raise UnreadableError(f"{defined[0]} has a value, but it is also an index or a variable of {name}")
+
+
+def stands_in(letter: str, symbol: str) -> bool:
+    """Whether a letter is a part of a symbol."""
+    if "/" in symbol:
+        return re.sub(r"[{}]", "", letter) in re.sub(r"[{}]", "", symbol)
+    return re.search(rf"(?<![a-zA-Z\\]){re.escape(letter)}(?![a-zA-Z])", symbol) is not None
+
+
+def speaks_of(symbols: Iterable[str], letter: str) -> bool:
+    r"""Whether a letter is one of some symbols, or stands in a derivative or an operator among them.
+
+    Examples
+    --------
+    >>> [speaks_of([each], "h") for each in ("h", "D h/D t", "\\partialh/\\partialt", "div bold{u}", "d h")]
+    [True, True, True, False, True]
+    """
+    bare = re.sub(VECTOR_STYLE, "bold", letter)
+    alone = re.compile(rf"(?<![a-zA-Z\\]){re.escape(bare)}(?![a-zA-Z])")
+    return any(
+        each == letter
+        or (
+            (" " in each or "/" in each)
+            and alone.search(_DIFFERENTIAL.sub(" ", re.sub(VECTOR_STYLE, "bold", each))) is not None
+        )
+        for each in symbols
+    )
+
+
+_DIFFERENTIAL = re.compile(r"\\partial|(?<![a-zA-Z\\])d(?=[a-zA-Z\\(])")
+
+
+def stands_within(letter: str, symbols: Iterable[str]) -> bool:
+    """Whether a letter stands in the brackets of a value with a condition, such as ``p(y|x)``."""
+    return any(" " in each and stands_in(letter, each) for each in symbols)

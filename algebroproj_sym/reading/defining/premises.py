@@ -15,9 +15,10 @@ import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
+from algebroproj_sym.reading.defining.definition import Definition, Role
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
-from algebroproj_sym.reading.defining.vocabulary import Definition, Role, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in, trees_in
 from algebroproj_sym.reading.prose.contexts import Context

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import require_bounded
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.labels import lone_letter
 from algebroproj_sym.reading.defining.letters import has_shape
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, lone, symbols_in, trees_in, without_brackets

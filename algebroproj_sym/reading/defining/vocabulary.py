@@ -4,38 +4,40 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any, Literal
+from copy import copy
+from typing import Any, Literal, Self
 
 import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import TooLargeError, require_bounded, shape
-from algebroproj_sym.reading.defining.dependence import SUMMED, Dependence, free_symbols, is_among, summed_like
+from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.dependence import (
+    SUMMED,
+    Dependence,
+    is_among,
+    stands_in,
+    stands_within,
+    summed_like,
+)
+from algebroproj_sym.reading.defining.identifiers import BOLD, Identifiers, is_accented
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
-from algebroproj_sym.reading.lexing.commands import STYLES, VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
 from algebroproj_sym.reading.parsing.factors import LIKE_IDENTITY
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 from algebroproj_sym.reading.parsing.writing import text_of
-from algebroproj_sym.reading.prose.contexts import ANYWHERE, Context
 
 MOST_DEFINITIONS = 20_000
 MOST_PARTS = 5_000
 """How many parts the values of functions have that are put into one formula, all together."""
-MOST_LETTERS = 60
-"""How many letters the name of a symbol has; what has the same name by then gets a number."""
-Role = Literal["definition", "premise", "case"]
 Numbers = Literal["real", "complex", "some complex"]
 """Whether letters stand for real numbers, or all for complex ones, or those that complex ones give."""
 
 _CAPITAL = re.compile(r"[A-Z](?:_|\^|$)")
 _IDENTITY = re.compile(r"(?:I|E|1|\\math(?:bf|bb|rm)\{[IE1]\})_\{([1-6])\\times\1\}")
-_BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
 _FIXED_VALUE = re.compile(r"([a-zA-Z]|\\[a-z]+)_(?:0|[a-hopqrs]|\{[a-zA-Z]*[a-hopqrs][a-zA-Z]+\})")
 """A letter with a zero, a word or a letter below it that counts nothing."""
 _OF_EVENTS = re.compile(r"\\math(?:bb|ds)\{(?:P\}|[I1]\}(?:_\{| [(\[]).*\\in(?![a-z]))")
@@ -51,50 +53,6 @@ class BoundError(UnreadableError):
 
 
 UNCOMPUTED = (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError)
-
-
-@dataclass(frozen=True)
-class Definition:
-    """A symbol, or a function of some letters, that an equation defines."""
-
-    symbol: str
-    """As tables write it."""
-    parameters: tuple[str, ...]
-    """The letters that it is a function of."""
-    tree: Formula
-    """What it stands for."""
-    where: str
-    """Which equation says so."""
-    part: int
-    """How many headings come before it."""
-    explicit: bool
-    """Whether the document says in words or signs that this is a definition."""
-    usable: bool = True
-    """Whether it holds without a condition."""
-    role: Role = "definition"
-    """Whether it is a definition, an equation that a document asserts, or one beside which words speak of a case."""
-    place: int = -1
-    """Where its display begins, in characters."""
-    words: frozenset[str] = frozenset()
-    """The words beside it."""
-    context: Context = ANYWHERE
-    """Where it holds."""
-    apart: frozenset[str] = frozenset()
-    """The words beside what was said of the symbol before, and not beside this: where they return, it does not hold."""
-    ranges: tuple[Parsed, ...] = ()
-    """What is said beside it of the ranges of letters."""
-    holds: bool = True
-    """Whether it holds without a condition, though it may not be computed."""
-
-    @cached_property
-    def symbols(self) -> tuple[str, ...]:
-        """The symbols of what it stands for."""
-        return tuple(symbols_in(self.tree))
-
-    @cached_property
-    def free(self) -> frozenset[str]:
-        """Likewise, without the indices of the sums in which they stand."""
-        return free_symbols(self.tree)
 
 
 class Vocabulary:
@@ -118,7 +76,6 @@ class Vocabulary:
         self.complexes = complexes
         self.imaginary = imaginary
         self.numbers: Numbers = "real"
-        self.is_flat = False
         self.rows: int | None = None
         self.dependence = dependence
         self.euler = euler
@@ -127,28 +84,18 @@ class Vocabulary:
         self._sizes = {**sizes, **given.sizes}
         self.kinds = kinds
         self._properties = {**properties, **given.properties}
-        self._names: dict[str, str] = {}
-        self._taken: dict[str, str] = {}
+        self._names = Identifiers(given.letters)
         self._values: dict[str, Any] = {}
         self._mentioned: set[str] = set()
         self._parts = 0
         self._behind: dict[str, frozenset[str]] = {}
 
-    def copied(self) -> Vocabulary:
+    def copied(self) -> Self:
         """Return the vocabulary with the definitions that there are now."""
-        given = self.given, self._sizes, self.kinds, self._properties
-        copied = Vocabulary(
-            *given,
-            dependence=self.dependence,
-            euler=self.euler,
-            complexes=self.complexes,
-            imaginary=self.imaginary,
-            reals=self.reals,
-        )
-        copied.numbers, copied.is_flat, copied.rows = self.numbers, self.is_flat, self.rows
-        copied.definitions, copied._values = dict(self.definitions), dict(self._values)
-        copied._names, copied._taken = self._names, self._taken
-        return copied
+        found = copy(self)
+        found.definitions, found._values = dict(self.definitions), dict(self._values)
+        found._mentioned, found._behind, found.uncomputed = set(), {}, None
+        return found
 
     def with_identity(self, *trees: Formula) -> Vocabulary | None:
         """Return the vocabulary in which a lone I is the identity matrix; None if there is none, or if it is given."""
@@ -203,14 +150,6 @@ class Vocabulary:
         """Return the vocabulary in which vectors and matrices have so many rows, if nothing else says how many."""
         found = self.copied()
         found.rows = rows
-        found.forget()
-        return found
-
-    def flat(self) -> Vocabulary:
-        """Return the vocabulary without definitions in which no letter is a vector or a matrix."""
-        found = self.copied()
-        found.is_flat = True
-        found.definitions.clear()
         found.forget()
         return found
 
@@ -270,16 +209,11 @@ class Vocabulary:
 
     def name(self, symbol: str) -> str:
         """Return the name of a symbol: one of its own for each, that a Python program could use."""
-        if symbol not in self._names:
-            wanted = _identifier(symbol, self.given.letters)[:MOST_LETTERS].rstrip("_")
-            if wanted in self._taken and _BOLD.search(symbol):
-                wanted += "_bold"
-            name, count = wanted, 1
-            while self._taken.setdefault(name, symbol) != symbol:
-                count += 1
-                name = f"{wanted}_v{count}"
-            self._names[symbol] = name
-        return self._names[symbol]
+        return self._names.name(symbol)
+
+    def symbol_of(self, name: str) -> str:
+        """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
+        return self._names.symbol_of(name)
 
     def behind(self, symbol: str) -> frozenset[str]:
         """Return a symbol with all on which it may depend: what stands in equations with it alone on the left."""
@@ -328,10 +262,6 @@ class Vocabulary:
         tied = (each.others for each in ties if each.others != own)
         return self.depends(every, letter) or any(letter in each and each & every for each in tied)
 
-    def symbol_of(self, name: str) -> str:
-        """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
-        return self._taken.get(name, name)
-
     def text(self, tree: Formula) -> str:
         """Return a formula as text."""
         return text_of(tree, self.name)
@@ -365,26 +295,24 @@ class Vocabulary:
 
     def is_matrix(self, symbol: str) -> bool:
         """Whether a symbol is a vector or a matrix, or may be one."""
-        return not self.is_flat and (_is_accented(symbol) or symbol in self.kinds.open or self.is_no_number(symbol))
+        return is_accented(symbol) or symbol in self.kinds.open or self.is_no_number(symbol)
 
     def is_no_number(self, symbol: str) -> bool:
         """Whether a symbol is bold, or said or marked to be a vector or a matrix."""
         letter = before_condition(symbol)
-        if self.is_flat or letter in self.kinds.averages.operators or _OF_EVENTS.match(symbol):
+        if letter in self.kinds.averages.operators or _OF_EVENTS.match(symbol):
             return False
-        return _BOLD.search(letter) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
+        return BOLD.search(letter) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""
-        if self.is_flat:
-            return None
         if identity := _IDENTITY.fullmatch(symbol):
             return int(identity[1]), int(identity[1])
         return self._sizes.get(symbol) or self._sizes.get(split_symbol(symbol)[0] if " " not in symbol else symbol)
 
     def is_component(self, symbol: str) -> bool:
         """Whether a symbol is an entry: a thin letter of a known size with a number or axis below, or with two."""
-        if symbol in self._sizes or " " in symbol or _BOLD.search(symbol):
+        if symbol in self._sizes or " " in symbol or BOLD.search(symbol):
             return False
         letter, _, below, _ = split_symbol(symbol)
         size = self._sizes.get(letter)
@@ -397,8 +325,6 @@ class Vocabulary:
 
     def properties_of(self, symbol: str) -> tuple[str, ...]:
         """Return what a symbol is said to be, such as a rotation."""
-        if self.is_flat:
-            return ()
         return ("identity",) if _IDENTITY.fullmatch(symbol) else self._properties.get(symbol, ())
 
     def used_in(self, tree: Formula) -> list[Definition]:
@@ -486,7 +412,7 @@ class Vocabulary:
             within = (each for each in (*definition.symbols, *inner) if not self._is_apart(each, parameter))
             if (
                 parameter in inner
-                or any(_stands_in(parameter, each) for each in within)
+                or any(stands_in(parameter, each) for each in within)
                 or self.depends(alone - {parameter}, parameter)
             ):
                 return self.name(parameter)
@@ -505,7 +431,7 @@ class Vocabulary:
         has_big = self._has_big(definition)
         for parameter in definition.parameters:
             if has_big or any(
-                _stands_in(parameter, each) or (each not in given and self.depends([each], parameter))
+                stands_in(parameter, each) or (each not in given and self.depends([each], parameter))
                 for each in symbols - {parameter}
             ):
                 return self.name(parameter)
@@ -562,64 +488,3 @@ def _is_symbol(token: object) -> bool:
 def is_operator(symbol: str) -> bool:
     r"""Whether a symbol is an operator, such as ``\nabla`` and ``\partial_t``, and no letter."""
     return re.match(r"(?:\\[a-z]+\{)?\\(?:nabla|partial)(?![a-zA-Z /])", symbol) is not None and "/" not in symbol
-
-
-def _is_accented(symbol: str) -> bool:
-    r"""Whether a letter has an accent that nothing defines, as in ``\uvec{v}``: it may be that of a vector."""
-    match = re.match(r"(\\[a-zA-Z]+)\{", symbol)
-    return match is not None and match[1] not in STYLES
-
-
-def _stands_in(letter: str, symbol: str) -> bool:
-    """Whether a letter is a part of a symbol."""
-    if "/" in symbol:
-        return re.sub(r"[{}]", "", letter) in re.sub(r"[{}]", "", symbol)
-    return re.search(rf"(?<![a-zA-Z\\]){re.escape(letter)}(?![a-zA-Z])", symbol) is not None
-
-
-def speaks_of(symbols: Iterable[str], letter: str) -> bool:
-    r"""Whether a letter is one of some symbols, or stands in a derivative or an operator among them.
-
-    Examples
-    --------
-    >>> [speaks_of([each], "h") for each in ("h", "D h/D t", "\\partialh/\\partialt", "div bold{u}", "d h")]
-    [True, True, True, False, True]
-    """
-    bare = re.sub(VECTOR_STYLE, "bold", letter)
-    alone = re.compile(rf"(?<![a-zA-Z\\]){re.escape(bare)}(?![a-zA-Z])")
-    return any(
-        each == letter
-        or (
-            (" " in each or "/" in each)
-            and alone.search(_DIFFERENTIAL.sub(" ", re.sub(VECTOR_STYLE, "bold", each))) is not None
-        )
-        for each in symbols
-    )
-
-
-_DIFFERENTIAL = re.compile(r"\\partial|(?<![a-zA-Z\\])d(?=[a-zA-Z\\(])")
-
-
-def stands_within(letter: str, symbols: Iterable[str]) -> bool:
-    """Whether a letter stands in the brackets of a value with a condition, such as ``p(y|x)``."""
-    return any(" " in each and _stands_in(letter, each) for each in symbols)
-
-
-_ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
-
-
-def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
-    if " " in symbol or re.match(r"(d|\\partial|\\delta).*/\1", symbol):
-        text = symbol
-    else:
-        letter, primes, below, above = split_symbol(symbol)
-        accents = "".join(f"_{each}" for each in _ACCENTS.findall(letter))
-        letter = re.sub(r"^\\(?!math)([a-zA-Z]+)\{", r"\1_{", letter) if _is_accented(letter) else letter
-        plain = (
-            letters.get(letter)
-            or re.sub(r"\\math(?:bf|cal|rm|bb|frak|sf|it|tt|scr|ds)", "", _ACCENTS.sub("", letter)) + accents
-        )
-        text = plain + (f"_{below}" if below else "") + "p" * primes + (f"_{above}" if above else "")
-    text = text.replace(r"\lambda", "lam").replace("*", "star").replace("+", "plus").replace("-", "minus")
-    name = re.sub(r"\W+", "_", re.sub(r"[\\{}]", "", text), flags=re.ASCII).strip("_") or "symbol"
-    return name if name[0].isalpha() else f"s_{name}"

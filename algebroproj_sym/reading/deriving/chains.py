@@ -4,8 +4,10 @@ from collections.abc import Mapping
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.dependence import stands_within
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 _CLOSED = ("big", "call", "slope", "inner", "matrix")

@@ -6,8 +6,8 @@ from itertools import permutations
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.deriving.components import is_column
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.grammar import Formula, lone, printed, trees_in, without_brackets

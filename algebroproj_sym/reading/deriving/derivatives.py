@@ -8,8 +8,10 @@ from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.dependence import stands_within
 from algebroproj_sym.reading.defining.premises import extended, letter_of
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.chains import chained, slope_of
 from algebroproj_sym.reading.deriving.implicit import implicit
 from algebroproj_sym.reading.deriving.integrating import integral_in, is_integral

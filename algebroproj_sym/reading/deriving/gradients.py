@@ -12,8 +12,9 @@ from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import extended, letter_of
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.rates import ZERO, copies_in, rate_of, written
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError

@@ -9,7 +9,9 @@ from collections.abc import Callable
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, stands_within
+from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.dependence import stands_within
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.chains import slope_of
 from algebroproj_sym.reading.deriving.rates import ONE
 from algebroproj_sym.reading.parsing.grammar import Formula

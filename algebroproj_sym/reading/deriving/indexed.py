@@ -3,9 +3,10 @@
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.indices import Indices, Item, excludes, indices_in, is_moved, told
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 

@@ -7,8 +7,9 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import shape
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.commands import LETTERS
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, parsed, put_in, symbols_in

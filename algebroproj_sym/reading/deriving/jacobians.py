@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.chains import slope_of
 from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
 

@@ -14,15 +14,37 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import entries, over, shape
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.values import with_values
-from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Definition, Vocabulary, is_operator
+from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary, is_operator
 from algebroproj_sym.reading.deriving.arguments import premise_without
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, printed, symbols_in, trees_in
 
 _ROUND_ONE = ("bracket", "group", "items")
 _TIMES = ("DOT", "CROSS")
+
+
+class _OfNumbers(Vocabulary):
+    """The letters of another vocabulary, without its definitions: each of them is a number."""
+
+    def __init__(self, vocabulary: Vocabulary) -> None:
+        self.__dict__.update(vocabulary.copied().__dict__)
+        self.definitions.clear()
+        self.forget()
+
+    def is_matrix(self, symbol: str) -> bool:
+        return False
+
+    def is_no_number(self, symbol: str) -> bool:
+        return False
+
+    def size_of(self, symbol: str) -> None:
+        return None
+
+    def properties_of(self, symbol: str) -> tuple[str, ...]:
+        return ()
 
 
 class Multiples:
@@ -92,7 +114,7 @@ class Multiples:
 
         What a function is at other letters is not seen where one of them stands in a part.
         """
-        found = self._vocabulary.flat()
+        found = _OfNumbers(self._vocabulary)
         for each in definitions:
             with suppress(UnreadableError):
                 tree = self.changed(each.tree)

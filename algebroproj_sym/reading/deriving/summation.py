@@ -14,9 +14,9 @@ from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.vocabulary import Definition
 from algebroproj_sym.reading.deriving.rates import ONE, TWO, ZERO
 from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, symbols_in, trees_in

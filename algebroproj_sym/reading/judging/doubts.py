@@ -13,8 +13,9 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import text
 from algebroproj_sym.proving.reals.prove import may_agree
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.recognising import defined_by
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.special import doubt_of_special
 from algebroproj_sym.reading.judging.questions import used_by
 from algebroproj_sym.reading.lexing.names import bare_name

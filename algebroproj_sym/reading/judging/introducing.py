@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_in
 from algebroproj_sym.reading.defining.premises import neighbours
 from algebroproj_sym.reading.defining.recognising import (
@@ -32,7 +33,7 @@ from algebroproj_sym.reading.defining.recognising import (
     without_own_indices,
     without_power,
 )
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.derivatives import derivatives_in
 from algebroproj_sym.reading.deriving.instances import numbers_put_in
 from algebroproj_sym.reading.documents.statements import Statement

@@ -5,7 +5,8 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from algebroproj_sym.reading.defining.dependence import letters_of_symbol
+from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.dependence import letters_of_symbol, speaks_of
 from algebroproj_sym.reading.defining.premises import (
     MOST_PREMISES,
     Premise,
@@ -24,7 +25,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_one_value,
     is_update,
 )
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary, speaks_of
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of

@@ -16,12 +16,13 @@ from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.matrices import real_text
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.proving.statements import has_functions
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.values import Uncomputed, values_in, with_values
-from algebroproj_sym.reading.defining.vocabulary import Definition, UnsizedError, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import UnsizedError, Vocabulary
 from algebroproj_sym.reading.deriving.components import multiplies_columns
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import (
     Dependence,
     Tie,
@@ -21,7 +22,7 @@ from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, l
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
-from algebroproj_sym.reading.defining.vocabulary import Definition, Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments
 from algebroproj_sym.reading.deriving.crossed import crossed_in
 from algebroproj_sym.reading.deriving.indices import Indices

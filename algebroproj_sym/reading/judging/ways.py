@@ -7,10 +7,11 @@ from dataclasses import replace
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, MOST_TOGETHER, extended, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.tensors import DIMENSIONS, depend_on_size
-from algebroproj_sym.reading.defining.vocabulary import Definition, Numbers
+from algebroproj_sym.reading.defining.vocabulary import Numbers
 from algebroproj_sym.reading.deriving.ends import with_same_ends
 from algebroproj_sym.reading.deriving.gradients import along_directions
 from algebroproj_sym.reading.deriving.indexed import instance_of, instances, sources_of

@@ -1,0 +1,70 @@
+"""Names of symbols that a Python program could use: one of its own for each symbol."""
+
+import re
+from collections.abc import Mapping
+
+from algebroproj_sym.reading.lexing.commands import STYLES
+from algebroproj_sym.reading.lexing.names import split_symbol
+
+MOST_LETTERS = 60
+"""How many letters the name of a symbol has; what has the same name by then gets a number."""
+BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
+
+
+class Identifiers:
+    r"""The names of the symbols of a document, in the order in which they are asked for; some letters have given ones.
+
+    Examples
+    --------
+    >>> names = Identifiers({})
+    >>> [names.name(each) for each in (r"\alpha_1", "a", r"\mathbf{a}", r"\mathrm{a}")]
+    ['alpha_1', 'a', 'a_bold', 'a_v2']
+    """
+
+    def __init__(self, given: Mapping[str, str]) -> None:
+        self._given = given
+        self._names: dict[str, str] = {}
+        self._taken: dict[str, str] = {}
+
+    def name(self, symbol: str) -> str:
+        """Return the name of a symbol: one of its own for each, that a Python program could use."""
+        if symbol not in self._names:
+            wanted = _identifier(symbol, self._given)[:MOST_LETTERS].rstrip("_")
+            if wanted in self._taken and BOLD.search(symbol):
+                wanted += "_bold"
+            name, count = wanted, 1
+            while self._taken.setdefault(name, symbol) != symbol:
+                count += 1
+                name = f"{wanted}_v{count}"
+            self._names[symbol] = name
+        return self._names[symbol]
+
+    def symbol_of(self, name: str) -> str:
+        """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
+        return self._taken.get(name, name)
+
+
+def is_accented(symbol: str) -> bool:
+    r"""Whether a letter has an accent that nothing defines, as in ``\uvec{v}``: it may be that of a vector."""
+    match = re.match(r"(\\[a-zA-Z]+)\{", symbol)
+    return match is not None and match[1] not in STYLES
+
+
+_ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
+
+
+def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
+    if " " in symbol or re.match(r"(d|\\partial|\\delta).*/\1", symbol):
+        text = symbol
+    else:
+        letter, primes, below, above = split_symbol(symbol)
+        accents = "".join(f"_{each}" for each in _ACCENTS.findall(letter))
+        letter = re.sub(r"^\\(?!math)([a-zA-Z]+)\{", r"\1_{", letter) if is_accented(letter) else letter
+        plain = (
+            letters.get(letter)
+            or re.sub(r"\\math(?:bf|cal|rm|bb|frak|sf|it|tt|scr|ds)", "", _ACCENTS.sub("", letter)) + accents
+        )
+        text = plain + (f"_{below}" if below else "") + "p" * primes + (f"_{above}" if above else "")
+    text = text.replace(r"\lambda", "lam").replace("*", "star").replace("+", "plus").replace("-", "minus")
+    name = re.sub(r"\W+", "_", re.sub(r"[\\{}]", "", text), flags=re.ASCII).strip("_") or "symbol"
+    return name if name[0].isalpha() else f"s_{name}"

@@ -7,6 +7,17 @@ from typing import Any
 from lark import Token
 
 from algebroproj_sym.reading.defining.dependence import index_of, require_no_value
+from algebroproj_sym.reading.defining.maps import (
+    DIMENSIONS,
+    contracted,
+    deviator,
+    dyad,
+    multiplied,
+    quotient,
+    summed,
+    symmetric,
+    trace,
+)
 from algebroproj_sym.reading.defining.parts import (
     MOST_TERMS,
     Part,
@@ -17,6 +28,7 @@ from algebroproj_sym.reading.defining.parts import (
     in_order,
     joined,
     number_of,
+    numbers_apart,
     of_blocks,
     product_terms,
     refused,
@@ -29,18 +41,7 @@ from algebroproj_sym.reading.defining.parts import (
 )
 from algebroproj_sym.reading.defining.sizing import POSITIVE, TABLE, Reader
 from algebroproj_sym.reading.defining.summing import Depends, arranged
-from algebroproj_sym.reading.defining.tensors import (
-    CONTRACTS,
-    DIMENSIONS,
-    contracted,
-    deviator,
-    dyad,
-    multiplied,
-    quotient,
-    summed,
-    symmetric,
-    trace,
-)
+from algebroproj_sym.reading.defining.tensors import CONTRACTS
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
 from algebroproj_sym.reading.parsing.factors import MEAN
@@ -371,5 +372,5 @@ class _Parts(_Gathering):
 
 def _apart(factors: list[Part]) -> tuple[list[Part], Part | None]:
     """Return the numbers of a product, and what is left of it."""
-    others = [each for each in factors if not each.is_number]
-    return [each for each in factors if each.is_number], reduce(times, others) if others else None
+    numbers, others = numbers_apart(factors)
+    return numbers, reduce(times, others) if others else None

@@ -14,6 +14,7 @@ from typing import TypeVar
 from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.letters import worked_out
 from algebroproj_sym.reading.defining.building import built
+from algebroproj_sym.reading.defining.maps import Map
 from algebroproj_sym.reading.defining.parts import (
     Part,
     Size,
@@ -22,7 +23,6 @@ from algebroproj_sym.reading.defining.parts import (
     same_shape,
 )
 from algebroproj_sym.reading.defining.sizing import Reader
-from algebroproj_sym.reading.defining.tensors import Map
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.pieces import UnreadableError

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import reduce
 
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
@@ -282,6 +282,12 @@ def sum_of(signed: list[tuple[bool, Part]]) -> Part:
     found = Part(first.shape, text, *(part for _, part in signed))
     found.terms = [(minus != other, factors) for minus, part in signed for other, factors in part.terms]
     return found
+
+
+def numbers_apart(factors: Iterable[Part]) -> tuple[list[Part], list[Part]]:
+    """Return the numbers among factors, and the others."""
+    every = [*factors]
+    return [each for each in every if each.is_number], [each for each in every if not each.is_number]
 
 
 def in_order(numbers: list[Part], rest: Part | None) -> Part:

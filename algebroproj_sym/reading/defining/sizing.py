@@ -9,8 +9,8 @@ from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.letters import are_same
 from algebroproj_sym.reading.defining.dependence import ANY, COUNTED, is_number, letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.kinds import Kinds
+from algebroproj_sym.reading.defining.maps import identity_of, unknown
 from algebroproj_sym.reading.defining.parts import Part, Shape, Size, constant, refused, sum_of
-from algebroproj_sym.reading.defining.tensors import identity_of, unknown
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import split_symbol

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import reduce
 
-from algebroproj_sym.reading.defining.parts import Part, times, transposed
+from algebroproj_sym.reading.defining.parts import Part, numbers_apart, times, transposed
 
 Depends = Callable[[Part], bool]
 
@@ -26,8 +26,8 @@ class Arranged:
 
 def arranged(factors: Sequence[Part], depends: Depends) -> Arranged:
     """Return the factors of a product with those at its ends that do not depend on the index of a sum."""
-    numbers = [each for each in factors if each.is_number]
-    lead, groups = _groups([each for each in factors if not each.is_number])
+    numbers, others = numbers_apart(factors)
+    lead, groups = _groups(others)
     turning = sorted((each for each in groups if _is_free_at_an_end(each, depends)), key=_order)
     ends = turning[: 1 if lead else 2]
     numbers += [reduce(times, each) for each in groups if not any(each is one for one in ends)]

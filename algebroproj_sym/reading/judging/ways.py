@@ -8,9 +8,10 @@ from dataclasses import replace
 from lark import Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.maps import DIMENSIONS
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, MOST_TOGETHER, extended, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
-from algebroproj_sym.reading.defining.tensors import DIMENSIONS, depend_on_size
+from algebroproj_sym.reading.defining.tensors import depend_on_size
 from algebroproj_sym.reading.defining.vocabulary import Numbers
 from algebroproj_sym.reading.deriving.ends import with_same_ends
 from algebroproj_sym.reading.deriving.gradients import along_directions

@@ -37,7 +37,7 @@ from algebroproj_sym.expressions.letters import (
 )
 from algebroproj_sym.proving import Question, UndefinedError, constrained
 from algebroproj_sym.proving.buchberger import Work
-from algebroproj_sym.proving.letters import deciding, prove_texts
+from algebroproj_sym.proving.letters import candidates, prove_texts
 from algebroproj_sym.proving.letters.deciding import _Question
 from algebroproj_sym.proving.letters.properties import PROPERTIES, declared_letters
 from algebroproj_sym.proving.letters.rules import RULES
@@ -1066,7 +1066,7 @@ def test_a_question_that_costs_too_much_ends_open(monkeypatch):
 
     monkeypatch.setattr(Work, "spend", counted)
     monkeypatch.setattr(Work.__init__, "__defaults__", (20_000,))
-    for module in (deciding, constrained):
+    for module in (candidates, constrained):
         monkeypatch.setattr(module, "MOST_OF_SEARCH", 10_000)
     asked = {"constraints": ["A**2 + B**2 = 0"], "letters": {"A": "3x3", "B": "3x3"}}
     assert prove("det(A)", "det(B)", **asked).certificate["reason"].startswith("no proof was found in words, none")

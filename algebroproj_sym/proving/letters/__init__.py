@@ -21,7 +21,8 @@ from algebroproj_sym.expressions.letters import (
     parse_letters,
 )
 from algebroproj_sym.proving.engines import ENGINES
-from algebroproj_sym.proving.letters.deciding import Found, Point, decide
+from algebroproj_sym.proving.letters.candidates import Point
+from algebroproj_sym.proving.letters.deciding import Found, decide
 from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.properties import PROPERTIES, Letter, declared_letters
 from algebroproj_sym.proving.letters.statements import Statement

@@ -16,29 +16,20 @@ from functools import cached_property
 from itertools import count, islice, product
 from typing import Any
 
-import sympy
-
-from algebroproj_sym.expressions import admits, is_plain, over, text, values_of
-from algebroproj_sym.expressions.letters import LetterError, Term, factors_of, letters_text, made, number
+from algebroproj_sym.expressions import admits, is_plain, text
+from algebroproj_sym.expressions.letters import Term, factors_of, letters_text
 from algebroproj_sym.proving.buchberger import Work
+from algebroproj_sym.proving.letters.candidates import ENOUGH_POINTS, SPARSE_TRIES, Candidates, Point
 from algebroproj_sym.proving.letters.derivatives import without_derivatives
 from algebroproj_sym.proving.letters.entries import Field, Rows, degree_of, entries_of
-from algebroproj_sym.proving.letters.points import example, has_properties, sparse
-from algebroproj_sym.proving.letters.properties import Coordinates, Letter, coordinates
+from algebroproj_sym.proving.letters.expansion import Expansion
+from algebroproj_sym.proving.letters.points import NUMBERS, example, has_properties
 from algebroproj_sym.proving.letters.rewriting import Proof, proof_in_words
 from algebroproj_sym.proving.letters.rules import rules_for
-from algebroproj_sym.proving.letters.series import FUNCTIONS, speaks_of_angles, without_series
-from algebroproj_sym.proving.letters.statements import (
-    Statement,
-    fixed,
-    hypotheses_of,
-    replaced,
-    without_definitions,
-    without_lengths,
-)
+from algebroproj_sym.proving.letters.series import speaks_of_angles, without_series
+from algebroproj_sym.proving.letters.statements import Statement, hypotheses_of, without_definitions, without_lengths
 from algebroproj_sym.proving.letters.turns import Turn
 from algebroproj_sym.proving.letters.words import Algebra, NotWordsError
-from algebroproj_sym.proving.points import rational_zeros
 from algebroproj_sym.proving.polynomials import EffortExceededError
 from algebroproj_sym.proving.proof import Decision, UndefinedError
 from algebroproj_sym.proving.prove import prove as decided
@@ -47,54 +38,13 @@ from algebroproj_sym.proving.rational_function import RationalFunction, Rational
 LARGEST_TURN = 3
 MOST_DEGREE = 20
 FIRST_TRIES = 40
-ENOUGH_POINTS = 4
 MORE_TRIES = 200
-CONSTRAINED_STARTS = 8
-CONSTRAINED_TRIES = 60
-SPARSE_TRIES = 200
-MOST_OF_SEARCH = 1_000_000
 MOST_PRODUCTS = 50_000_000
 MOST_TERMS = 50_000
 MOST_EVALUATED = 500_000
 """How long a difference may be that is compared with constraints; how many products the points of a search may take."""
 
 NOWHERE = "no exact matrices were found at which both sides are defined and all conditions hold"
-
-_CIRCLE = [(Fraction(a, c), Fraction(b, c)) for a, b, c in ((3, 4, 5), (-4, 3, 5), (5, 12, 13), (-8, 15, 17))]
-_NUMBERS = Field(Fraction)
-_EXPRESSIONS = Field(lambda value: sympy.Rational(value.numerator, value.denominator), over)
-
-
-@dataclass(frozen=True)
-class Point:
-    """Exact values of letters and numbers, at sizes that have names."""
-
-    letters: Mapping[str, Rows]
-    """The matrices."""
-    scalars: Mapping[str, Fraction]
-    """The numbers."""
-    sizes: Mapping[str, int]
-    turn: Turn | None = None
-    """The angle of which others are multiples; values have a number in its place."""
-
-    def value(self, term: Term) -> Rows:
-        """Return the rows of a term.
-
-        It raises `ZeroDivisionError` if it is not defined, or not known exactly.
-        """
-        return entries_of(term, self.letters, self.scalars, _NUMBERS, self.sizes, self.turn)
-
-    def record(self) -> dict[str, Any]:
-        """Return the values as text."""
-        rows = {
-            name: [[str(self.shown(name, x)) for x in row] for row in value] for name, value in self.letters.items()
-        }
-        values = {name: str(self.shown(name, value)) for name, value in self.scalars.items()}
-        return rows | values | dict(self.sizes)
-
-    def shown(self, name: str, value: Fraction) -> Any:
-        """Return what an entry of a letter, or a number, is."""
-        return value if self.turn is None or name not in self.turn.names else self.turn.shown(value)
 
 
 @dataclass(frozen=True)
@@ -156,19 +106,19 @@ class _Question:
         self.statement = statement
         self.engine = engine
         self.witness: Point | None = None
-        self.search = Work(MOST_OF_SEARCH)
         self.angles, self.plain = without_series(statement) if speaks_of_angles(statement) else ([], statement)
-        self.terms = statement.terms if self.angles else stated.terms
+        shown = statement if self.angles else stated
+        self.candidates = Candidates(statement, shown, self.angles, self.letters, self.definitions, self.size_names)
         self.hypotheses = hypotheses_of(statement.terms, statement.letters)
 
     def found(self) -> Found:
-        refuting = self._differing(self._sparse_points(), SPARSE_TRIES)
-        refuting = refuting or self._differing(self._points(FIRST_TRIES), ENOUGH_POINTS)
+        refuting = self._differing(self.candidates.sparse(), SPARSE_TRIES)
+        refuting = refuting or self._differing(self.candidates.points(FIRST_TRIES), ENOUGH_POINTS)
         if refuting is not None:
             return self._refuted(refuting)
         found, reason = self._proof()
         if found is None:
-            refuting = self._differing(self._points(MORE_TRIES), MORE_TRIES)
+            refuting = self._differing(self.candidates.points(MORE_TRIES), MORE_TRIES)
             return self._open(reason) if refuting is None else self._refuted(refuting)
         if self.witness is None and found.verdict == "proved":
             return self._open(NOWHERE)
@@ -259,147 +209,6 @@ class _Question:
     def _admits(self, name: str, value: Fraction) -> bool:
         return name not in self.statement.scalars or admits(self.statement.scalars[name], value)
 
-    def _points(self, tries: int) -> Iterator[Point]:
-        generator = random.Random(self.statement.seed)
-        for attempt in range(tries):
-            sizes = self._sizes(generator, attempt)
-            if self.statement.constraints and not self.angles:
-                yield from self._constrained_points(sizes, attempt)
-            letters = {
-                name: example(letter, sizes, generator, attempt) for name, letter in self.statement.letters.items()
-            }
-            scalars = {name: self._number(symbol, generator, attempt) for name, symbol in self._scalars().items()}
-            if None not in letters.values():
-                point = Point(letters, scalars, sizes)  # type: ignore[arg-type]
-                point = self._turned(point, generator, attempt) if self.angles else point
-                yield from self._with_implied(point, attempt)
-
-    def _with_implied(self, point: Point, attempt: int) -> Iterator[Point]:
-        """Yield a point, and the same with what constraints say of letters that have properties, and of others."""
-        yield point
-        with suppress(ZeroDivisionError):
-            if self.implied:
-                point = replace(
-                    point, letters={**point.letters, **{k: point.value(v) for k, v in self.implied.items()}}
-                )
-                yield point
-            if self.statement.constraints and self.angles:
-                yield from self._solved(point, attempt)
-
-    @cached_property
-    def implied(self) -> dict[str, Term]:
-        """What constraints say that letters with properties are."""
-        plain = {name: Letter(name, letter.shape, frozenset()) for name, letter in self.statement.letters.items()}
-        defined, _ = without_definitions(replace(self.statement, letters=plain))
-        return {name: term for name, term in defined.items() if name in plain}
-
-    def _solved(self, point: Point, attempt: int) -> Iterator[Point]:
-        """Yield points at which angles are given, and other letters are on the constraints."""
-        if attempt >= CONSTRAINED_STARTS:
-            return
-        bound = {part.value for term in self.angles for part in factors_of(term) if part.kind in ("letter", "symbol")}
-
-        def valued(part: Term) -> Term | None:
-            is_known = part.kind in FUNCTIONS or (part.kind in ("letter", "symbol") and part.value in bound)
-            return _constant(point.value(part)) if is_known else None
-
-        zeros = tuple(replaced(term, valued) for term in self.statement.constraints)
-        letters = {name: letter for name, letter in self.statement.letters.items() if name not in bound}
-        left = number(0)
-        for other in self._on_constraints(fixed(Statement(left, left, letters, zeros), point.sizes), attempt):
-            yield replace(point, letters={**point.letters, **other[0]}, scalars={**point.scalars, **other[1]})
-
-    def _turned(self, point: Point, generator: random.Random, attempt: int) -> Point:
-        """Return a point at which lengths are rational, and angles multiples of one."""
-        cosine, sine = generator.choice(_CIRCLE)
-        if self.statement.constraints and attempt % 4 == 3:
-            cosine, sine = Fraction(0), Fraction(1)
-        value = Fraction(generator.randint(1, 3))
-        letters, scalars, names = dict(point.letters), dict(point.scalars), set[str]()
-        parts = {part for term in self.statement.terms for part in factors_of(term)}
-        has_angle = any(part.kind in FUNCTIONS and part.kind != "norm" for part in parts)
-        frame, lengths = _frame(generator), generator.choice(((3, 4, 5), (1, 2, 4), (2, 1, 4), (2, 2, 2)))
-        within = {
-            part.value for angle in self.angles for part in factors_of(angle) if part.kind in ("letter", "symbol")
-        }
-        for place, name in enumerate(sorted(within - {*point.sizes})):
-            turns = has_angle and generator.random() < 0.8
-            length = lengths[place % 3] * (value if turns else Fraction(1))
-            if name in scalars:
-                symbol = self.statement.scalars.get(name, sympy.Symbol(name))
-                if turns and symbol.is_algebraic is None:
-                    signed = generator.choice((length, -length))
-                    scalars[name] = signed if admits(symbol, signed) else -signed
-                    names.add(name)
-                continue
-            if self.letters[name].properties <= {"skew"}:
-                axis = frame[place % 3] if generator.random() < 0.7 else generator.choice(_frame(generator))
-                if len(letters[name]) not in (3, 6):
-                    axis = _direction(len(letters[name]), generator)
-                letters[name] = _of_length(letters[name], [length * entry for entry in axis], self.letters[name])
-                names |= {name} if turns else set()
-        return Point(letters, scalars, point.sizes, Turn(cosine, sine, value, frozenset(names)))
-
-    def _sizes(self, generator: random.Random, attempt: int) -> dict[str, int]:
-        names = self.size_names
-        if attempt < 4:
-            return {name: 2 + (k + attempt) % 2 for k, name in enumerate(names)}
-        return {name: generator.randint(1, 3) for name in names}
-
-    def _scalars(self) -> dict[str, sympy.Symbol]:
-        terms = (*self.terms, *self.definitions.values())
-        names = {part.value for term in terms for part in factors_of(term) if part.kind == "symbol"}
-        others = sorted(names - {*self.size_names})
-        return {name: self.statement.scalars.get(name, sympy.Symbol(name)) for name in others}
-
-    def _number(self, symbol: sympy.Symbol, generator: random.Random, attempt: int) -> Fraction:
-        return generator.choice(values_of(symbol)[: 8 + attempt])
-
-    def _sparse_points(self) -> Iterator[Point]:
-        """Yield points at which letters in constraints have few entries other than zero, where the constraints hold."""
-        constraints = self.statement.constraints
-        if not constraints or self.angles:
-            return
-        generator = random.Random(self.statement.seed)
-        bound = {part.value for term in constraints for part in factors_of(term) if part.kind == "letter"}
-        for attempt in range(SPARSE_TRIES):
-            sizes = self._sizes(generator, attempt)
-            letters = {
-                name: sparse(letter, sizes, generator)
-                if name in bound and not letter.properties
-                else example(letter, sizes, generator, 0)
-                for name, letter in self.statement.letters.items()
-            }
-            scalars = {name: self._number(symbol, generator, 0) for name, symbol in self._scalars().items()}
-            if None not in letters.values():
-                yield Point(letters, scalars, sizes)  # type: ignore[arg-type]
-
-    def _constrained_points(self, sizes: Mapping[str, int], attempt: int) -> Iterator[Point]:
-        """Yield points on the constraints, in the coordinates of the letters."""
-        if attempt >= CONSTRAINED_STARTS:
-            return
-        for letters, scalars in self._on_constraints(fixed(self.statement, sizes), attempt):
-            numbers = {
-                name: scalars[name] if name in scalars else values_of(symbol)[0]
-                for name, symbol in self._scalars().items()
-            }
-            yield Point(letters, numbers, sizes)
-
-    def _on_constraints(
-        self, statement: Statement, attempt: int
-    ) -> Iterator[tuple[dict[str, Rows], dict[str, Fraction]]]:
-        """Yield letters, and numbers, that are zeros of the constraints of a statement of fixed size."""
-        expansion = _Expansion(statement)
-        if not expansion.equations:
-            return
-        seed = statement.seed + attempt
-        zeros = rational_zeros(expansion.equations, expansion.symbols, seed, CONSTRAINED_TRIES, self.search)
-        with suppress(ZeroDivisionError):
-            for values in islice(zeros, ENOUGH_POINTS):
-                scalars = {symbol.name: value for symbol, value in values.items()}
-                letters = {k: entries_of(each.entries, {}, scalars, _NUMBERS) for k, each in expansion.letters.items()}
-                yield letters, scalars
-
     def _refuted(self, point: Point) -> Found:
         shown = ([[*map(str, row)] for row in point.value(side)] for side in self.statement.terms[:2])
         certificate = {"method": "counterexample"} | dict(zip(("left", "right"), shown, strict=True))
@@ -472,7 +281,7 @@ class _Question:
         return f"for {' and '.join('x'.join(shape) for shape in sorted(shapes, reverse=True))}" if shapes else ""
 
     def _by_entries(self) -> Found | None:
-        expansion = _Expansion(self.plain)
+        expansion = Expansion(self.plain)
         field = RationalFunctionField(expansion.symbols, self.engine, Work(MOST_PRODUCTS).spend)
         if expansion.equations:
             with suppress(ZeroDivisionError):
@@ -491,7 +300,7 @@ class _Question:
         )
 
     def _difference(
-        self, expansion: _Expansion, field: RationalFunctionField, signs: Mapping[str, RationalFunction]
+        self, expansion: Expansion, field: RationalFunctionField, signs: Mapping[str, RationalFunction]
     ) -> Iterator[RationalFunction]:
         """Yield the entries of the difference of the sides."""
         numbers = Field(field.lift)
@@ -504,7 +313,7 @@ class _Question:
         texts = " and ".join(map(letters_text, self.statement.terms[:2]))
         return UndefinedError(f"prove: expected sides in which something has an inverse somewhere, got {texts}")
 
-    def _constrained(self, expansion: _Expansion) -> Found | None:
+    def _constrained(self, expansion: Expansion) -> Found | None:
         try:
             left, right, *others = (expansion.matrix(term) for term in self.plain.terms)
         except ZeroDivisionError:
@@ -520,8 +329,8 @@ class _Question:
             values = {symbol.name: value for symbol, value in proof.counterexample.items()}
             if all(isinstance(value, Fraction) for value in values.values()):
                 values |= {symbol.name: Fraction(1) for symbol in expansion.symbols if symbol.name not in values}
-                letters = {k: entries_of(e.entries, {}, values, _NUMBERS) for k, e in expansion.letters.items()}
-                point = Point(letters, {name: values[name] for name in self._scalars()}, {})
+                letters = {k: entries_of(e.entries, {}, values, NUMBERS) for k, e in expansion.letters.items()}
+                point = Point(letters, {name: values[name] for name in self.candidates.scalars}, {})
                 return self._refuted(point) if self.differs_at(point) else None
         if proof.verdict != "proved":
             return None
@@ -534,80 +343,6 @@ class _Question:
         }
         return self._proved(certificate, self._scope({}))
 
-    def _whole(self, expansion: _Expansion, proof: dict[str, Any]) -> dict[str, Any]:
+    def _whole(self, expansion: Expansion, proof: dict[str, Any]) -> dict[str, Any]:
         """Return a proof with a witness that has a value also for coordinates that cancel."""
         return proof | {"witness": dict.fromkeys(expansion.values, "1") | proof["witness"]}
-
-
-def _constant(rows: Rows) -> Term:
-    """Return rows of numbers as a term."""
-    if len(rows) == len(rows[0]) == 1:
-        return number(rows[0][0])
-    return made("block", *(number(entry) for row in rows for entry in row), value=tuple(map(len, rows)))
-
-
-def _frame(generator: random.Random) -> Rows:
-    """Return three vectors of length 1, each orthogonal to the others."""
-    rotation = Letter("R", (3, 3), frozenset({"rotation", "orthogonal"}))
-    return example(rotation, {}, generator, 0) or [[Fraction(i == j) for j in range(3)] for i in range(3)]
-
-
-def _direction(size: int, generator: random.Random) -> list[Fraction]:
-    """Return a vector of length 1."""
-    found = example(Letter("n", (size, 1), frozenset({"unit"})), {}, generator, 0)
-    return [row[0] for row in found] if found else [Fraction(k == 0) for k in range(size)]
-
-
-def _of_length(rows: Rows, vector: list[Fraction], letter: Letter) -> Rows:
-    """Return a cross-product matrix, or a vector, of which the last components are given; others as they are."""
-    if "skew" in letter.properties and len(rows) == 3:
-        x, y, z = vector
-        return [[Fraction(0), -z, y], [z, Fraction(0), -x], [-y, x, Fraction(0)]]
-    return [*rows[: -len(vector)], *([entry] for entry in vector)] if len(rows[0]) == 1 else rows
-
-
-class _Expansion:
-    """A statement of fixed size in the coordinates of its letters."""
-
-    def __init__(self, statement: Statement) -> None:
-        self.statement = statement
-        self.letters: dict[str, Coordinates] = {
-            k: coordinates(letter) for k, letter in sorted(statement.letters.items())
-        }
-        numbers = {part.value for term in statement.terms for part in factors_of(term) if part.kind == "symbol"}
-        names = [*numbers, *(name for each in self.letters.values() for name in each.names)]
-        for name in names:
-            if names.count(name) > 1 or name in self.letters:
-                raise LetterError(f"expected other names: {name} is also that of a coordinate of a letter")
-        self.signs = [name for each in self.letters.values() for name in each.signs]
-        self.is_constrained = bool(statement.constraints) or any(each.equations for each in self.letters.values())
-        free = {*names} - (set() if self.is_constrained else {*self.signs})
-        self.symbols = tuple(sympy.Symbol(name) for name in sorted(free))
-
-    def texts(self) -> dict[str, str]:
-        """Return the entries of the letters as text."""
-        return {name: letters_text(each.entries) for name, each in self.letters.items()}
-
-    @cached_property
-    def rows(self) -> dict[str, Rows]:
-        """The entries of the letters as expressions."""
-        return {name: entries_of(each.entries, {}, self.values, _EXPRESSIONS) for name, each in self.letters.items()}
-
-    @cached_property
-    def values(self) -> dict[str, sympy.Symbol]:
-        """The coordinates as symbols."""
-        return {symbol.name: symbol for symbol in self.symbols}
-
-    def matrix(self, term: Term) -> Any:
-        """Return a term as a matrix of expressions."""
-        return sympy.ImmutableDenseMatrix(entries_of(term, self.rows, self.values, _EXPRESSIONS))
-
-    @cached_property
-    def equations(self) -> list[Any]:
-        """What is zero, entry by entry, each once; empty if coordinates say it all."""
-        if not self.is_constrained:
-            return []
-        terms = [*self.statement.constraints, *(term for each in self.letters.values() for term in each.equations)]
-        found = [entry for term in terms for entry in self.matrix(term).flat()]
-        found += [self.values[name] ** 2 - 1 for name in self.signs]
-        return [*dict.fromkeys(sympy.expand(entry) for entry in found if entry != 0)]

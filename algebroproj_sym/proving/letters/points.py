@@ -10,7 +10,7 @@ from algebroproj_sym.expressions.letters import parse_letters
 from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
 from algebroproj_sym.proving.letters.properties import RANKS, Letter
 
-_NUMBERS = Field(Fraction)
+NUMBERS = Field(Fraction)
 
 
 def example(letter: Letter, sizes: Mapping[str, int], generator: random.Random, attempt: int) -> Rows | None:
@@ -45,7 +45,7 @@ def _example(letter: Letter, rows: int, columns: int, generator: random.Random, 
 
     def made(text: str, **letters: Rows) -> Rows:
         shapes = {name: (len(value), len(value[0])) for name, value in letters.items()}
-        return entries_of(parse_letters(text, shapes), letters, {}, _NUMBERS)
+        return entries_of(parse_letters(text, shapes), letters, {}, NUMBERS)
 
     def projection() -> Rows:
         rank = generator.randint(0, rows)
@@ -94,7 +94,7 @@ def has_properties(letter: Letter, rows: Rows) -> bool:
     shapes = {"A": (size, len(rows[0]))}
 
     def value(text: str) -> Rows:
-        return entries_of(parse_letters(text, shapes), {"A": rows}, {}, _NUMBERS)
+        return entries_of(parse_letters(text, shapes), {"A": rows}, {}, NUMBERS)
 
     checks = {
         "orthogonal": lambda: value("A*A.T") == identity,
@@ -115,5 +115,5 @@ def _rank(rows: Rows) -> int:
 
 def _leading_minor(rows: Rows, size: int) -> Fraction:
     part = [row[:size] for row in rows[:size]]
-    value: Fraction = entries_of(parse_letters("det(A)", {"A": (size, size)}), {"A": part}, {}, _NUMBERS)[0][0]
+    value: Fraction = entries_of(parse_letters("det(A)", {"A": (size, size)}), {"A": part}, {}, NUMBERS)[0][0]
     return value

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from algebroproj_sym.reading.documents.displays import HEADING, Display
+from algebroproj_sym.reading.documents.displays import HEADING
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.verdicts import TRUE_HERE, Link, Reading
 from algebroproj_sym.reading.prose.contexts import context_of
@@ -43,18 +43,30 @@ class _Said:
     """Whether its sentence begins with where it holds."""
 
 
-@dataclass(frozen=True)
-class _Text:
-    """The words of a document."""
+class _Words:
+    """The words beside the displays of a document."""
 
-    said: dict[str, dict[int, _Said]]
-    """What is said beside the displays of each line, by their places."""
-    displays: dict[int, Display]
-    """By their places."""
-    titles: dict[int, str]
-    """Of the sections in which they stand."""
-    first: dict[str, int]
-    """Where the display begins before which a word stands first."""
+    def __init__(self, statements: Sequence[Statement]) -> None:
+        self.displays = {
+            each.display.place: each.display for each in statements if each.display.environment != "inline"
+        }
+        """By their places."""
+        self.said: dict[str, dict[int, _Said]] = {}
+        """What is said beside the displays of each line, by their places."""
+        self.titles: dict[int, str] = {}
+        """Of the sections in which they stand."""
+        self.first: dict[str, int] = {}
+        """Where the display begins before which a word stands first."""
+        conditions, title = {each.display.place: each.condition for each in statements}, ""
+        for place, display in self.displays.items():
+            sentence = last_sentence(display.before)
+            behind = "" if has_ended(display) else display.after.partition(".")[0]
+            words = words_of(f"{sentence} {conditions[place]} {behind}")
+            self.said.setdefault(str(display.where), {})[place] = _Said(words, bool(context_of(sentence).kind))
+            title = (_TITLE.findall(display.before) or [title])[-1]
+            self.titles[place] = title
+            for word in words_of(display.before):
+                self.first.setdefault(word, place)
 
     def new_between(self, start: int, end: int) -> str:
         """Return a word of the whole sentences between two displays that stands in no text before the first one.
@@ -82,23 +94,11 @@ def with_what_is_true_here(readings: Sequence[Reading], statements: Sequence[Sta
     behind them that has a word which is new there.  If a line begins with where it holds, it must have the words of all
     sentences since then.
     """
-    displays = {each.display.place: each.display for each in statements if each.display.environment != "inline"}
-    conditions = {each.display.place: each.condition for each in statements}
-    text, title = _Text({}, displays, {}, {}), ""
-    for place, display in displays.items():
-        sentence = last_sentence(display.before)
-        behind = "" if has_ended(display) else display.after.partition(".")[0]
-        words = words_of(f"{sentence} {conditions[place]} {behind}")
-        found = text.said.setdefault(str(display.where), {})
-        found[place] = _Said(words, bool(context_of(sentence).kind))
-        title = (_TITLE.findall(display.before) or [title])[-1]
-        text.titles[place] = title
-        for word in words_of(display.before):
-            text.first.setdefault(word, place)
-    return [replace(each, links=tuple(_with_lines(each, link, text) for link in each.links)) for each in readings]
+    words = _Words(statements)
+    return [replace(each, links=tuple(_with_lines(each, link, words) for link in each.links)) for each in readings]
 
 
-def _with_lines(reading: Reading, link: Link, text: _Text) -> Link:
+def _with_lines(reading: Reading, link: Link, words: _Words) -> Link:
     if link.verdict != "follows":
         return link
     here = reading.statement.display.place
@@ -106,15 +106,15 @@ def _with_lines(reading: Reading, link: Link, text: _Text) -> Link:
     near = replace(near, sentence=f"{_NAME.sub('', near.sentence)} {reading.statement.condition}")
     found: list[str] = []
     for line in dict.fromkeys(line for each in link.rests_on for line in _LINE.findall(each)):
-        above = {place: each for place, each in text.said.get(line, {}).items() if place < here}
+        above = {place: each for place, each in words.said.get(line, {}).items() if place < here}
         if not above:
             continue
         known = frozenset().union(*(each.words for each in above.values()))
-        word = near.strange(known) or text.new_between(max(above), here) or text.new_in_title(max(above), here)
+        word = near.strange(known) or words.new_between(max(above), here) or words.new_in_title(max(above), here)
         if not word and any(each.is_limited for each in above.values()):
-            since = " ".join(each.before for place, each in text.displays.items() if min(above) < place <= here)
+            since = " ".join(each.before for place, each in words.displays.items() if min(above) < place <= here)
             word = strange_word(since, known)
-        if not word and any(r"\doteq" in text.displays[place].latex for place in above):
+        if not word and any(r"\doteq" in words.displays[place].latex for place in above):
             word = "doteq"
         found += [f"{line} {TRUE_HERE}, where the word {word!r} is new"] if word else []
     return replace(link, hypotheses=(*link.hypotheses, *found))

@@ -7,11 +7,7 @@ from itertools import pairwise
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol, speaks_of
-from algebroproj_sym.reading.defining.premises import (
-    MOST_PREMISES,
-    Premise,
-    extended,
-)
+from algebroproj_sym.reading.defining.premises import MOST_PREMISES, Premise, extended
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     argument_of,
@@ -99,7 +95,7 @@ class Memory:
         self.conditions = set[int]()
         self.sentences: dict[int, str] = {}
         self.arithmetic = ""
-        self.denied = ""
+        self.denied = False
         self.running = set[int]()
         self.part = 0
         self.valued = set[str]()
@@ -145,7 +141,7 @@ class Memory:
             self._hear_of_all(display)
         self.beside = beside(statement, self.carried)
         if self.denied:
-            self.beside = replace(self.beside, condition=f"{self.beside.condition} {self.denied}")
+            self.beside = replace(self.beside, condition=f"{self.beside.condition} false")
         self.sentences[display.place] = last_sentence(display.before)
         own = display.before.rpartition(HEADING)[2]
         self.arithmetic = arithmetic_in(f"{own} {self.beside.behind}") or (self.arithmetic if same_part else "")
@@ -174,12 +170,11 @@ class Memory:
     def _hear_of_all(self, display: Display) -> None:
         """Take notice of a title, or of words before a list, that deny what stands behind them."""
         *above, own = display.before.split(HEADING)
-        if above or _LIST_ENDS.search(own):
-            title = own.partition("\n")[0] if above else ""
-            self.denied = "false" if denies(title) else ""
         lead, *items = _LIST.split(own)
         if items and (denies(lead) or is_denied(last_sentence(lead.rstrip(" \n.:")))):
-            self.denied = "false"
+            self.denied = True
+        elif above or _LIST_ENDS.search(own):
+            self.denied = bool(above) and denies(own.partition("\n")[0])
         if says(r"\b<letters-change>\b", " ".join(own.split())):
             self._retract_from(0)
 

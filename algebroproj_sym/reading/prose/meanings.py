@@ -5,7 +5,7 @@ everything is modulo 4.  Such an equation is read, but not decided.
 """
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -16,8 +16,8 @@ from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.repeating import atom_of, paired_in, repeated_in, summed_silently, twice_in
 from algebroproj_sym.reading.prose.acting import acted_on
 from algebroproj_sym.reading.prose.devices import heard, says
 from algebroproj_sym.reading.prose.inner import products_in
@@ -250,23 +250,7 @@ class Meanings:
 
     @cached_property
     def _paired(self) -> frozenset[str]:
-        """The indices that a product has twice and no other side has, as in ``a = u_i v_i``.
-
-        An index is counted, and not summed over, if a sum sign has it, or if it stands once on another side of such a
-        product, as in ``p_i = m_i v_i``.
-        """
-        found, counted = set[str](), set[str]()
-        for sides in self.equations:
-            indices = [{index for symbol in symbols_in(side) for index in _indices_of(symbol)} for side in sides]
-            for side in sides:
-                others = {
-                    index for other, each in zip(sides, indices, strict=True) if other is not side for index in each
-                }
-                twice = {*_repeated_in(side, 2)}
-                found |= twice - others
-                counted |= {index for other in sides for index in twice & others - {*_repeated_in(other, 2)}}
-                counted |= {str(each) for big in side.find_data("big") for each in _INDEX.findall(str(big.children[0]))}
-        return frozenset(found - counted)
+        return paired_in(self.equations)
 
     @cached_property
     def _has_degrees(self) -> bool:
@@ -333,8 +317,8 @@ class Meanings:
         """The letters with a number, or a letter, above them that is said, or looks, to be an index."""
         found = {(symbol, True) for symbol in self.iterated}
         for side in self.sides:
-            if side.data == "power" and _text(side.children[1]) in ("0", "1"):
-                found.add((_text(side.children[0]), True))
+            if side.data == "power" and atom_of(side.children[1]) in ("0", "1"):
+                found.add((atom_of(side.children[0]), True))
         for each in self.statements:
             match = _NAMED.fullmatch(each.latex.strip())
             first = each.display.environment == "inline" and _OF_ORDER.match(each.display.after)
@@ -350,7 +334,7 @@ class Meanings:
         """Whether what stands above a letter is said, or looks, to be an index."""
         if tree.data != "power":
             return False
-        base, exponent = map(_text, tree.children)
+        base, exponent = map(atom_of, tree.children)
         return (base, exponent.isdigit()) in self._labelled
 
     @cached_property
@@ -385,7 +369,7 @@ class Meanings:
             return f"{match[0].rstrip('( ')}(...) {VARIES}"
         symbols = {symbol for side in formula.sides for symbol in symbols_in(side)}
         for symbol in sorted(symbols):
-            if symbol == "const" and not any(symbol in map(_text, side.children) for side in _sums_in(formula.sides)):
+            if symbol == "const" and not any(symbol in map(atom_of, side.children) for side in _sums_in(formula.sides)):
                 return f"{symbol} stands for a factor that the document does not give"
             if _FILLER.fullmatch(symbol) and symbol not in self.given:
                 return f"{symbol} {VARIES}"
@@ -393,12 +377,12 @@ class Meanings:
                 return f"{symbol} {self._letters[symbol]}"
             if symbol.startswith(r"\hat{") and self._has_operators:
                 return f"{symbol} may be an operator"
-        index = _summed_silently(formula.sides) or (_twice_in(formula.sides) if self.has_convention else "")
+        index = summed_silently(formula.sides) or (twice_in(formula.sides) if self.has_convention else "")
         if index:
             return f"the index {index} {SUMMED}"
-        repeated = {each for side in formula.sides for each in _repeated_in(side, 3)}
-        if repeated & self._paired:
-            return f"the index {min(repeated & self._paired)} stands three times in a term, and twice elsewhere"
+        thrice = {each for side in formula.sides for each in repeated_in(side, 3)}
+        if paired := thrice & self._paired:
+            return f"the index {min(paired)} stands three times in a term, and twice elsewhere"
         return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
 
     def _of_tree(self, tree: Formula, symbols: set[str]) -> str:
@@ -422,12 +406,12 @@ class Meanings:
                     return "angles are in degrees"
                 if head == "log" and self._has_bases:
                     return "the base of logarithms is not e"
-            if part.data == "fraction" and all(_is_material(each) and not _text(each) for each in part.children):
+            if part.data == "fraction" and all(_is_material(each) and not atom_of(each) for each in part.children):
                 return "D may be a derivative"
             if self.is_label(part):
                 return "a superscript may be an index"
             if part.data in ("run", "product", "power", "fraction", "quotient"):
-                factors = {_text(each) for each in part.children} & self._functions
+                factors = {atom_of(each) for each in part.children} & self._functions
                 if factors:
                     return f"{min(factors)} is a function, so it is not a factor"
         return ""
@@ -437,79 +421,6 @@ SUMMED = "may be summed over without a summation sign"
 _PRIME = re.compile(r"\bprimes?\b[^.$]*\b(?:derivatives?|differentiation)\b[^.$]*\$([^$]*)\$", re.IGNORECASE)
 _MICRO = re.compile(r"=\s*[\d.]+\s*(?:\\[,;: ]|~)?\s*(\\mu\s*(?:\\[,;:])?\s*[mgsAVFHJWN])\s*[.,]?\s*$")
 _TRANSFORM = re.compile(r"\\(?:mathcal|mathscr|mathfrak)\s*\{?\s*[A-Z]\s*\}?\s*(?:\\left\s*)?(?:\\\{|\\lbrace)")
-_INDEX = re.compile(r"(?<![a-zA-Z\\])(?:[i-n]|\\(?:mu|nu|rho|sigma|alpha|beta|lambda|kappa))(?![a-zA-Z])")
-
-
-def _twice_in(sides: Sequence[Formula]) -> str:
-    r"""Return an index that a product, a power or a letter has twice, as in ``a_i (b_i + c)`` and ``a_i^2``."""
-    for side in sides:
-        for part in side.iter_subtrees():
-            if part.data in ("run", "product", "fraction", "quotient"):
-                found = [frozenset().union(*map(_indices_of, symbols_in(each))) for each in trees_in(part)]
-            elif part.data == "power":
-                found = [_indices_of(_text(part.children[0]))] * 2
-            else:
-                found = [frozenset(letter) for letter in _scripts_of(_text(part))]
-            twice = [each for each in frozenset().union(*found) if sum(each in one for one in found) > 1]
-            if twice:
-                return min(twice)
-    return ""
-
-
-def _summed_silently(sides: Sequence[Formula]) -> str:
-    """Return an index that two factors of a product have, and another side has not; empty for none."""
-    indices = [{each for symbol in symbols_in(side) for each in _indices_of(symbol)} for side in sides]
-    for place, side in enumerate(sides):
-        for product in side.find_data("run"):
-            bound = {str(token) for big in side.find_data("big") for token in _INDEX.findall(str(big.children[0]))}
-            factors = [_indices_of(_text(each)) for each in product.children]
-            twice = {each for one in factors for each in one if sum(each in other for other in factors) == 2} - bound
-            twice -= _labels_in(side, product, twice)
-            for other, theirs in enumerate(indices):
-                if other != place and (free := theirs) and (lone := twice - theirs) and free & indices[place]:
-                    return min(lone)
-    return ""
-
-
-def _repeated_in(side: Formula, times: int) -> Iterator[str]:
-    """Yield the indices that a term has a number of times or more, as ``u_i^2 v_i`` has i three times."""
-    for term in terms_of(side):
-        found = [*_factors_indices(term)]
-        yield from sorted(each for each in {*found} if found.count(each) >= times)
-
-
-def _factors_indices(factor: Formula) -> list[str]:
-    if factor.data == "power" and (exponent := _text(factor.children[1])).isdigit():
-        return _factors_indices(trees_in(factor)[0]) * min(int(exponent), 3)
-    if factor.data in ("run", "product", *IN_BRACKETS):
-        return [index for each in trees_in(factor) for index in _factors_indices(each)]
-    return _scripts_of(_text(factor))
-
-
-def _labels_in(side: Formula, product: Formula, indices: Collection[str]) -> set[str]:
-    """Return the indices of a product that are labels: another one has the same letters with another index."""
-    heads = [_head_of(each) for each in product.children]
-    others = [each for each in side.find_data("run") if each != product and [*map(_head_of, each.children)] == heads]
-    theirs = [{index for factor in each.children for index in _indices_of(_text(factor))} for each in others]
-    return {each for each in indices if any(found and each not in found for found in theirs)}
-
-
-def _head_of(factor: object) -> str:
-    symbol = _text(factor)
-    return split_symbol(symbol)[0] if symbol and " " not in symbol and "/" not in symbol else ""
-
-
-def _indices_of(symbol: str) -> frozenset[str]:
-    return frozenset(_scripts_of(symbol))
-
-
-def _scripts_of(symbol: str) -> list[str]:
-    """Return the indices of a letter in their order."""
-    if not symbol or " " in symbol or "/" in symbol:
-        return []
-    _, _, below, above = split_symbol(symbol)
-    scripts = f"{below} {above}"
-    return _INDEX.findall(scripts if "\\" in below + above else re.sub(r"(?<=[a-z])(?=[a-z])", " ", scripts))
 
 
 _NAMED = re.compile(
@@ -528,16 +439,6 @@ _IN_ORDER = re.compile(r"^\s*(?:is|be|denotes?) (?:the|an?) \$\w+\$ ?-?th\b")
 """How words number what has an index: "$x^k$ is the $k$-th iterate"."""
 
 
-def _text(tree: object) -> str:
-    """Return the symbol or the number that a tree is; empty for another one."""
-    if not isinstance(tree, Tree):
-        return ""
-    data, children = tree.data, tree.children
-    if data in IN_BRACKETS and len(children) == 1:
-        return _text(children[0])
-    return str(children[0]) if data in ("symbol", "number") else ""
-
-
 def _sums_in(sides: Sequence[Formula]) -> Iterator[Formula]:
     """Yield the sums of an equation, and the sides that are none."""
     for side in sides:
@@ -545,7 +446,7 @@ def _sums_in(sides: Sequence[Formula]) -> Iterator[Formula]:
 
 
 def _is_number(tree: object) -> bool:
-    return _text(tree)[:1].isdigit()
+    return atom_of(tree)[:1].isdigit()
 
 
 def _is_symbol(tree: object) -> bool:

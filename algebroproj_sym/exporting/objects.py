@@ -35,6 +35,7 @@ from algebroproj_sym.exporting.terms import (
 from algebroproj_sym.exporting.theorems import Goal, Hypotheses, universal_of_matrix
 from algebroproj_sym.expressions import over
 from algebroproj_sym.expressions.provenance import Made
+from algebroproj_sym.expressions.walking import parts_first
 
 Rows: TypeAlias = tuple[tuple[Term, ...], ...]
 LARGE, LARGE_NUMBER = 200_000, 1_000
@@ -118,17 +119,12 @@ class Workshop:
 
     def _steps(self, roots: Sequence[Made], behind_lemmas: bool = True) -> list[Made]:
         """Return the definitions of some values, those that others use before them."""
-        waiting, met, order = [(root, False) for root in reversed(roots)], set[Made](), []
-        while waiting:
-            made, ready = waiting.pop()
-            if ready:
-                order.append(made)
-            elif made not in met:
-                met.add(made)
-                waiting += [(made, True)] if made in self.defined else []
-                if behind_lemmas or made not in self.defined or self.defined[made].lemma is None:
-                    waiting += [(part, False) for part in reversed(self._operands(made))]
-        return order
+
+        def used(made: Made) -> list[Made]:
+            is_lemma = made in self.defined and self.defined[made].lemma is not None
+            return [] if is_lemma and not behind_lemmas else self._operands(made)
+
+        return [made for made in parts_first(roots, used) if made in self.defined]
 
     def _rewriting(self, roots: Sequence[Made]) -> str:
         """Return the tactic that puts values into a text that lemmas have for its parts."""

@@ -9,6 +9,8 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TypeVar
 
+from algebroproj_sym.expressions.walking import each_once, parts_first
+
 Entry = TypeVar("Entry")
 
 
@@ -109,13 +111,7 @@ def in_rows(entries: Sequence[Entry], width: int) -> list[Sequence[Entry]]:
 
 def walk(terms: Iterable[Term]) -> Iterator[Term]:
     """Yield all subterms once, a term before its parts."""
-    waiting, met = [*terms][::-1], set[Term]()
-    while waiting:
-        term = waiting.pop()
-        if term not in met:
-            met.add(term)
-            yield term
-            waiting += reversed(term.parts)
+    return each_once(terms, lambda term: term.parts)
 
 
 def names(terms: Iterable[Term]) -> dict[str, None]:
@@ -140,17 +136,7 @@ def size(terms: Iterable[Term]) -> int:
 
 def _parts_first(roots: Sequence[Term]) -> list[Term]:
     """Return all subterms once, the parts of a term before it."""
-    waiting = [(root, False) for root in reversed(roots)]
-    met, order = set[Term](), []
-    while waiting:
-        term, ready = waiting.pop()
-        if ready:
-            order.append(term)
-        elif term not in met:
-            met.add(term)
-            waiting.append((term, True))
-            waiting += [(part, False) for part in reversed(term.parts)]
-    return order
+    return [*parts_first(roots, lambda term: term.parts)]
 
 
 Definitions = dict[str, Term]

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import sympy
 
 from algebroproj_sym.expressions.quotient import over
+from algebroproj_sym.expressions.walking import each_once, parts_first
 
 MAX_CHARACTERS = 200_000
 MAX_TOKENS = 20_000
@@ -174,19 +175,11 @@ class _Walk:
         self._names = 0
 
     def entered(self, roots: Sequence[Any]) -> tuple[Extent, ...]:
-        symbols = _symbols(roots)
-        self._names = len(symbols)
+        self._names = sum(isinstance(node, sympy.Symbol) for node in each_once(roots, _args))
         if self._names > MAX_NAMES:
             raise self._refused(f"at most {MAX_NAMES} names", str(self._names))
-        for root in roots:
-            waiting = [root]
-            while waiting:
-                node = waiting[-1]
-                missing = [part for part in node.args if part not in self.found]
-                if missing:
-                    waiting += missing
-                else:
-                    self.found[waiting.pop()] = self._measured(node)
+        for node in parts_first(roots, _args):
+            self.found[node] = self._measured(node)
         leaves = sum(self.found[root][2] for root in roots)
         most = self._times * MAX_TOKENS
         if leaves > most:
@@ -230,15 +223,8 @@ class _Walk:
         return TooLargeError(f"expected {expected}, got {got}")
 
 
-def _symbols(roots: Sequence[Any]) -> set[Any]:
-    seen: set[Any] = set()
-    waiting = list(roots)
-    while waiting:
-        node = waiting.pop()
-        if node not in seen:
-            seen.add(node)
-            waiting += node.args
-    return {node for node in seen if isinstance(node, sympy.Symbol)}
+def _args(node: sympy.Basic) -> Sequence[Any]:
+    return tuple(node.args[::-1])
 
 
 def _binomial(n: int, k: int) -> int:

@@ -12,6 +12,7 @@ from algebroproj_sym.expressions.bounds import TooLargeError
 from algebroproj_sym.expressions.provenance import noted
 from algebroproj_sym.expressions.quotient import over
 from algebroproj_sym.expressions.symbols import is_plain
+from algebroproj_sym.expressions.walking import each_once
 from algebroproj_sym.expressions.writing import written
 
 Scalar: TypeAlias = sympy.Expr
@@ -131,14 +132,8 @@ def free_symbols(expression: Expression) -> frozenset[sympy.Symbol]:
 
 @lru_cache(maxsize=REMEMBERED)
 def _symbols(roots: tuple[Scalar, ...]) -> frozenset[sympy.Symbol]:
-    seen: set[Any] = set()
-    waiting: list[Any] = list(roots)
-    while waiting:
-        node = waiting.pop()
-        if node not in seen:
-            seen.add(node)
-            waiting += node.args
-    return frozenset(node for node in seen if isinstance(node, sympy.Symbol))
+    nodes = each_once(roots, lambda node: node.args)
+    return frozenset(node for node in nodes if isinstance(node, sympy.Symbol))
 
 
 def divided(expression: Expression) -> Expression:

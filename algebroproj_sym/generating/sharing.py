@@ -10,6 +10,7 @@ from functools import lru_cache
 from itertools import combinations
 from typing import TypeAlias
 
+from algebroproj_sym.expressions.walking import parts_first
 from algebroproj_sym.generating.graph import Graph, Kind, Node, Signed
 
 Pair: TypeAlias = tuple[Kind, Signed, Signed]
@@ -74,17 +75,8 @@ def share_reciprocals(graph: Graph, outputs: Sequence[Signed]) -> None:
 
 def below(graph: Graph, outputs: Sequence[Signed]) -> tuple[int, ...]:
     """Return the places of all nodes below some outputs, operands before the nodes that use them."""
-    found: dict[int, None] = {}
-
-    def visit(place: int) -> None:
-        if place not in found:
-            for _, operand in graph.nodes[place].operands:
-                visit(operand)
-            found[place] = None
-
-    for _, place in outputs:
-        visit(place)
-    return tuple(found)
+    roots = (place for _, place in outputs)
+    return tuple(parts_first(roots, lambda place: [operand for _, operand in graph.nodes[place].operands]))
 
 
 def _pair_counts(graph: Graph, outputs: Sequence[Signed]) -> Counter[Pair]:

@@ -15,6 +15,7 @@ from algebroproj_sym.expressions import (
     parse_zero,
     require_bounded,
 )
+from algebroproj_sym.expressions.walking import each_once
 from algebroproj_sym.proving.proof import Conditions, Proof
 from algebroproj_sym.proving.prove import Witness
 from algebroproj_sym.proving.prove import prove as decided
@@ -198,15 +199,8 @@ def _is_function(node: Any) -> bool:
 
 def _distinct(values: Iterable[Any]) -> Iterator[Any]:
     """Yield each node of expressions once: some have more paths than could be walked."""
-    seen: set[Any] = set()
     given = [entry for value in values for entry in (value.flat() if isinstance(value, sympy.MatrixBase) else [value])]
-    waiting = [value for value in given if isinstance(value, sympy.Basic)]
-    while waiting:
-        node = waiting.pop()
-        if node not in seen:
-            seen.add(node)
-            waiting += node.args
-            yield node
+    return each_once((value for value in given if isinstance(value, sympy.Basic)), lambda node: node.args)
 
 
 def has_functions(form: Any) -> bool:

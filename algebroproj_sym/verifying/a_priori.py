@@ -21,6 +21,7 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any, TypeAlias
 
+from algebroproj_sym.expressions.walking import parts_first
 from algebroproj_sym.verifying.straight_line import StraightLine
 
 ONE = 2**20
@@ -124,18 +125,7 @@ def _bound(number: int, fact: FactorFact | None, times: int = 1) -> Bound | None
 
 def _in_order(wanted: Sequence[Fact]) -> Iterator[Fact]:
     """Yield facts after those that they follow from; exact values need no command."""
-    done: set[Fact] = set()
-    waiting: list[tuple[Fact, bool]] = [(fact, False) for fact in reversed(wanted)]
-    while waiting:
-        fact, ready = waiting.pop()
-        if fact in done:
-            continue
-        if ready:
-            done.add(fact)
-            if fact.rule:
-                yield fact
-        else:
-            waiting += [(fact, True), *((used, False) for used in reversed(fact.uses))]
+    return (fact for fact in parts_first(wanted, lambda fact: fact.uses) if fact.rule)
 
 
 def _upwards(value: int, bits: int) -> int:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from decimal import ROUND_CEILING, Context
 from typing import Any, TypeAlias
 
+from algebroproj_sym.expressions.walking import parts_first
 from algebroproj_sym.generating.lowering import Lowered
 from algebroproj_sym.verifying.a_priori import ONE, Analysis, analysis
 from algebroproj_sym.verifying.straight_line import StraightLine, straight_line
@@ -95,17 +96,9 @@ def _is_given(line: StraightLine, place: int) -> bool:
 
 def _below(line: StraightLine, roots: Sequence[_Node], uses: Counter[_Node]) -> Iterator[_Node]:
     """Yield nodes, each after those that it is made of, and count how often each is used."""
-    done: set[_Node] = set()
-    waiting = [(root, False) for root in reversed(roots)]
-    while waiting:
-        node, ready = waiting.pop()
-        if ready:
-            yield node
-        elif node not in done:
-            done.add(node)
-            children = _children(line, node)
-            uses.update(children)
-            waiting += [(node, True), *((child, False) for child in reversed(children))]
+    for node in parts_first(roots, lambda node: _children(line, node)):
+        uses.update(_children(line, node))
+        yield node
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, TypeAlias
 
+from algebroproj_sym.expressions.walking import each_once
+
 Size: TypeAlias = int | str
 Shape: TypeAlias = tuple[Size, Size]
 
@@ -57,14 +59,7 @@ def require_no_number(name: str) -> None:
 
 def factors_of(term: Term) -> set[Term]:
     """Return a term and all its parts."""
-    found: set[Term] = set()
-    waiting = [term]
-    while waiting:
-        part = waiting.pop()
-        if part not in found:
-            found.add(part)
-            waiting += part.parts
-    return found
+    return {*each_once([term], lambda part: part.parts)}
 
 
 def made(kind: str, *parts: Term, value: Any = None) -> Term:

@@ -5,9 +5,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from algebroproj_sym.reading.defining.oblong import is_inverse
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, factors_of, terms_of
+from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, factors_of, is_inverse, terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, trees_in
 
 _THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")

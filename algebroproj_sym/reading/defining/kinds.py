@@ -17,7 +17,7 @@ from lark import Token
 
 from algebroproj_sym.reading.defining.averages import Averages, averages_in
 from algebroproj_sym.reading.defining.composing import composed_in
-from algebroproj_sym.reading.defining.oblong import is_inverse, oblong_in
+from algebroproj_sym.reading.defining.oblong import oblong_in
 from algebroproj_sym.reading.defining.tensors import (
     contract_otherwise,
     fourth_in,
@@ -27,7 +27,16 @@ from algebroproj_sym.reading.defining.tensors import (
 )
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
-from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, factors_of, head_of, inner_of, is_mean, terms_of
+from algebroproj_sym.reading.parsing.factors import (
+    CAPITAL,
+    base_of,
+    factors_of,
+    head_of,
+    inner_of,
+    is_inverse,
+    is_mean,
+    terms_of,
+)
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, Sides, lone, symbols_in, trees_in
 from algebroproj_sym.reading.prose.inner import vectors_in
 

@@ -9,7 +9,16 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.commands import MARKS
 from algebroproj_sym.reading.lexing.names import split_symbol, written
-from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, Sides, lone, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import (
+    UNSEEN,
+    Formula,
+    Sides,
+    lone,
+    symbols_in,
+    tokens_in,
+    trees_in,
+    without_brackets,
+)
 
 E = Tree("symbol", [Token("SYMBOL", "e")])
 
@@ -74,7 +83,7 @@ def _is_letter(tree: Any) -> bool:
 
 
 def _text_of(tree: Any) -> str:
-    return "".join(map(str, tree.scan_values(lambda _: True))) if isinstance(tree, Tree) else str(tree)
+    return "".join(tokens_in(tree)) if isinstance(tree, Tree) else str(tree)
 
 
 def _not_above(tree: Formula) -> Iterator[str]:

@@ -8,8 +8,8 @@ from typing import Any
 from lark import Tree
 
 from algebroproj_sym.reading.lexing.names import bare_name
-from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, head_of, terms_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, trees_in
+from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, head_of, is_inverse, terms_of
+from algebroproj_sym.reading.parsing.grammar import Sides, lone, trees_in
 
 _SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
 _HAS_NO_INVERSE = (
@@ -109,13 +109,6 @@ def _mapping_in(equations: Iterable[Sides]) -> Iterator[str]:
             factors = [*map(lone, trees_in(other))]
             if lone(one) and len(factors) == 2 and all(factors) and CAPITAL.match(_BOLDLY.sub("", factors[0])):
                 yield factors[0]
-
-
-def is_inverse(power: Formula) -> bool:
-    """Whether an exponent is -1."""
-    exponent = power.children[1]
-    tokens = [str(each) for each in exponent.scan_values(lambda each: True)] if isinstance(exponent, Tree) else []
-    return tokens == ["-", "1"]
 
 
 def _squared_in(tree: Any) -> Iterator[str]:

@@ -13,7 +13,15 @@ from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import UNSEEN, Formula, lone, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import (
+    UNSEEN,
+    Formula,
+    lone,
+    symbols_in,
+    tokens_in,
+    trees_in,
+    without_brackets,
+)
 
 _NAME = re.compile(r"(?:[a-zA-Z]{2,}|[EPV]|\\math(?:bb|ds)\{[EPV]\})(?:_.*)?")
 _VALUES = re.compile(r"(?:[a-zA-Z]{2,}|E|\\math(?:bb|ds)\{E\})(?:_.*)?")
@@ -146,13 +154,12 @@ def _is_zero(tree: Formula) -> bool:
 
 
 def _as_text(tree: Formula) -> str:
-    return " ".join([tree.data, *(str(each) for each in tree.scan_values(lambda _: True))])
+    return " ".join([tree.data, *tokens_in(tree)])
 
 
 def operations_in(tree: Formula) -> list[str]:
     r"""Return the operations in circles that stand in a formula, such as the one of ``x \oplus y``."""
-    found = tree.scan_values(lambda each: isinstance(each, Token) and each.type == "CIRCLED")
-    return [str(each) for each in found]
+    return tokens_in(tree, "CIRCLED")
 
 
 def is_named(tree: Formula) -> bool:
@@ -176,7 +183,7 @@ def given_by(tree: Formula) -> str:
     symbol, _ = defined_by(tree)
     if not is_named(tree):
         return symbol
-    return f"{tree.children[0]} {' '.join(str(each) for each in tree.scan_values(lambda each: True))}"
+    return f"{tree.children[0]} {' '.join(tokens_in(tree))}"
 
 
 def argument_of(tree: Formula) -> Formula:
@@ -210,7 +217,7 @@ def is_indexed_above(tree: Formula) -> bool:
         return False
     if str(base.children[0]).startswith(r"\mathbf") and lone_letter(exponent):
         return True
-    step = _STEP.fullmatch(" ".join(map(str, exponent.scan_values(lambda _: True))))
+    step = _STEP.fullmatch(" ".join(tokens_in(exponent)))
     return (
         step is not None
         and base.children[0] != "e"
@@ -292,8 +299,7 @@ def _has_cases(value: Formula) -> bool:
 
 def is_arithmetic(value: Formula) -> bool:
     """Whether a value is of several numbers, and of no letter."""
-    numbers = [*value.scan_values(lambda each: isinstance(each, Token) and each.type == "NUMBER")]
-    return len(numbers) > 1 and not symbols_in(value)
+    return len(tokens_in(value, "NUMBER")) > 1 and not symbols_in(value)
 
 
 def is_table(symbol: str, value: Formula, vocabulary: Vocabulary) -> bool:

@@ -12,7 +12,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.parsing.factors import head_of, terms_of
+from algebroproj_sym.reading.parsing.factors import head_of, is_inverse, terms_of
 from algebroproj_sym.reading.parsing.grammar import (
     IN_BRACKETS,
     Formula,
@@ -99,7 +99,7 @@ class AsMatrices:
         if tree.data in ("fraction", "quotient") and all(map(self._is_scalar, trees_in(tree)[1:])):
             above = self.turned(tree.children[0])
             return above and Tree(tree.data, [above, *tree.children[1:]])
-        if tree.data == "power" and printed(without_brackets(trees_in(tree)[1])) in ("sum [- 1]", "-1"):
+        if tree.data == "power" and is_inverse(tree):
             base = self.turned(tree.children[0])
             return base and Tree("power", [base, tree.children[1]])
         return None

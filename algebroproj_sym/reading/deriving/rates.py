@@ -12,7 +12,7 @@ from lark import Token, Tree
 from algebroproj_sym.reading.defining.labels import E
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, tokens_in, trees_in, without_brackets
 
 UNCHANGED = " not change"
 """How the name of a derivative ends that rests on letters that are taken to be fixed."""
@@ -100,7 +100,7 @@ def _rate(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
 
 def written(call: Formula) -> str:
     r"""Return a value such as ``x(t)`` as text; empty if it is more."""
-    name, *rest = (str(each) for each in call.scan_values(lambda each: True))
+    name, *rest = tokens_in(call)
     return f"{name}({rest[0]})" if len(rest) == 1 else ""
 
 

@@ -20,7 +20,7 @@ from algebroproj_sym.reading.deriving.special import doubt_of_special
 from algebroproj_sym.reading.judging.questions import used_by
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, tokens_in, trees_in
 from algebroproj_sym.reading.prose.sentences import strange_word, words_of
 from algebroproj_sym.reading.prose.words import Beside
 
@@ -97,9 +97,9 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
 
 def _doubt_of_reading(trees: tuple[Formula, ...], symbols: Iterable[str]) -> str:
     """Return what print may mean otherwise."""
-    if any(token in ("±", "∓") for tree in trees for token in tree.scan_values(lambda each: True)):
+    if not {"±", "∓"}.isdisjoint(token for tree in trees for token in tokens_in(tree)):
         return "± stands for two statements"
-    if any("." in token for tree in trees[:2] for token in _numbers(tree)):
+    if any("." in token for tree in trees[:2] for token in tokens_in(tree, "NUMBER")):
         return "its decimals may be rounded"
     if any(_has_mixed_number(tree) for tree in trees[:2]):
         return "a number before a fraction may be added to it, as in 1 1/2"
@@ -216,7 +216,3 @@ def _has_plain_angle(tree: Formula) -> bool:
     functions = (*tree.find_data("function"), *tree.find_data("raised_function"))
     arguments = [trees_in(each)[-1] for each in functions if each.children[0] in ("sin", "cos", "tan", "cot")]
     return any(_is_number(part) for each in arguments for part in (each, *each.children[:1] * (each.data == "items")))
-
-
-def _numbers(tree: Formula) -> list[str]:
-    return [str(each) for each in tree.scan_values(lambda each: isinstance(each, Token) and each.type == "NUMBER")]

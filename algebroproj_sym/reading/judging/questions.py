@@ -27,7 +27,7 @@ from algebroproj_sym.reading.deriving.components import multiplies_columns
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
-from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, tokens_in, trees_in, without_brackets
 from algebroproj_sym.replaying.reals.terms import written
 
 Sides = tuple[Formula, Formula]
@@ -183,7 +183,7 @@ def _is_exponential(value: Any) -> bool:
 
 
 def _has_two_signs(tree: Formula) -> bool:
-    return any(token in ("±", "∓") for token in tree.scan_values(lambda each: True))
+    return not {"±", "∓"}.isdisjoint(tokens_in(tree))
 
 
 def _with_signs(tree: Formula, upper: bool) -> Formula:
@@ -259,13 +259,8 @@ def _is_turn(definition: Definition) -> bool:
         tree.data == "matrix"
         and _OF_AN_AXIS.fullmatch(definition.symbol) is not None
         and {*symbols_in(tree)} == {*definition.parameters}
-        and len(_symbols_within(tree)) == sum(len(_symbols_within(each)) for each in turns) > 0
+        and len(tokens_in(tree, "SYMBOL")) == sum(len(tokens_in(each, "SYMBOL")) for each in turns) > 0
     )
-
-
-def _symbols_within(tree: Formula) -> list[Any]:
-    """Return each place of a symbol in a formula."""
-    return [*tree.scan_values(lambda each: isinstance(each, Token) and each.type == "SYMBOL")]
 
 
 def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:

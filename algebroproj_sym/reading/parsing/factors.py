@@ -6,7 +6,7 @@ from typing import Any
 
 from lark import Tree
 
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, lone, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, lone, tokens_in, trees_in, without_brackets
 
 CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
@@ -36,6 +36,12 @@ def inner_of(term: Any) -> Any:
     while term.data in ("big", "fraction", "quotient") or (term.data in IN_BRACKETS and len(term.children) == 1):
         term = trees_in(term)[0]
     return term
+
+
+def is_inverse(power: Formula) -> bool:
+    """Whether an exponent is -1."""
+    exponent = power.children[1]
+    return isinstance(exponent, Tree) and tokens_in(exponent) == ["-", "1"]
 
 
 def is_mean(term: Formula) -> bool:

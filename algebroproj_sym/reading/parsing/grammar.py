@@ -209,6 +209,12 @@ def symbols_in(tree: Formula) -> list[str]:
     return list(found)
 
 
+def tokens_in(tree: Formula, *kinds: str) -> list[str]:
+    """Return the tokens of a formula as text, in their order; of some kinds, if these are given."""
+    found = tree.scan_values(lambda each: not kinds or (isinstance(each, Token) and each.type in kinds))
+    return [*map(str, found)]
+
+
 def trees_in(tree: Formula) -> list[Formula]:
     """Return the formulas of which a formula is made, without signs and names."""
     return [each for each in tree.children if isinstance(each, Tree)]

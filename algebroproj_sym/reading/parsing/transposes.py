@@ -8,6 +8,7 @@ from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.parsing.factors import is_inverse
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, trees_in
 
 _SAID = re.compile(r"\bprimes?\b[^.$]*(?:\$[^$]*\$)?[^.$]*\btranspos", re.IGNORECASE)
@@ -32,9 +33,8 @@ def are_transposes(equations: Iterable[Sides], words: str) -> bool:
 
 def _has_square(power: Formula) -> bool:
     """Whether a product of a capital with a prime and itself is inverted."""
-    base, exponent = trees_in(power)
-    inverts = [*exponent.scan_values(lambda each: True)] == ["-", "1"]
-    pairs = [pair for each in base.find_data("run") for pair in pairwise(trees_in(each))] if inverts else []
+    runs = trees_in(power)[0].find_data("run") if is_inverse(power) else ()
+    pairs = [pair for each in runs for pair in pairwise(trees_in(each))]
     return any(_primed(one) == lone(other) != "" and lone(other)[0].isupper() for one, other in pairs)
 
 

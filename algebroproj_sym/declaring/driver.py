@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from algebroproj_sym.declaring.claim import DeclarationError
+from algebroproj_sym.expressions.walking import each_once
 
 
 @dataclass(frozen=True)
@@ -23,15 +24,13 @@ class Driver:
     @property
     def sources(self) -> frozenset[Path]:
         """The module that defines it, and those beside it that it imports, which are copied, too."""
-        found, waiting = set[Path](), [self.source]
-        while waiting:
-            source = waiting.pop()
-            found.add(source)
-            nodes = ast.walk(ast.parse(source.read_text(encoding="utf-8")))
-            names = [node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 1]
-            beside = (source.with_name(f"{name}.py") for name in names)
-            waiting += [path for path in beside if path.is_file() and path not in found]
-        return frozenset(found)
+        return frozenset(each_once([self.source], _imported_from_beside))
+
+
+def _imported_from_beside(source: Path) -> list[Path]:
+    nodes = ast.walk(ast.parse(source.read_text(encoding="utf-8")))
+    names = [node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 1]
+    return [path for name in names if (path := source.with_name(f"{name}.py")).is_file()]
 
 
 def declared_driver(qualified_name: str, function: Callable[..., Any]) -> Driver:

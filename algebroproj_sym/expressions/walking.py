@@ -1,10 +1,10 @@
 """Walks over what shares parts: each part once, without recursion."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
 Part = TypeVar("Part")
-Parts = Callable[[Part], Sequence[Part]]
+Parts = Callable[[Part], Iterable[Part]]
 
 
 def each_once(roots: Iterable[Part], parts: Parts[Part]) -> Iterator[Part]:
@@ -22,7 +22,7 @@ def each_once(roots: Iterable[Part], parts: Parts[Part]) -> Iterator[Part]:
         if each not in met:
             met.add(each)
             yield each
-            waiting += reversed(parts(each))
+            waiting += [*parts(each)][::-1]
 
 
 def parts_first(roots: Iterable[Part], parts: Parts[Part]) -> Iterator[Part]:
@@ -42,4 +42,4 @@ def parts_first(roots: Iterable[Part], parts: Parts[Part]) -> Iterator[Part]:
         elif each not in met:
             met.add(each)
             waiting.append((each, True))
-            waiting += [(part, False) for part in reversed(parts(each))]
+            waiting += [(part, False) for part in parts(each)][::-1]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from typing import Any, Literal, Self
 
@@ -11,6 +11,7 @@ import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import TooLargeError, require_bounded, shape
+from algebroproj_sym.expressions.walking import each_once
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import (
     SUMMED,
@@ -217,31 +218,21 @@ class Vocabulary:
 
     def behind(self, symbol: str) -> frozenset[str]:
         """Return a symbol with all on which it may depend: what stands in equations with it alone on the left."""
-        if symbol in self._behind:
-            return self._behind[symbol]
-        found, waiting = {symbol}, [symbol]
-        given = {*self.definitions, *self.dependence.equated}
-        while waiting:
-            last = waiting.pop()
-            more: set[str] = set()
-            for each in (one for one in given if is_among(one, (last,))) if SUMMED in last else (last,):
-                free = self.dependence.equated.get(each, frozenset())
-                if each in self.definitions:
-                    free |= self.definitions[each].free
-                more |= summed_like(last, each, free)
-            waiting += more - found
-            found |= more
-        self._behind[symbol] = frozenset(found)
+        if symbol not in self._behind:
+            self._behind[symbol] = frozenset(each_once([symbol], self._right_behind))
         return self._behind[symbol]
+
+    def _right_behind(self, symbol: str) -> Iterator[str]:
+        given = {*self.definitions, *self.dependence.equated} if SUMMED in symbol else ()
+        for each in (one for one in given if is_among(one, (symbol,))) if SUMMED in symbol else (symbol,):
+            known = self.definitions.get(each)
+            free = self.dependence.equated.get(each, frozenset()) | (known.free if known else frozenset())
+            yield from summed_like(symbol, each, free)
 
     def hidden_in(self, symbol: str) -> frozenset[str]:
         """Return likewise, also by equations with no letter alone on the left: what has an index may be hidden."""
-        found, waiting = set[str](), [symbol]
-        while waiting:
-            last = waiting.pop()
-            found.add(last)
-            waiting += (self.behind(last) | self.dependence.hidden.get(last, frozenset())) - found
-        return frozenset(found)
+        hidden = self.dependence.hidden
+        return frozenset(each_once([symbol], lambda each: self.behind(each) | hidden.get(each, frozenset())))
 
     def depends(self, symbols: Iterable[str], letter: str) -> bool:
         """Whether some symbols may depend on a letter: by equations, or as ``p(y|x)`` does on x."""

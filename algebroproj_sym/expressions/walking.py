@@ -22,7 +22,7 @@ def each_once(roots: Iterable[Part], parts: Parts[Part]) -> Iterator[Part]:
         if each not in met:
             met.add(each)
             yield each
-            waiting += [*parts(each)][::-1]
+            waiting += tuple(parts(each))[::-1]
 
 
 def parts_first(roots: Iterable[Part], parts: Parts[Part]) -> Iterator[Part]:

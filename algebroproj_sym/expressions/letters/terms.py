@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from operator import attrgetter
 from typing import Any, TypeAlias
 
 from algebroproj_sym.expressions.walking import each_once
@@ -59,7 +60,7 @@ def require_no_number(name: str) -> None:
 
 def factors_of(term: Term) -> set[Term]:
     """Return a term and all its parts."""
-    return {*each_once([term], lambda part: part.parts)}
+    return {*each_once([term], attrgetter("parts"))}
 
 
 def made(kind: str, *parts: Term, value: Any = None) -> Term:

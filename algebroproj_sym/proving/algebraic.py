@@ -11,6 +11,8 @@ from typing import Any
 import flint
 import sympy
 
+from algebroproj_sym.expressions.exact import fmpq
+
 _Y = sympy.Dummy("y")
 
 
@@ -32,7 +34,7 @@ class RealField:
 
     def lift(self, value: Fraction) -> Algebraic:
         """Return a rational number as an element."""
-        return Algebraic(self, flint.fmpq_poly([flint.fmpq(value.numerator, value.denominator)]))
+        return Algebraic(self, flint.fmpq_poly([fmpq(value)]))
 
 
 def has_real_root(polynomial: Any) -> bool:

@@ -20,7 +20,7 @@ import flint
 import sympy
 
 from algebroproj_sym.expressions import Expression, evaluate
-from algebroproj_sym.expressions.exact import fraction
+from algebroproj_sym.expressions.exact import fmpq, fraction
 from algebroproj_sym.proving.algebraic import Algebraic, RealField
 from algebroproj_sym.proving.buchberger import Work
 from algebroproj_sym.proving.cases import case_distinction
@@ -163,9 +163,7 @@ class Problem:
 
     def _into(self, polynomial: Any) -> Any:
         terms = self.field.ring.terms(polynomial)
-        return self.context.from_dict(
-            {(*powers, 0): flint.fmpq(value.numerator, value.denominator) for powers, value in terms.items()}
-        )
+        return self.context.from_dict({(*powers, 0): fmpq(value) for powers, value in terms.items()})
 
     def _back(self, polynomial: Any) -> Any:
         terms = {tuple(map(int, p[:-1])): Fraction(int(v.p), int(v.q)) for p, v in polynomial.to_dict().items()}

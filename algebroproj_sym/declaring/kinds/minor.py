@@ -4,9 +4,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-import flint
-
-from algebroproj_sym.expressions.exact import fmpq, fraction
+from algebroproj_sym.expressions.exact import fmpq_matrix, fraction
 
 
 class Minor(NamedTuple):
@@ -27,17 +25,12 @@ def largest_minor(matrix: Sequence[Sequence[Fraction]]) -> Minor:
     """
     columns = _independent(matrix)
     rows = _independent([[row[place] for row in matrix] for place in columns])
-    value = _exact([[matrix[i][j] for j in columns] for i in rows]).det()
+    value = fmpq_matrix([[matrix[i][j] for j in columns] for i in rows]).det()
     return Minor(rows, columns, fraction(value))
 
 
 def _independent(matrix: Sequence[Sequence[Fraction]]) -> list[int]:
     """Return the places of the first columns that are independent: those of the pivots."""
-    reduced, rank = _exact(matrix).rref()
+    reduced, rank = fmpq_matrix(matrix).rref()
     rows = reduced.table()[:rank]
     return [next(place for place, value in enumerate(row) if value != 0) for row in rows]
-
-
-def _exact(matrix: Sequence[Sequence[Fraction]]) -> flint.fmpq_mat:
-    width = len(matrix[0]) if matrix else 0
-    return flint.fmpq_mat(len(matrix), width, [fmpq(value) for row in matrix for value in row])

@@ -4,8 +4,7 @@ import random
 from collections.abc import Mapping
 from fractions import Fraction
 
-import flint
-
+from algebroproj_sym.expressions.exact import fmpq_matrix
 from algebroproj_sym.expressions.letters import parse_letters
 from algebroproj_sym.proving.letters.entries import Field, Rows, entries_of
 from algebroproj_sym.proving.letters.properties import RANKS, Letter
@@ -93,6 +92,8 @@ def has_properties(letter: Letter, rows: Rows) -> bool:
     identity = [[Fraction(i == j) for j in range(size)] for i in range(size)]
     shapes = {"A": (size, len(rows[0]))}
 
+    leading = ([row[:k] for row in rows[:k]] for k in range(1, size + 1))
+
     def value(text: str) -> Rows:
         return entries_of(parse_letters(text, shapes), {"A": rows}, {}, NUMBERS)
 
@@ -104,16 +105,6 @@ def has_properties(letter: Letter, rows: Rows) -> bool:
         "unit": lambda: value("dot(A, A)") == [[1]],
         "idempotent": lambda: value("A*A") == rows,
         "diagonal": lambda: all(i == j or entry == 0 for i, row in enumerate(rows) for j, entry in enumerate(row)),
-        "positive definite": lambda: all(_leading_minor(rows, k) > 0 for k in range(1, size + 1)),
+        "positive definite": lambda: all(fmpq_matrix(part).det() > 0 for part in leading),
     }
-    return all(checks[one]() for one in properties - RANKS.keys()) and letter.rank in (None, _rank(rows))
-
-
-def _rank(rows: Rows) -> int:
-    return int(flint.fmpq_mat([[flint.fmpq(each.numerator, each.denominator) for each in row] for row in rows]).rank())
-
-
-def _leading_minor(rows: Rows, size: int) -> Fraction:
-    part = [row[:size] for row in rows[:size]]
-    value: Fraction = entries_of(parse_letters("det(A)", {"A": (size, size)}), {"A": part}, {}, NUMBERS)[0][0]
-    return value
+    return all(checks[one]() for one in properties - RANKS.keys()) and letter.rank in (None, fmpq_matrix(rows).rank())

@@ -5,6 +5,7 @@ from typing import Any
 
 import flint
 
+from algebroproj_sym.expressions.exact import fmpq
 from algebroproj_sym.replaying.reals.values import Numbers, UndecidedError
 
 
@@ -20,7 +21,7 @@ class Balls(Numbers):
 
     def enclosed(self, value: Fraction) -> Any:
         """Return a ball around a rational number."""
-        return flint.arb(flint.fmpq(value.numerator, value.denominator))
+        return flint.arb(fmpq(value))
 
     def sign(self, value: Any) -> int:
         """Return the sign of a number, or of all numbers of a ball."""

@@ -13,7 +13,7 @@ Behind "if", "when", "unless", "not" or "whether" a phrase says nothing.
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TypeVar
 
 from algebroproj_sym.reading.documents.statements import Statement
@@ -175,22 +175,21 @@ def columns_in(statements: Iterable[Statement]) -> frozenset[str]:
     return (called(every, r"vectors?(?! (?:sub)?spaces?| bundles?| fields?)") | {*members}) - others
 
 
-def complexes_in(statements: Iterable[Statement]) -> frozenset[str]:
+def complexes_in(statements: Sequence[Statement]) -> frozenset[str]:
     r"""Return the symbols that are said to be complex, in words or as in ``z \in \mathbb{C}``."""
-    every = tuple(statements)
-    members = (
-        symbol for each in every if (match := _COMPLEX.match(each.latex)) for symbol in symbols_in_list(match[1])
-    )
-    return called(every, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | {*members}
+    return called(statements, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | _members(statements, _COMPLEX)
 
 
-def reals_in(statements: Iterable[Statement]) -> frozenset[str]:
+def reals_in(statements: Sequence[Statement]) -> frozenset[str]:
     r"""Return the symbols that are said to be real, in words or as in ``x \in \mathbb{R}`` and ``x \in [0, 1]``."""
-    every = tuple(statements)
-    members = (symbol for each in every if (match := _REAL.match(each.latex)) for symbol in symbols_in_list(match[1]))
-    return called(every, r"(?:real|positive|negative|nonnegative|non-negative)(?: (?:[a-z-]+|number|variable)s?)?") | {
-        *members
-    }
+    real = r"(?:real|positive|negative|nonnegative|non-negative)(?: (?:[a-z-]+|number|variable)s?)?"
+    return called(statements, real) | _members(statements, _REAL)
+
+
+def _members(statements: Iterable[Statement], of: re.Pattern[str]) -> frozenset[str]:
+    """Return the symbols that formulas put into a set."""
+    found = (match[1] for each in statements if (match := of.match(each.latex)))
+    return frozenset(symbol for each in found for symbol in symbols_in_list(each))
 
 
 _AND_OTHERS = r"(?:\$[^$]*\$ ?(?:, ?and|,|and) ?)*"

@@ -162,17 +162,16 @@ class Words:
         self._enter(other, (shape[1], shape[0]) if not sign else shape, sign or 1, name)
         return self._atom(name)
 
-    def _with_transpose(self, kind: str, poly: Poly, power: int = 1) -> Poly:
-        """Return a function of a matrix that commutes with transposing, and is homogeneous of some degree."""
+    def _inverted(self, poly: Poly) -> Poly:
+        """Return the inverse of a matrix as a factor; that of the transposed matrix is its transpose."""
         value, base = self._normal(poly)
         other_value, other = self._normal(self.transpose(base))
-        name, turned = f"{kind}[{base.text()}]", f"{kind}[{other.text()}]"
-        if kind == "inverse" and name not in self.atoms:
-            require(not self.is_closed, "an inverse that the statement does not have")
-        self._enter(name, poly.shape, other_value**power, turned)
-        self._enter(turned, poly.shape, 1 / other_value**power, name)
+        name, turned = f"inverse[{base.text()}]", f"inverse[{other.text()}]"
+        require(name in self.atoms or not self.is_closed, "an inverse that the statement does not have")
+        self._enter(name, poly.shape, 1 / other_value, turned)
+        self._enter(turned, poly.shape, other_value, name)
         self.inside |= {name: base, turned: other}
-        return self.times(self.constant(value**power), self._atom(name))
+        return self.times(self.constant(1 / value), self._atom(name))
 
     def _normal(self, poly: Poly) -> tuple[Fraction, Poly]:
         """Return the coefficient of the first term, and the polynomial divided by it."""
@@ -236,7 +235,7 @@ class Words:
             return self._reciprocal(poly)
         if len(poly.terms) > 1 or not self._has_square_factors(poly):
             value, base = self._normal(poly)
-            return self.times(self.constant(1 / value), self._with_transpose("inverse", base, -1))
+            return self.times(self.constant(1 / value), self._inverted(base))
         (((numbers, word), value),) = poly.terms.items()
         result = self.times(self._reciprocal(Poly(NUMBER, {(numbers, ()): value})), self.constant(1, poly.shape))
         for atom in reversed(word):
@@ -250,7 +249,7 @@ class Words:
             return self.transpose(one)
         if atom.startswith("inverse["):
             return self.inside[atom]
-        return self._with_transpose("inverse", one, -1)
+        return self._inverted(one)
 
     def _reciprocal(self, poly: Poly) -> Poly:
         value, base = self._normal(poly)

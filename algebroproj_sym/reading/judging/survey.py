@@ -164,12 +164,12 @@ class Survey:
 
     @cached_property
     def _without_arguments(self) -> frozenset[str]:
-        return frozenset(str(tree.children[0]) for side in _sides(self.formulas) for tree in side.find_data("symbol"))
+        return frozenset(str(tree.children[0]) for side in self._sides for tree in side.find_data("symbol"))
 
     @cached_property
     def _arguments(self) -> dict[str, set[Formula]]:
         found: dict[str, set[Formula]] = {}
-        for side in _sides(self.formulas):
+        for side in self._sides:
             for call in side.find_data("call"):
                 found.setdefault(str(call.children[0]), set()).add(call)
         return found
@@ -177,8 +177,7 @@ class Survey:
     @cached_property
     def lone_arguments(self) -> Mapping[str, str]:
         """The functions that may be the same with and without their arguments, with these, separated by spaces."""
-        parsed = (each.sides for each in self.formulas.values() if isinstance(each, Parsed))
-        return lone_arguments(parsed, self._prose)
+        return lone_arguments((each.sides for each in self._read), self._prose)
 
     @cached_property
     def omits_arguments(self) -> bool:
@@ -214,6 +213,16 @@ class Survey:
         if not (self.labels or self._has_transposes or self._operators):
             return self._first
         return {id(each): self._parsed(each, self.labels) for each in self.statements}
+
+    @cached_property
+    def _read(self) -> list[Parsed]:
+        """The statements that were parsed."""
+        return [each for each in self.formulas.values() if isinstance(each, Parsed)]
+
+    @property
+    def _sides(self) -> Iterator[Formula]:
+        """The sides of these."""
+        return (side for each in self._read for side in each.sides if isinstance(side, Tree))
 
     def _parsed(self, statement: Statement, labels: frozenset[str], *, plain: bool = False) -> Parsed | UnreadableError:
         if not statement.pieces:
@@ -259,15 +268,15 @@ class Survey:
     @cached_property
     def occurring(self) -> frozenset[str]:
         """The symbols of the document."""
-        return frozenset(symbol for side in _sides(self.formulas) for symbol in symbols_in(side))
+        return frozenset(symbol for side in self._sides for symbol in symbols_in(side))
 
     @cached_property
     def dependence(self) -> Dependence:
         """What the document says of the letters that may depend on each other."""
         ties: list[Tie] = []
         before = set[str]()
-        for formula in self.formulas.values():
-            if isinstance(formula, Parsed) and not {*EQUALITIES}.isdisjoint(formula.relations):
+        for formula in self._read:
+            if not {*EQUALITIES}.isdisjoint(formula.relations):
                 sides = formula.sides if formula.relations[0] != "=:" else formula.sides[::-1]
                 ties += ties_of(*defined_by(sides[0]), sides, before)
         ties += (Tie(letter, frozenset((other,)), True) for letter, other in dependences(self._prose))
@@ -275,13 +284,13 @@ class Survey:
         ties += (Tie(letter, steps, True) for letter in sorted(acted_on(self._prose, stepwise=True)) if steps)
         ties += (
             Tie(letter, frozenset(of), True)
-            for each in self.formulas.values()
-            if isinstance(each, Parsed) and len(each.sides) == 1
+            for each in self._read
+            if len(each.sides) == 1
             for letter, of in (defined_by(each.sides[0]),)
             if of
         )
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
-        by_time = by_time or "t" in {symbol for each in self.formulas.values() for symbol in _turning(each)}
+        by_time = by_time or "t" in {symbol for each in self._read for symbol in _turning(each)}
         own = {name: defined_by(next(iter(of)))[1] for name, of in self._arguments.items() if len(of) == 1}
         time = ("t",) if self._says("<of-time>") else ()
         arguments = {name: of + time if of and "t" not in of else of for name, of in own.items()}
@@ -298,7 +307,7 @@ class Survey:
         """What words say of letters and signs."""
         given = frozenset(tie.given for tie in self.dependence.ties)
         iterated = frozenset(map(without_above, iterates_in(self._first_equations)))
-        equations = [each.sides for each in self.formulas.values() if isinstance(each, Parsed)]
+        equations = [each.sides for each in self._read]
         return Meanings(self.statements, self._prose, equations, given, iterated, is_given(equations))
 
     @cached_property
@@ -332,7 +341,7 @@ class Survey:
         """The letters that are quaternions, multiplied in a circle; none where words speak of Kronecker's product."""
         if not self._says(r"\b<quaternions>\b") or self._says(r"\b<no-quaternions>\b"):
             return frozenset()
-        return quaternions_in(each.sides for each in self.formulas.values() if isinstance(each, Parsed))
+        return quaternions_in(each.sides for each in self._read)
 
     @cached_property
     def has_conjugates(self) -> bool:
@@ -352,7 +361,7 @@ class Survey:
     @cached_property
     def sums_over_indices(self) -> bool:
         """Whether sums over repeated indices are not written: words say so, or letters look so beside no sum."""
-        sums = any(index_of(str(big.children[0])) for side in _sides(self.formulas) for big in side.find_data("big"))
+        sums = any(index_of(str(big.children[0])) for side in self._sides for big in side.find_data("big"))
         unsaid = not sums and self._says(r"\b<tensors>\b")
         return self.meanings.has_convention or (unsaid and is_in_index_notation(self.occurring, self.tensor_indices))
 
@@ -378,7 +387,7 @@ class Survey:
     @cached_property
     def _units(self) -> frozenset[str]:
         """The letters i and j that may be the imaginary unit: roots of -1, said to be it, or in an exponent of e."""
-        trees = [tree for side in _sides(self.formulas) for tree in side.iter_subtrees()]
+        trees = [tree for side in self._sides for tree in side.iter_subtrees()]
         names = [str(each.children[0]) for each in trees if each.data == "big"]
         raised = {symbol for each in trees if _is_exponential(each) for symbol in symbols_in(each)}
         alone = {lone_letter(each.children[-1]) for each in trees if each.data == "function"}
@@ -391,15 +400,15 @@ class Survey:
     @property
     def _equated_with_units(self) -> Iterator[str]:
         """Yield the letters that are a side of an equation in which the imaginary unit may stand."""
-        for formula in self.formulas.values() if self._units else ():
-            if isinstance(formula, Parsed) and self._units & {x for side in formula.sides for x in symbols_in(side)}:
+        for formula in self._read if self._units else ():
+            if self._units & {x for side in formula.sides for x in symbols_in(side)}:
                 yield from (symbol for side in formula.sides if (symbol := defined_by(side)[0]))
 
     @property
     def _compared(self) -> Iterator[str]:
         """Yield the letters that are a side of an inequality: they are real."""
-        for formula in self.formulas.values():
-            if isinstance(formula, Parsed) and not _LESS.isdisjoint(formula.relations):
+        for formula in self._read:
+            if not _LESS.isdisjoint(formula.relations):
                 yield from (symbol for side in formula.sides if (symbol := defined_by(side)[0]))
 
     def _is_root(self, letter: str) -> bool:
@@ -415,7 +424,7 @@ class Survey:
             self.kinds,
             properties,
             dependence=self.dependence,
-            euler=has_euler(_sides(self.formulas)),
+            euler=has_euler(self._sides),
             complexes=complexes_in(self.statements) | self._units | {*self._equated_with_units},
             imaginary=self.imaginary,
             reals=reals_in(self.statements) | {*self._compared},
@@ -428,11 +437,10 @@ class Survey:
     @cached_property
     def kinds(self) -> Kinds:
         """Which letters are vectors or matrices."""
-        formulas = [each for each in self.formulas.values() if isinstance(each, Parsed)]
         words = " ".join(f"{each.before} {each.after}" for each in self.document.formulas)
         said = vectors_in(self.statements) | {*properties_in(self.statements)}
-        found = kinds_of(formulas, said, words, columns_in(self.statements))
-        matrices = matrices_in(self.statements, angles_in(formulas))
+        found = kinds_of(self._read, said, words, columns_in(self.statements))
+        matrices = matrices_in(self.statements, angles_in(self._read))
         return replace(found, no_numbers=found.no_numbers | matrices, named=named_otherwise(self.statements))
 
 
@@ -449,16 +457,9 @@ def _nested(tokens: Sequence[Token]) -> Iterator[str]:
         yield from map(str, tokens[match.end(1) - 2 * count : match.end(1) : 2])
 
 
-def _sides(formulas: Mapping[int, Parsed | UnreadableError]) -> Iterator[Formula]:
-    for formula in formulas.values():
-        for side in formula.sides if isinstance(formula, Parsed) else ():
-            if isinstance(side, Tree):
-                yield side
-
-
-def _turning(formula: Parsed | UnreadableError) -> Iterator[str]:
+def _turning(formula: Parsed) -> Iterator[str]:
     r"""Yield the letters in an angle, as t in ``\sin(\omega t)``."""
-    for side in formula.sides if isinstance(formula, Parsed) else ():
+    for side in formula.sides:
         for tree in side.find_data("function"):
             if tree.children[0] in ("sin", "cos"):
                 yield from symbols_in(tree)

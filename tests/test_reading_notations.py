@@ -86,6 +86,11 @@ def texts(latex: str) -> list[str | None]:
         (r"\ma J = \ve a^T \ve b", r"\mathbf J = \mathbf a^T \mathbf b"),
         (r"\ve = a + b \ve x", r"\ve = a + b \ve x"),
         (r"\min_t \, - f + g", r"\min_t -f + g"),
+        (r"f = R \del{\frac{x}{L}}^k + \sbr{a + b} c", r"f = R \left(\frac{x}{L}\right)^k + \left[a + b\right] c"),
+        (r"\Dot{\Bar{\boldsymbol{\beta}}} = a \Hat{x}", r"\dot{\bar{\boldsymbol{\beta}}} = a \hat{x}"),
+        (r"\setlength{\arraycolsep}{2pt} a = b \newline + c \IEEEyesnumber \allowdisplaybreaks", r"a = b + c"),
+        (r"a &= b \displaybreak[0] \\ &+ c", r"a &= b \\ &+ c"),
+        (r"e_A = \log \lambda_A, \qquad A = 1, 2, 3", r"e_A = \log \lambda_A"),
         (r"\Delta{}u = 2 \Delta{}t^2", r"\Delta u = 2 \Delta t^2"),
         (r"c = \frac{f}{k}\> \sin t", r"c = \frac{f}{k} \sin t"),
         (r"q = (-½ m + a₀ b₁⁴) c", r"q = (-\frac{1}{2} m + a_0 b_1^4) c"),
@@ -251,3 +256,58 @@ def test_an_argument_that_has_one_reading_only_is_read_so():
     latex = r"\[ L = a - \log 2 \cosh \frac{1}{2} \sum_k z_k \] \[ L - a = - \log 2 \cosh \frac{1}{2} \sum_k z_k \]"
     found = read_document(document_of(latex), seconds=5)
     assert [each.verdict for each in found] == ["definition", "follows"]
+
+
+@pytest.mark.parametrize(
+    "display",
+    [
+        "\\begin{equation} a = b + c \\end {equation}",
+        "\\begin {align*} a = b + c \\end\t{align*}",
+        "\\begin{xalignat}{2} a &= b + c \\end{xalignat}",
+    ],
+)
+def test_a_display_ends_where_its_mark_ends(display):
+    found = read_document(document_of(rf"Let {display} and $d$ be two sums. Hence \[ a - b = c. \]"))
+    assert [(each.read, each.verdict) for each in found] == [("a = b + c", "definition"), ("a - b = c", "follows")]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The sum is \n\\\\[\na = b + c\n\\\\]\nof two. Hence\n\n\\\\[ a - b = c \\\\]\n",
+        "Let \\\\(b\\\\) be a number. $$ a = b + c $$ Hence $$ a - b = c $$",
+    ],
+)
+def test_marks_of_formulas_with_two_backslashes_in_markdown(text):
+    found = read_document(document_of(text, latex=False))
+    assert [(each.read, each.verdict) for each in found] == [("a = b + c", "definition"), ("a - b = c", "follows")]
+
+
+def test_an_escaped_underscore_of_markdown_begins_a_subscript():
+    [found] = read_document(document_of(r"$$ x\_1 = a\_2 + b\_i $$", latex=False))
+    assert found.read == "x_1 = a_2 + b_i"
+
+
+@pytest.mark.parametrize(
+    ("unit", "name"),
+    [
+        (r"\mathrm{m/s^2}", "m_per_s_2"),
+        (r"\mathrm{km/h}", "km_per_h"),
+        (r"\mathrm{\kilo\metre\per\hour}", "kilometreperhour"),
+    ],
+)
+def test_the_name_of_a_unit_is_whole(unit, name):
+    assert texts(rf"\[ g = 9.81\,{unit} \]") == [f"g = 9.81*{name}"]
+
+
+@pytest.mark.parametrize(
+    ("above", "left"),
+    [
+        (r"The strain is \[ @e = @e^\theta + @e^p. \]", r"@e^\theta(t)"),
+        (r"The point is \[ @x = @a t + @b. \]", r"@x^\varphi(@x)"),
+        (r"The increment is \[ \Delta@e = @B @r. \]", r"\Delta@e^p"),
+    ],
+)
+def test_a_vector_with_a_label_is_another_one(above, left):
+    text = rf"{above} We have \[ {left} = 2 @u + c @v. \]".replace("@", r"\boldsymbol ")
+    assert [each.verdict for each in read_document(document_of(text))] == ["definition", "definition"]

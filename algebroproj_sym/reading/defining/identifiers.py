@@ -53,17 +53,20 @@ def is_accented(symbol: str) -> bool:
 _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
 
 
+_STYLES = re.compile(r"\\math(?:bf|cal|rm|bb|frak|sf|it|tt|scr|ds)")
+_OF_SEVERAL = re.compile(r"[ /]|\\,|^(?:\\[a-zA-Z]+){2,}$")
+"""What stands between the letters of a name, as in the unit m/s."""
+
+
 def _identifier(symbol: str, letters: Mapping[str, str]) -> str:
-    if " " in symbol or re.match(r"(d|\\partial|\\delta).*/\1", symbol):
-        text = symbol
+    if _OF_SEVERAL.search(symbol):
+        is_slope = re.match(r"(d|\\partial|\\delta).*/\1", symbol)
+        text = _STYLES.sub("", symbol if is_slope else symbol.replace("/", "_per_"))
     else:
         letter, primes, below, above = split_symbol(symbol)
         accents = "".join(f"_{each}" for each in _ACCENTS.findall(letter))
         letter = re.sub(r"^\\(?!math)([a-zA-Z]+)\{", r"\1_{", letter) if is_accented(letter) else letter
-        plain = (
-            letters.get(letter)
-            or re.sub(r"\\math(?:bf|cal|rm|bb|frak|sf|it|tt|scr|ds)", "", _ACCENTS.sub("", letter)) + accents
-        )
+        plain = letters.get(letter) or _STYLES.sub("", _ACCENTS.sub("", letter)) + accents
         text = plain + (f"_{below}" if below else "") + "p" * primes + (f"_{above}" if above else "")
     text = text.replace(r"\lambda", "lam").replace("*", "star").replace("+", "plus").replace("-", "minus")
     name = re.sub(r"\W+", "_", re.sub(r"[\\{}]", "", text), flags=re.ASCII).strip("_") or "symbol"

@@ -147,7 +147,7 @@ def _above_vectors(equations: Sequence[Sides]) -> set[str]:
     }
 
 
-_LABEL = re.compile(r"[a-z]|[A-Z]{1,3}")
+_LABEL = re.compile(r"[a-z]|\\[a-zA-Z]+|[A-Z]{1,3}")
 _CAPITAL = re.compile(r"[A-Z](?:_|$)")
 _BOLD = re.compile(r"\\(?:mathbf|vec)\{")
 _VECTOR = re.compile(r"\\(?:mathbf|vec)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}|\\(?:d*dot|bar|hat|tilde)\{\\mathbf[a-z]")

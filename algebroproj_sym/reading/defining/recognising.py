@@ -8,7 +8,6 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import require_bounded
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_in, letters_of_symbol
-from algebroproj_sym.reading.defining.labels import lone_letter
 from algebroproj_sym.reading.defining.letters import has_shape
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -215,7 +214,7 @@ def is_indexed_above(tree: Formula) -> bool:
     exponent = without_brackets(exponent, UNSEEN)
     if not (isinstance(base, Tree) and isinstance(exponent, Tree)) or base.data != "symbol" or base is exponent:
         return False
-    if str(base.children[0]).startswith(r"\mathbf") and lone_letter(exponent):
+    if r"\mathbf{" in str(base.children[0]) and lone(exponent):
         return True
     step = _STEP.fullmatch(" ".join(tokens_in(exponent)))
     return (

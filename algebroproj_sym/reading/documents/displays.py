@@ -10,7 +10,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from algebroproj_sym.reading.documents.escapes import escapes_rows, escapes_subscripts, unescaped
+from algebroproj_sym.reading.documents.escapes import escapes_rows, escapes_subscripts, unescaped, with_marks
 from algebroproj_sym.reading.documents.files import (
     MAX_CHARACTERS,
     Line,
@@ -28,9 +28,10 @@ _PICTURE = re.compile(r"\s*\\begin\{(?:tikzpicture|picture|tikzcd|pspicture)\}")
 MAX_DISPLAY = 50_000
 MAX_WORDS = 2_000
 
+_WITH_OPTIONS = "alignat", "xalignat", "xxalignat", "IEEEeqnarray", "empheq"
 _ENVIRONMENTS = (
-    *("equation", "align", "gather", "multline", "alignat", "flalign", "eqnarray", "displaymath", "dmath", "math"),
-    *("IEEEeqnarray", "empheq"),
+    *("equation", "align", "gather", "multline", "flalign", "eqnarray", "displaymath", "dmath", "math"),
+    *_WITH_OPTIONS,
 )
 _OPTIONS = re.compile(r"\*?\s*(?:\[(?:[^\[\]]|\[[^\]]*\])*\])?\s*\{[^{}]*\}")
 """What stands behind the beginning of an environment that says how many columns it has, or of which kind it is."""
@@ -62,6 +63,8 @@ _CODE_IN_LINE = re.compile(r"(\{(?:eq|numref)\})?`[^`\n]*`")
 """Code within a line; what a role of MyST cites is none."""
 _HIDDEN = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _INDENTS = re.compile(r"\\(?:noindent|indent)(?![a-zA-Z])")
+_ROOM_IN_MARK = re.compile(r"(\\(?:begin|end))([ \t]+)(\{[a-zA-Z]+\*?\})")
+"""A mark of an environment with room in it."""
 _STRUCK = re.compile(r"\\(?:sout|st|todo(?:\[[^\]]*\])?)\{(?:[^{}]|\{[^{}]*\})*\}")
 _STRUCK_IN_MARKDOWN = re.compile(
     r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike|template)>.{0,2000}?</\1>|" + _STRUCK.pattern,
@@ -186,14 +189,14 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
     starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
     numbered = lines or tuple(map(Line, range(1, len(starts) + 1)))
     if latex:
-        plain = _INDENTS.sub(_blank, text)
+        plain = _ROOM_IN_MARK.sub(r"\1\3\2", _INDENTS.sub(_blank, text))
         plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(without_comments(plain))))
         plain = _without_versions(plain)
     else:
         plain = _STRUCK_IN_MARKDOWN.sub(
             _blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, _FRONT_MATTER.sub(_blank, text))))
         )
-        plain = _INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain)
+        plain = with_marks(_INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain))
     written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain), rows=escapes_rows(plain))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
@@ -326,7 +329,7 @@ def _formulas(
             place = title.end() if title else place
             continue
         name, star = openers.get(mark, match[1] or ""), match[2] or ""
-        if name in ("alignat", "IEEEeqnarray", "empheq") and (options := _OPTIONS.match(text, place)):
+        if name in _WITH_OPTIONS and (options := _OPTIONS.match(text, place)):
             place = options.end()
         endings = [rf"\end{{{name}{star}}}", *closers.get(name, ())] if name else [_PARTNERS[mark]]
         end, ending = min((following(ending, place), ending) for ending in endings)

@@ -7,14 +7,27 @@ import re
 
 _NAMES = r"\\(?:text[a-z]*|math(?:rm|tt|it|sf)|operatorname\*?|mbox|label|tag)\s*\{[^{}]*\}"
 _SUBSCRIPT = re.compile(rf"({_NAMES})|(?<!\\)\\_")
-_OF_SUBSCRIPTS = re.compile(r"(?<!\\)\\_\{|\}\\_(?![a-zA-Z]{2})")
-"""No underscore of a name stands before a brace, or behind one."""
+_OF_SUBSCRIPTS = re.compile(r"(?<!\\)\\_\{|\}\\_(?![a-zA-Z]{2})|(?<![a-zA-Z\\])[a-zA-Z]\\_[a-zA-Z0-9](?![a-zA-Z0-9])")
+"""No underscore of a name stands before a brace, behind one, or between two letters alone."""
 _ROW_OR_STAR = re.compile(
     r"(?<!\\)\\\\(?=\\\\(?!\\))|(?<=(?<!\\)\\\\)\\(?=[ \t]*\n)|(?<=\^)\\(?=\*)|(?<=\^\{)\\(?=\*\})"
 )
 
 _SIGN = re.compile(r"(?<!\\)\\(\\[,;:!{}|])")
+_DISPLAYED = re.compile(r"^([ \t]*)\\(\\\[)([^$]*?)\\(\\\])", re.MULTILINE)
+_WITHIN = re.compile(r"(?<!\\)\\(\\\()([^$\n]*?)\\(\\\))")
 _OF_ROWS = re.compile(r"(?<!\\)\\{4}(?!\\)")
+
+
+def with_marks(text: str) -> str:
+    r"""Return a text of Markdown with ``\[`` for ``\\[``, and so on, where a formula begins and ends.
+
+    Examples
+    --------
+    >>> with_marks(r"\\[ a \\\\ b \\]"), with_marks(r"is \\(a\\)")
+    (' \\[ a \\\\\\\\ b  \\]', 'is  \\(a \\)')
+    """
+    return _WITHIN.sub(r" \1\2 \3", _DISPLAYED.sub(r"\1 \2\3 \4", text))
 
 
 def escapes_subscripts(text: str) -> bool:

@@ -49,6 +49,10 @@ _OF_PACKAGES = {
     **{rf"\m{style}": (1, rf"\math{style}{{#1}}") for style in ("rm", "cal", "bb", "sf", "scr", "frak")},
     **dict.fromkeys((r"\cr", r"\tabularnewline"), (0, r"\\")),
     **{rf"\{name}": (1, rf"\begin{{{name}}}#1\end{{{name}}}") for name in ("matrix", "pmatrix", "cases")},
+    **{
+        rf"\{name.title()}": (0, rf"\{name}")
+        for name in ("dot", "ddot", "bar", "hat", "tilde", "vec", "check", "breve")
+    },
     r"\half": (0, r"\frac{1}{2}"),
     r"\E": (0, r"\mathbb{E}"),
     **dict.fromkeys((r"\defeq", r"\eqdef", r"\defn"), (0, r"\coloneqq")),
@@ -64,9 +68,9 @@ _OF_PACKAGES = {
     **{
         f"{name}{star}": (1, rf"\left{opening}#1\right{closing}")
         for names, opening, closing in (
-            (r"\paren \parens \pqty \of", "(", ")"),
-            (r"\brk \bbrack \bqty", "[", "]"),
-            (r"\Bqty \set \Set", r"\{", r"\}"),
+            (r"\paren \parens \pqty \of \del", "(", ")"),
+            (r"\brk \bbrack \bqty \sbr", "[", "]"),
+            (r"\Bqty \set \Set \cbr", r"\{", r"\}"),
         )
         for name in names.split()
         for star in ("", "*")

@@ -49,6 +49,11 @@ SIZES = frozenset(
         "centering",
         "MoveEqLeft",
         "IEEEnonumber",
+        "IEEEyesnumber",
+        "IEEEyessubnumber",
+        "allowdisplaybreaks",
+        "displaylimits",
+        "newline",
     )
 )
 """Commands that change the looks of all behind them."""

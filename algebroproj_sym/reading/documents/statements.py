@@ -343,7 +343,7 @@ def _goes_through(part: Sequence[Piece], statements: Sequence[tuple[list[Piece],
         return True
     number, last = ("".join(each.text for each in pieces) for pieces in (part, statements[-1][0] if statements else ()))
     is_number = re.fullmatch(r"\s*\d+\s*", number) is not None
-    return is_number and len(statements) > 1 and re.fullmatch(r"\s*[a-z]\s*=\s*\d+\s*", last) is not None
+    return is_number and len(statements) > 1 and re.fullmatch(r"\s*[a-zA-Z]\s*=\s*\d+\s*", last) is not None
 
 
 def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:

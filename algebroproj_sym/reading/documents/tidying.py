@@ -52,6 +52,7 @@ _ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{cei
 _ROUNDED |= {r"\llbracket": r"\operatorname{jump}(", r"\rrbracket": ")"}
 _WITH_POWERS = r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh", r"\log", r"\ln"
 _UNSEEN = frozenset((r"\index", r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
+_BREAKS = frozenset(rf"\{name}" for name in ("displaybreak", "linebreak", "nolinebreak", "pagebreak", "nopagebreak"))
 _ROOM = frozenset((r"\hskip", r"\kern", r"\mskip", r"\mkern", r"\hspace", r"\hspace*"))
 
 
@@ -141,6 +142,11 @@ def _rule(page: Page, piece: Piece) -> bool:
     """Leave a line out, which is often of no width and makes room."""
     page.waiting.options()
     return _without(2)(page, piece)
+
+
+def _break(page: Page, piece: Piece) -> bool:
+    page.waiting.options()
+    return True
 
 
 def _framed(arguments: int, braces: bool = True) -> Callable[[Page, Piece], bool]:
@@ -398,6 +404,8 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[Page, Piece], bool]], ...] = (
     ((r"\_",), _name),
     ((r"\!", r"\_"), _without(0)),
     ((r"\color",), _without(1)),
+    ((r"\setlength", r"\addtolength", r"\setcounter"), _without(2)),
+    (_BREAKS, _break),
     ((r"\rule",), _rule),
     (_WITH_POWERS, _power_in_brackets),
     ((r"\lefteqn",), _framed(0, braces=False)),

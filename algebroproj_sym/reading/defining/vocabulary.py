@@ -28,7 +28,7 @@ from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
 from algebroproj_sym.reading.parsing.factors import LIKE_IDENTITY
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in
 from algebroproj_sym.reading.parsing.writing import text_of
 
 MOST_DEFINITIONS = 20_000
@@ -116,16 +116,11 @@ class Vocabulary:
     def _multiplies_identity(self, tree: Formula) -> bool:
         """Whether a lone I stands beside a vector or a matrix in a product: nobody writes the identity there."""
         trees = [tree, *(each.tree for each in self.used_in(tree))]
-        for run in (run for each in trees for run in each.find_data("run")):
-            factors = [each for each in run.children if isinstance(each, Tree)]
-            lone = [each for each in factors if each.data == "symbol" and self.is_like_identity(str(each.children[0]))]
-            others = [
-                symbol
-                for each in factors
-                if each not in lone
-                for symbol in symbols_in(_without_numbers(each, self.kinds.fourth))
-            ]
-            if lone and any(self.is_no_number(each) or _CAPITAL.match(each) for each in others):
+        for run in (_without_numbers(run, self.kinds.fourth) for each in trees for run in each.find_data("run")):
+            factors = trees_in(run)
+            identities = [each for each in factors if self.is_like_identity(lone(each))]
+            others = [symbol for each in factors if each not in identities for symbol in symbols_in(each)]
+            if identities and any(self.is_no_number(each) or _CAPITAL.match(each) for each in others):
                 return True
         return False
 
@@ -458,7 +453,7 @@ class Vocabulary:
 
 
 def _without_numbers(tree: Formula, fourth: frozenset[str]) -> Formula:
-    """Return a formula without its traces, determinants and lengths, and without what stands below lines.
+    """Return a formula without its traces, determinants, lengths and products of two vectors, and what is below lines.
 
     So it is without ``A : B``, if none of both is a tensor of the fourth order.
     """
@@ -467,9 +462,24 @@ def _without_numbers(tree: Formula, fourth: frozenset[str]) -> Formula:
     signs = [str(each) for each in tree.children if isinstance(each, Token)]
     contracts = tree.data == "product" and signs in ([":"], ["colon"]) and fourth.isdisjoint(symbols_in(tree))
     if contracts or tree.data == "norm" or (tree.data == "function" and signs[0] in ("tr", "Tr", "trace", "det")):
-        return Tree("number", [Token("NUMBER", "1")])
+        return _ONE
     parts = [_without_numbers(each, fourth) if isinstance(each, Tree) else each for each in tree.children]
+    row, place = _is_row(parts[0]), next((i for i, each in enumerate(parts) if _is_column(each)), 0)
+    if (tree.data == "run" and row and place) or (signs == [r"\cdot"] and all(map(_is_column, parts[::2]))):
+        return Tree(tree.data, [_ONE, *parts[place + 1 :]] if row else [_ONE])
     return Tree(tree.data, parts)
+
+
+_ONE: Formula = Tree("number", [Token("NUMBER", "1")])
+_SMALL = re.compile(VECTOR_STYLE + r"\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}")
+
+
+def _is_column(part: Any) -> bool:
+    return _SMALL.match(lone(part)) is not None
+
+
+def _is_row(part: Any) -> bool:
+    return isinstance(part, Tree) and part.data == "marked" and part.children[1] == "T" and _is_column(part.children[0])
 
 
 def _is_symbol(token: object) -> bool:

@@ -35,7 +35,10 @@ _KINDS = (
 )
 _ANY = "|".join(f"(<is-{kind.replace(' ', '-')}>)" for kind in _KINDS)
 _SEVERAL = re.sub("vector|quaternion", r"\g<0>s", heard(_ANY).pattern.replace("matrix", "matrices"))
-_AFTER = heard(rf"^\$?\s*(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])", re.NOFLAG)
+_AFTER = heard(
+    rf"^\$?\s*(?:, (?:which|that) )?(?:is|denotes|represents)\s+(?:an? |the )?(?:{_ANY})(?![\w-])", re.NOFLAG
+)
+_BESIDE = heard(rf"^\$?,?\s*(?:an?|the) (?:{_ANY})(?=\s*(?:[.,;:)]|and\b|$))", re.NOFLAG)
 _ARE = re.compile(
     r"^\$?\s*(?:(?:,|and|,\s*and)\s*\$[^$]*\$\s*)*are\s+(?:the )?"
     rf"(?:{_SEVERAL})(?![\w-])"
@@ -55,6 +58,7 @@ _OF_IT = re.compile(
     r"\bof(?: the| an?)?(?: (?:matrix|matrices|vectors?|tensors?))?\s*(?:\$[^$]*\$\s*(?:,|and|,\s*and)\s*)*$"
 )
 """What is said of the square of a letter is not said of the letter."""
+_CAPITAL = re.compile(r"(?:\\[a-z]+\{)?[A-Z](?![a-z])")
 _SET = re.compile(r"(?:\bSet|\b(?:we|us|and|to|then|now|can|may|let|if|[Bb]y) set) ?$")
 """How an order or a choice ends, as in "Set x = 2": it speaks of no set."""
 _THE = r"(?:^|[.;:,] ?|\b(?:where|and|with|let|that|so) )(?:the|an?|our|its) (?:(?!of |in |to |from )[\w-]+ ){0,3}"
@@ -297,14 +301,25 @@ def _kind_of(statement: Statement) -> str:
     before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
     if _DOUBTS.search(before[-200:]):
         return ""
-    if match := _AFTER.match(after) or _ARE.match(after) or (_LET.search(before) and _BE.match(after)):
+    if (
+        match := _AFTER.match(after)
+        or _BESIDE.match(after)
+        or _ARE.match(after)
+        or (_LET.search(before) and _BE.match(after))
+    ):
         doubtful = _OF_IT.search(before) or says(r"^\s*\$|^[^.;]*\b<if limits>\b", after[match.end() :])
-        return "" if doubtful else _KINDS[(match.lastindex or 1) - 1]
+        return "" if doubtful or _is_turn(statement, match[0]) else _KINDS[(match.lastindex or 1) - 1]
     match = _BEFORE.search(before)
-    if match is None or _OF.search(before[: match.start()]):
+    if match is None or _OF.search(before[: match.start()]) or _is_turn(statement, match[0]):
         return ""
     kind = _KINDS[(match.lastindex or 1) - 1]
     return "" if kind in _ADJECTIVES and not match[0].strip().endswith("matrix") else kind
+
+
+def _is_turn(statement: Statement, words: str) -> bool:
+    """Whether words call a letter a rotation, and the letter is none of a matrix: it may be an angle."""
+    called = words.strip().endswith("rotation")
+    return called and not all(map(_CAPITAL.match, symbols_in_list(statement.latex)))
 
 
 def symbols_of(latex: str) -> list[str]:

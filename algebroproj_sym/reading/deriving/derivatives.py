@@ -10,6 +10,8 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import stands_within
+from algebroproj_sym.expressions import free_symbols
+from algebroproj_sym.proving.reduction import reduced
 from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.chains import chained, slope_of
@@ -221,6 +223,28 @@ def _by_chains(
         if not _change(others - {names[_bare(below)]}, names[_bare(below)], occurring, sign):
             yield replace(_made(symbol, tree, definition, [*kept], vocabulary), role="case")
             yield from [] if free is None else [free]
+    elif inverse := _of_inverse(symbol, match, names, vocabulary, occurring):
+        yield inverse
+
+
+def _of_inverse(
+    symbol: str, match: re.Match[str], names: dict[str, str], vocabulary: Vocabulary, occurring: frozenset[str]
+) -> Definition | None:
+    """Return the derivative of a letter by one that it gives: one divided by that of the other one by it."""
+    sign, _, above, below = match.groups()
+    given = vocabulary.definitions.get(names.get(_bare(below), ""))
+    letters = vocabulary.letters_of(given.tree) if given and not given.parameters else frozenset()
+    if given is None or names.get(above) not in letters or names[above] in vocabulary.definitions:
+        return None
+    try:
+        value = reduced(vocabulary.value(letter_of(given.symbol)))
+    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+        return None
+    constant = {vocabulary.symbol_of(str(each)) for each in free_symbols(value)} - {names[above]}
+    if vocabulary.moves_with(constant, names[above]) or _change(constant, names[above], occurring, sign):
+        return None
+    inverse = Tree("fraction", [ONE, slope_of(letter_of(given.symbol), names[above])])
+    return replace(_made(symbol, inverse, given, sorted(constant), vocabulary), role="case")
 
 
 def _second_by_chains(symbol: str, names: dict[str, str], vocabulary: Vocabulary) -> Iterator[Definition]:

@@ -59,10 +59,12 @@ class Powers:
 
 
 def powers_of(left: Formula, right: Formula) -> Powers | None:
-    r"""Return the powers of a letter and of a root that it is; None if the right side is something else.
+    r"""Return the powers of a letter and of a root that it is, or of a root and its value; None for another equation.
 
     A root may stand among factors, and its sign may be open: ``x = a \pm \sqrt{b}`` has ``(x - a)^2 = b``.
     """
+    if left.data != "symbol" and _degree(left) == 2 and _degree(right) == 1:
+        return _raised(left, right, 2, is_open=False)
     above, *below = right.children if right.data == "fraction" else [right]
     terms = above.children if isinstance(above, Tree) and above.data == "sum" else []
     if left.data != "symbol" or not isinstance(above, Tree):

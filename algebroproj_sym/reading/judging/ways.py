@@ -132,7 +132,8 @@ def _with_same_ends(standing: Standing, ways: Sequence[Way]) -> Iterator[Way]:
 def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     """Yield the powers of a letter and of a root that it is, as they rest on others.
 
-    Both have one sign, or its degree is odd, or words speak of a root, or of what is never negative.
+    Both have one sign, or its degree is odd, or words speak of a root, or of what is never negative.  A root on the
+    left speaks for itself.
     """
     left, right = formula.sides[index : index + 2]
     several = _SEVERAL.fullmatch(defined_by(left)[0])
@@ -144,7 +145,12 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
         return
     branches = ({"branch", "lower"}, {"branch", "negative"})
     below = any(words <= each.words for words in branches for each in standing.premises[-MOST_PREMISES:])
-    certain = powers.is_open or powers.degree % 2 or (standing.beside.speaks_of_a_length and not below)
+    certain = (
+        powers.is_open
+        or powers.degree % 2
+        or not defined_by(left)[0]
+        or (standing.beside.speaks_of_a_length and not below)
+    )
     if not (certain or (standing.beside.speaks_of_a_root and not below)):
         return
     of_powers = replace(formula, sides=(powers.left, powers.right), relations=("=",))

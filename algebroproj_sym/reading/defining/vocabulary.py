@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
+from dataclasses import replace
 from typing import Any, Literal, Self
 
 import sympy
@@ -247,6 +248,13 @@ class Vocabulary:
         ties = (each for each in self.dependence.ties if not each.given and each.is_condition)
         tied = (each.others for each in ties if each.others != own)
         return self.depends(every, letter) or any(letter in each and each & every for each in tied)
+
+    def apart_from(self, symbol: str) -> Vocabulary:
+        """Return the vocabulary in which equations with a symbol say of no other letter on what it depends."""
+        found = self.copied()
+        ties = tuple(each for each in self.dependence.ties if symbol not in each.others)
+        found.dependence = replace(self.dependence, ties=ties)
+        return found
 
     def text(self, tree: Formula) -> str:
         """Return a formula as text."""

@@ -169,6 +169,7 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
             return None
         if match[3] == match[4] and not match[2] and _PLAIN.fullmatch(match[3]) and not vocabulary.is_matrix(match[3]):
             return Definition(symbol, (), ONE, "the derivative of a letter by itself", -1, True)
+        vocabulary = _for_slope(match, vocabulary)
         factors = _of_factors(symbol, _function_of(match), match[4], vocabulary, occurring)
         found = _of_quotient(symbol, match, vocabulary, occurring) or _as_dots(symbol, match, occurring)
         return factors if found is None or (factors and match[3].endswith(")")) else found
@@ -183,6 +184,15 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
     is_computed = vocabulary.is_computed(vocabulary.definitions[function].tree)
     found = None if is_computed else _of_factors(symbol, bare, "t", vocabulary, occurring)
     return found or _rate(symbol, function, vocabulary, occurring)
+
+
+def _for_slope(match: re.Match[str], vocabulary: Vocabulary) -> Vocabulary:
+    """Return the vocabulary for a derivative: a partial one is that of the formula, and its value is tied to nothing.
+
+    An equation with the value, solved for another letter, does not say that this letter depends on others.
+    """
+    function = _by_bare(vocabulary.definitions).get(match[3], "")
+    return vocabulary.apart_from(function) if match[1] != "d" and function else vocabulary
 
 
 def _by_chains(
@@ -216,7 +226,7 @@ def _by_chains(
             symbol, (), tree, f"the chain rule, and {', '.join(places)}", given.part if given else 0, True, role="case"
         )
         return
-    found = chained(sign, function, _bare(below), names, vocabulary)
+    found = chained(sign, function, _bare(below), names, _for_slope(match, vocabulary))
     if found is not None:
         tree, kept, definition, free = found
         others = vocabulary.letters_of(definition.tree)

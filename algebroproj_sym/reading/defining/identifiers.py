@@ -43,6 +43,14 @@ class Identifiers:
         """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
         return self._taken.get(name, name)
 
+    def spelled(self, text: str) -> str:
+        """Return a text with the values of elementary functions that are letters in it, as ``cos(x)``."""
+        return _VALUE.sub(lambda found: self._spelled(found[0]), text)
+
+    def _spelled(self, name: str) -> str:
+        value = _OF_FUNCTION.fullmatch(self.symbol_of(name))
+        return self.spelled(f"sqrt({value[1]})" if value[1] else value[2]) if value else name
+
 
 def is_accented(symbol: str) -> bool:
     r"""Whether a letter has an accent that nothing defines, as in ``\uvec{v}``: it may be that of a vector."""
@@ -50,6 +58,8 @@ def is_accented(symbol: str) -> bool:
     return match is not None and match[1] not in STYLES
 
 
+_VALUE = re.compile(r"\b(?:whole|free)_\w+")
+_OF_FUNCTION = re.compile(r"(?:whole|free) (?:root\((.*), 2\)|([a-z]+\(.*\)))")
 _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
 
 

@@ -86,7 +86,7 @@ class Vocabulary:
         self._sizes = {**sizes, **given.sizes}
         self.kinds = kinds
         self._properties = {**properties, **given.properties}
-        self._names = Identifiers(given.letters)
+        self.names = Identifiers(given.letters)
         self._values: dict[str, Any] = {}
         self._mentioned: set[str] = set()
         self._parts = 0
@@ -206,11 +206,11 @@ class Vocabulary:
 
     def name(self, symbol: str) -> str:
         """Return the name of a symbol: one of its own for each, that a Python program could use."""
-        return self._names.name(symbol)
+        return self.names.name(symbol)
 
     def symbol_of(self, name: str) -> str:
         """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
-        return self._names.symbol_of(name)
+        return self.names.symbol_of(name)
 
     def behind(self, symbol: str) -> frozenset[str]:
         """Return a symbol with all on which it may depend: what stands in equations with it alone on the left."""
@@ -378,7 +378,7 @@ class Vocabulary:
 
     def _evaluated(self, tree: Formula, values: Mapping[str, Any]) -> Any:
         """Return the expression that a formula stands for, unless it is too large to compute with."""
-        found = evaluated(tree, self._names_with(values), self.uncomputed)
+        found = evaluated(tree, self.names_with(values), self.uncomputed)
         try:
             require_bounded(found, "the equation, with all definitions put in")
         except TooLargeError as error:

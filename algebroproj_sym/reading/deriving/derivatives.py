@@ -253,7 +253,7 @@ def _of_inverse(
     constant = {vocabulary.symbol_of(str(each)) for each in free_symbols(value)} - {names[above]}
     if vocabulary.moves_with(constant, names[above]) or _change(constant, names[above], occurring, sign):
         return None
-    inverse = Tree("fraction", [ONE, slope_of(letter_of(given.symbol), names[above])])
+    inverse: Formula = Tree("fraction", [ONE, slope_of(letter_of(given.symbol), names[above])])
     return replace(_made(symbol, inverse, given, sorted(constant), vocabulary), role="case")
 
 

@@ -413,8 +413,8 @@ def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[
 
 
 def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
-    """Return an outcome with what its letters are taken for among its hypotheses."""
-    letters = {name: text for each in questions for name, text in (each.letters or {}).items()}
+    """Return an outcome with what its letters are taken for among its hypotheses; a sum has the size of its terms."""
+    letters = {name: text for each in questions for name, text in (each.letters or {}).items() if name[-1:] != "_"}
     return replace(outcome, hypotheses=(*outcome.hypotheses, *(f"{name} is {text}" for name, text in letters.items())))
 
 

@@ -25,6 +25,7 @@ from algebroproj_sym.reading.defining.dependence import (
 from algebroproj_sym.reading.defining.identifiers import BOLD, Identifiers, is_accented
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
+from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
@@ -378,7 +379,7 @@ class Vocabulary:
 
     def _evaluated(self, tree: Formula, values: Mapping[str, Any]) -> Any:
         """Return the expression that a formula stands for, unless it is too large to compute with."""
-        found = evaluated(tree, self.names_with(values), self.uncomputed)
+        found = evaluated(tree, self._names_with(values), self.uncomputed)
         try:
             require_bounded(found, "the equation, with all definitions put in")
         except TooLargeError as error:

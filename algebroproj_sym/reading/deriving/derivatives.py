@@ -8,10 +8,10 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.defining.definition import Definition
-from algebroproj_sym.reading.defining.dependence import stands_within
 from algebroproj_sym.expressions import free_symbols
 from algebroproj_sym.proving.reduction import reduced
+from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.dependence import stands_within
 from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.chains import chained, slope_of

@@ -474,12 +474,58 @@ def other_readings():
             yield honest, changed(honest, value, "quote", "read_as")
 
 
+def other_variables():
+    """A limit or a count in what is no name, or in a name that only looks like one that occurs."""
+    for c in numbers():
+        name = f"t{c}"
+        honest = entry(
+            "limit", f"1/{name}", f"1/({name} + s)", {"method": "leading coefficients", "divisors": [f"{name} + s"], "orders": [0]},
+            setting={"variable": "s"}, hypotheses=[name],
+        )  # fmt: skip
+        pole = changed(changed(honest, f"1/{name}", "derived"), [name], "certificate", "divisors")
+        for variable in (f"{name} ", f"\uff54{c}", f"{name} + 0", ""):
+            yield honest, changed(pole, variable, "setting", "variable")
+        kernel = {"kernel": ["Matrix([[1]])"], "kernel at": {}, "kernel rows": [0], "kernel minor": "1"}
+        one = {
+            "method": "rank at a point and kernel vectors",
+            "point": {name: "1"},
+            "rows": [0],
+            "columns": [0],
+            "minor": "1",
+        }
+        honest = entry("count", "1", name, one | {"kernel": []}, setting={"variables": [name]}, hypotheses=[])
+        yield honest, changed(honest, [name, name], "setting", "variables")
+        for variable in (f"{name} ", f"\uff54{c}", f"{name}/1", ""):
+            none = one | kernel | {"point": {name: "1", variable: "1"}, "rows": [], "columns": []}
+            yield honest, entry("count", "0", name, none, setting={"variables": [variable]}, hypotheses=[])
+
+
+def names_that_look_alike():
+    """What is refuted because one letter is written in two alphabets, or because a number is taken for a letter."""
+    for c in numbers():
+        for latin, other in (("x", "\u0445"), ("o", "\u03bf"), ("v", "\uff56"), ("pi", None)):
+            left, right = (f"{c}*{latin}", f"{c}*{other}") if other else (f"{c}*pi", f"3*{c}")
+            point = {latin: "1", other: "0"} if other else {"pi": "1"}
+            values = {"left": [str(c)], "right": ["0" if other else str(3 * c)]}
+            certificate = {"method": "counterexample", **values}
+            forged = entry(
+                "identity", left, right, certificate, "false", instead="1.2", counterexample=point, hypotheses=[]
+            )
+            honest = changed(
+                changed(forged, left.replace(latin, "y"), "printed"), {"y": "1", other: "0"} if other else {"y": "1"},
+                "counterexample",
+            )  # fmt: skip
+            yield honest, forged
+            forged = answer(left, right, certificate, "refuted", counterexample=point)
+            assert replay_identity(forged).status == "rejected"
+
+
 CLAIMS = (
     dividing_cofactors, dividing_generators, other_languages, hidden_hypotheses, needless_hypotheses, surplus_fields,
     overflowing_exponents, other_witnesses, contradictory_constraints, conditions_that_never_hold, other_numbers,
     factors_that_vanish, other_ranks, other_limits, other_zeros, several_components, other_shapes, other_meanings,
     other_numerals, listed_texts, nested_refutations, other_references, other_declarations, other_verdicts,
-    false_refutations, other_readings,
+    false_refutations, other_readings, other_variables, names_that_look_alike,
 )  # fmt: skip
 
 

@@ -1,6 +1,7 @@
 """From records to results: whether each verdict follows from the evidence that the ledger keeps."""
 
 import dataclasses
+import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -16,12 +17,19 @@ from algebroproj_sym.replaying.letters import require_expansion
 from algebroproj_sym.replaying.polynomial import begin
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 from algebroproj_sym.replaying.statement import Statement
+from algebroproj_sym.replaying.text import require_distinct
 from algebroproj_sym.replaying.text_forms import LANGUAGES, require_form, require_no_form
 
 SCHEMA = 1
 MOST_LEVELS = 200
 CORRECTED = ("misprint", "error")
 """Verdicts with a corrected form that is proved, and a printed one that is refuted."""
+
+_STATED = (
+    "printed", "derived", "corrected", "where", "setting",
+    "lhs", "rhs", "constraints", "nonzero", "assumptions", "letters",
+)  # fmt: skip
+"""Where the names of a claim, and of an identity from elsewhere, stand."""
 
 Status = Literal["replayed", "rejected", "not replayable"]
 
@@ -97,6 +105,7 @@ def _judged(check: Callable[[Mapping[str, Any]], None], record: Mapping[str, Any
         return "rejected", f"expected a record, got {type(record).__name__}"
     begin()
     try:
+        require_distinct(json.dumps([record.get(key) for key in _STATED], ensure_ascii=False))
         check(record)
     except NotReplayable as why:
         return ("not replayable", str(why))

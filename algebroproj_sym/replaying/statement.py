@@ -7,7 +7,7 @@ from typing import Any
 
 from algebroproj_sym.replaying.evaluation import Algebra, at_point, evaluate, substituting
 from algebroproj_sym.replaying.rejection import Rejected, require
-from algebroproj_sym.replaying.text import Form, number, parse, parse_factors, texts
+from algebroproj_sym.replaying.text import Form, is_name, number, parse, parse_factors, texts
 
 Point = dict[str, Fraction]
 
@@ -22,7 +22,10 @@ class Statement:
         self._forms: dict[str, Form] = {}
 
     def require_meanings(self) -> None:
-        """Reject symbols that stand for something and do not occur, or that occur where they stand for themselves."""
+        """Reject symbols that stand for something and do not occur, or that occur where they stand for themselves.
+
+        A variable must be a name.
+        """
         shown = {s for name in ("printed", "corrected") if self.has(name) for s in self._named(name)}
         others = self._named("derived") | {
             s for key in ("constraints", "nonzero") for f in self.listed(key) for s in f.symbols()
@@ -31,6 +34,9 @@ class Statement:
         require(
             not self.where.keys() & others, "a symbol stands for an expression in one place and for itself in another"
         )
+        require(all(map(is_name, self.variables)), "a variable is not the name of a number")
+        require(len({*self.variables}) == len(self.variables), "a variable is listed twice")
+        require("pi" not in self.symbols, "pi is a number, which is known by real laws alone")
 
     def _named(self, name: str) -> set[str]:
         return self.form(name).symbols() if self.has(name) and self.kind != "numeric" else set()
@@ -69,8 +75,13 @@ class Statement:
             names |= self.form("derived").symbols()
         for form_of in (*self.listed("constraints"), *self.listed("nonzero")):
             names |= form_of.symbols()
-        names |= set(texts(self.setting.get("variables", [])))
-        return names | ({self.setting["variable"]} if "variable" in self.setting else set())
+        return names | {*self.variables}
+
+    @property
+    def variables(self) -> list[str]:
+        """The variables of a limit, or of a count."""
+        single = [self.setting["variable"]] if "variable" in self.setting else []
+        return texts(self.setting.get("variables", single))
 
     def side(self, name: str, algebra: Algebra) -> list[Any]:
         """Return the entries of a form in some field; in printed and corrected ones symbols are replaced."""

@@ -14,6 +14,7 @@ A form is an expression, a matrix ``Matrix([[..., ...], ...])`` or factors ``(..
 """
 
 import re
+import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -23,6 +24,7 @@ from typing import Any, NamedTuple
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
 
 _TOKEN = re.compile(r" *(?:([0-9]+)|([^\W\d]\w*'*)|(\*\*|[-+*/(),\[\]]))")
+_NAME = re.compile(r"[^\W\d]\w*'*")
 _DECIMAL = re.compile(r"(?<![\w.])(?=[0-9]|\.[0-9])([0-9]*)\.([0-9]*)")
 _NUMBER = re.compile(r"(-?)(0|[1-9][0-9]*)(?:/([1-9][0-9]*))?")
 DEPTH = 200
@@ -120,6 +122,29 @@ def parse_factors(text: Any) -> Form:
     ((2,), (1,))
     """
     return _Reader(text).factors()
+
+
+_ALIKE = str.maketrans("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧονАВЕКМНОРСТУХЅІЈаеорсухѕіј", "ABEZHIKMNOPTYXovABEKMHOPCTYXSIJaeopcyxsij")
+
+
+def require_distinct(text: str) -> None:
+    """Reject a text with names that look alike, such as a Latin and a Greek o."""
+    found = {*_NAME.findall(text)}
+    require(
+        len({unicodedata.normalize("NFKC", name).translate(_ALIKE) for name in found}) == len(found),
+        "two names look alike",
+    )
+
+
+def is_name(text: str) -> bool:
+    """Return whether a text is the name of a number, with nothing around it.
+
+    Examples
+    --------
+    >>> is_name("x1"), is_name("x + y"), is_name(" x"), is_name("pi")
+    (True, False, False, True)
+    """
+    return _NAME.fullmatch(text) is not None
 
 
 def number(text: Any) -> Fraction:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from algebroproj_sym.reading.documents.displays import HEADING
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.verdicts import TRUE_HERE, Link, Reading
+from algebroproj_sym.reading.prose.asserting import asserts, doubts
 from algebroproj_sym.reading.prose.contexts import context_of
 from algebroproj_sym.reading.prose.describing import names_a_thing
 from algebroproj_sym.reading.prose.devices import heard
@@ -15,6 +16,7 @@ from algebroproj_sym.reading.prose.sentences import (
     last_sentence,
     sentences_of,
     strange_word,
+    without_formulas,
     words_of,
 )
 from algebroproj_sym.reading.prose.words import beside, has_ended
@@ -31,6 +33,10 @@ _HARMLESS = heard(
     r"|\s*(?:here|and|with|where)?,? ?\$[^$=]*\$ (?:is|denotes) (?:the|its|an?) (?:\w+ ){0,3}\w+$"
 )
 """A sentence between two equations by which nothing changes."""
+_HAVE = re.compile(r"\b(?:we|one) ha(?:ve|s)\b", re.IGNORECASE)
+"""What says by itself that an equation holds, and not that it follows."""
+_SAYS_LETTERS = re.compile(r"\W*(?:where|with|here|and)\b,?\s+\$[^$=]*\$", re.IGNORECASE)
+"""How a sentence begins that says what letters are."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +47,10 @@ class _Said:
     """All of them."""
     is_limited: bool
     """Whether its sentence begins with where it holds."""
+    is_asserted: bool
+    """Whether its sentence asserts it."""
+    is_plain: bool
+    """Whether it does so plainly."""
 
 
 class _Words:
@@ -62,7 +72,9 @@ class _Words:
             sentence = last_sentence(display.before)
             behind = "" if has_ended(display) else display.after.partition(".")[0]
             words = words_of(f"{sentence} {conditions[place]} {behind}")
-            self.said.setdefault(str(display.where), {})[place] = _Said(words, bool(context_of(sentence).kind))
+            asserted, plain = (asserts(display.before, behind, plainly=each) for each in (False, True))
+            found = self.said.setdefault(str(display.where), {})
+            found[place] = _Said(words, bool(context_of(sentence).kind), asserted, plain)
             title = (_TITLE.findall(display.before) or [title])[-1]
             self.titles[place] = title
             for word in words_of(display.before):
@@ -73,13 +85,26 @@ class _Words:
 
         A sentence that only tells of a step, or what a letter is, has none.
         """
+        said = " ".join(self._sentences_between(start, end))
+        return next((each for each in sorted(words_of(said)) if names_a_thing(each) and self.first[each] > start), "")
+
+    def said_between(self, start: int, end: int) -> str:
+        """Return the begin of a whole sentence between two displays that may be about the first one; empty for none.
+
+        A sentence of neutral words is not, nor one that says what letters are.
+        """
+        found = (
+            each
+            for each in self._sentences_between(start, end)
+            if strange_word(each, ()) and (doubts(each) or not _SAYS_LETTERS.match(each))
+        )
+        return " ".join(without_formulas(next(found, "")).split()[:6])
+
+    def _sentences_between(self, start: int, end: int) -> list[str]:
         since = (each.before for place, each in self.displays.items() if start < place <= end)
-        said = (
+        return [
             each for words in since for each in sentences_of(_TITLE.sub("", words))[:-1] if not _HARMLESS.match(each)
-        )
-        return next(
-            (each for each in sorted(words_of(" ".join(said))) if names_a_thing(each) and self.first[each] > start), ""
-        )
+        ]
 
     def new_in_title(self, start: int, end: int) -> str:
         """Return a word of the title above a display, if the title above another one says the same of another thing."""
@@ -99,14 +124,22 @@ def with_what_is_true_here(readings: Sequence[Reading], statements: Sequence[Sta
 
 
 def _with_lines(reading: Reading, link: Link, words: _Words) -> Link:
-    if link.verdict != "follows":
+    if link.verdict not in ("follows", "contradicts"):
         return link
     here = reading.statement.display.place
     near = beside(reading.statement, "")
     near = replace(near, sentence=f"{_NAME.sub('', near.sentence)} {reading.statement.condition}")
+    concludes = replace(near, sentence=_HAVE.sub("", near.sentence)).follows
     found: list[str] = []
     for line in dict.fromkeys(line for each in link.rests_on for line in _LINE.findall(each)):
-        above = {place: each for place, each in words.said.get(line, {}).items() if place < here}
+        there = words.said.get(line, {})
+        above = {place: each for place, each in there.items() if place < here}
+        if link.verdict == "contradicts":
+            if not all(there[place].is_plain for place in above or there):
+                return replace(link, verdict="independent", reason=f"the words beside {line} do not plainly assert it")
+            if said := words.said_between(max(above, default=here), here):
+                return replace(link, verdict="independent", reason=f"the words {said!r} may take {line} back")
+            continue
         if not above:
             continue
         known = frozenset().union(*(each.words for each in above.values()))
@@ -116,5 +149,8 @@ def _with_lines(reading: Reading, link: Link, words: _Words) -> Link:
             word = strange_word(since, known)
         if not word and any(r"\doteq" in words.displays[place].latex for place in above):
             word = "doteq"
-        found += [f"{line} {TRUE_HERE}, where the word {word!r} is new"] if word else []
+        if word:
+            found.append(f"{line} {TRUE_HERE}, where the word {word!r} is new")
+        elif not (concludes or all(each.is_asserted for each in above.values())):
+            found.append(f"{line} {TRUE_HERE}, which its words do not assert")
     return replace(link, hypotheses=(*link.hypotheses, *found))

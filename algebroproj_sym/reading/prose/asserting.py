@@ -1,0 +1,61 @@
+"""Whether a sentence plainly asserts the equation to which it leads: no speaker, no doubt, and no other time or place.
+
+Words that deny cannot all be listed.  So the forms of sentences are listed that assert: "The cost is", "We have".
+"""
+
+import re
+
+from algebroproj_sym.reading.prose.devices import heard
+from algebroproj_sym.reading.prose.sentences import sentences_of, without_formulas, words_of
+
+_DETERMINER = r"(?:the|an?|its|our|their|this|these|those)"
+_THING = rf"(?:(?:{_DETERMINER}|each|both|every|two|three)\b[^,;:]*|(?-i:[A-Z][a-z]+)['’]s?\s[^,;:]*)"
+"""Any thing, with whatever is said of it."""
+_NOUN = r"(?!(?!speed\b)[a-z]+ed\b)[a-z]+"
+_PLAIN_THING = rf"(?:{_DETERMINER}\s+(?:<plain-adjective>\s+)*{_NOUN}(?:\s+(?:of|for)\s+{_DETERMINER}\s+{_NOUN})?)"
+"""A thing with no adjective that might deny it."""
+
+
+def _form(thing: str, rest: str) -> str:
+    """Return the form of sentences that assert something of a thing; behind verbs of ours stands the rest."""
+    lead = rf"\W*(?:(?:<leads-in>|by <means>|(?:from|by|using) {thing},)\W*)*"
+    ours = rf"(?:we|one)\s+(?:(?:<leads-in>|can|may|thus)\s+)*<we-assert>\b{rest}|<commands>\b{rest}"
+    return rf"{lead}(?:(?:(?:{thing}|it|they|there|where|which|and|with)\s+)?<asserting>|{ours}|of)?\W*"
+
+
+_ASSERTS = heard(_form(_THING, "[^,;:]*"))
+_PLAINLY = heard(_form(_PLAIN_THING, rf"(?:\s+(?:that|as|by|be|for|{_PLAIN_THING}))*"))
+_DOUBTED = heard(r"\?|\b<rejects denies untrue unreal apart no roughly wants wanted sought otherwise judged>\b")
+
+
+def asserts(before: str, behind: str, *, plainly: bool = False) -> bool:
+    """Whether the sentence of an equation, up to it and behind it, asserts it.
+
+    If no words of its own lead to it, the sentence before it must not doubt it.  It does so plainly if nothing more is
+    said of the thing of which it speaks: "The phantom width is" may say what the width is not.
+
+    Examples
+    --------
+    >>> [asserts(each, "") for each in ("Hence", "The cost is", "By definition, we have", "Let $c$ be")]
+    [True, True, True, True]
+    >>> [asserts(each, "") for each in ("Newton wrote", "Is it true that", "The old rule was", "Perhaps", "Right?")]
+    [False, False, False, False, False]
+    >>> [asserts("The phantom width is", "", plainly=each) for each in (False, True)]
+    [True, False]
+    """
+    *above, own = (without_formulas(heard("<law>", re.NOFLAG).sub("", each)) for each in sentences_of(before))
+    asked = before.rstrip().endswith("?")
+    said = f"{own} {without_formulas(behind)} {'' if words_of(own) else ' '.join(above[-1:])} {'?' if asked else ''}"
+    goes_on = _GOES_ON.match(behind) is not None or _GIVEN.fullmatch(own) is not None
+    form = _PLAINLY if plainly else _ASSERTS
+    return form.fullmatch(own) is not None and goes_on and not doubts(said)
+
+
+def doubts(words: str) -> bool:
+    """Whether words deny something, or tell of what was thought, or of another time or place."""
+    return _DOUBTED.search(words) is not None
+
+
+_GIVEN = heard(r"\W*(?:with|given|using|for|from)\W*")
+"""Words before an equation behind which a main clause stands."""
+_GOES_ON = heard(r"\W*(?:$|(?:where|with|which|so|and|for|in which|thus|hence|or|as)\b)")

@@ -1,0 +1,74 @@
+"""What a document does not plainly assert contradicts nothing, and is named where something follows from it."""
+
+import pytest
+from cases import for_each
+
+from algebroproj_sym.reading import document_of, read_document
+
+pytestmark = pytest.mark.usefixtures("verdicts_alone")
+
+PLAIN = [
+    "",
+    "We have",
+    "The width is",
+    "The width is given by",
+    "Let",
+    "By definition, we have",
+    "With",
+    "Here the width is",
+]
+NOT_ASSERTED = [
+    "Newton wrote", "We abandon", "Is it true that", "Perhaps", "The old definition was", "Nothing shows that",
+    "Instead of",
+    "The devil says", "The buggy code has", "True or false?", "In the mirrored system,", "Legend has it that",
+    "Strike out",
+    "The phantom width is", "The width in the losing design is", "No proof exists that",
+    "Many beginners compute the width as",
+    "My guess:", "A bold guess is", "We do not assume that", "Older texts have", "Should it be that", "Far from",
+]  # fmt: skip
+TAKEN_BACK = [
+    "It is biased.", "Just kidding.", "The proof has a gap.", "So the textbook says.", "Now the rules were changed.",
+    "Read minus for plus.", "End of quotation.", "Add a wall.", "No.", "In what follows $b$ points to the left.",
+]  # fmt: skip
+BESIDE = ["Here $a$ is the length of the box, and $b$ is that of its lid.", "We multiply by two.", "So it is."]
+HENCE = ["Hence", "It follows that", "We have", "This gives"]
+
+
+def last(before, between, after):
+    text = f"{before}\n\\[ c = a + b. \\]\n{between}\n\\[ {after}. \\]"
+    return read_document(document_of(text), seconds=5)[-1]
+
+
+@for_each("lead", PLAIN)
+def test_what_is_plainly_asserted_is_contradicted(lead):
+    for words in HENCE:
+        assert last(lead, words, "2 c = 2 a - 2 b").verdict == "contradicts", words
+        assert last(lead, words, "2 c = 2 a + 2 b").links[0].hypotheses == (), words
+
+
+@for_each("lead", NOT_ASSERTED)
+def test_what_is_not_plainly_asserted_is_not(lead):
+    for words in HENCE:
+        assert last(lead, words, "2 c = 2 a - 2 b").verdict != "contradicts", words
+
+
+@for_each("words", TAKEN_BACK)
+def test_nor_is_what_a_sentence_behind_it_may_take_back(words):
+    assert last("The width is", f"{words} Hence", "2 c = 2 a - 2 b").verdict != "contradicts"
+
+
+@for_each("words", BESIDE)
+def test_what_letters_are_and_steps_take_nothing_back(words):
+    assert last("The width is", f"{words} Hence", "2 c = 2 a - 2 b").verdict == "contradicts"
+
+
+@for_each("lead", [each for each in NOT_ASSERTED if "phantom" not in each and "losing" not in each])
+def test_what_rests_on_it_without_a_word_names_it(lead):
+    for words in ("We have", "Note that", "The formula is"):
+        found = last(lead, words, "2 c = 2 a + 2 b")
+        assert found.verdict != "follows" or found.supposes, words
+
+
+def test_two_sides_of_a_figure_in_one_display_do_not_contradict_each_other():
+    text = r"On the left and on the right we have \[ c = a + b, \qquad c = a - b. \]"
+    assert "contradicts" not in [each.verdict for each in read_document(document_of(text), seconds=5)]

@@ -16,15 +16,16 @@ _PLAIN_THING = rf"(?:{_DETERMINER}\s+(?:<plain-adjective>\s+)*{_NOUN}(?:\s+(?:of
 """A thing with no adjective that might deny it."""
 
 
-def _form(thing: str, rest: str) -> str:
-    """Return the form of sentences that assert something of a thing; behind verbs of ours stands the rest."""
+def _form(thing: str, says: str, rest: str) -> str:
+    """Return the form of sentences that say something of a thing; behind verbs of ours stands the rest."""
     lead = rf"\W*(?:(?:<leads-in>|by <means>|(?:from|by|using) {thing},)\W*)*"
+    said = rf"(?:{thing}\s+{says}|(?:(?:it|this|they|there|where|which|and|with)\s+)?<asserting>)(?:\s+<how>)*"
     ours = rf"(?:we|one)\s+(?:(?:<leads-in>|can|may|thus)\s+)*<we-assert>\b{rest}|<commands>\b{rest}"
-    return rf"{lead}(?:(?:(?:{thing}|it|they|there|where|which|and|with)\s+)?<asserting>|{ours}|of)?\W*"
+    return rf"{lead}(?:{said}|{ours}|of)?\W*"
 
 
-_ASSERTS = heard(_form(_THING, "[^,;:]*"))
-_PLAINLY = heard(_form(_PLAIN_THING, rf"(?:\s+(?:that|as|by|be|for|{_PLAIN_THING}))*"))
+_ASSERTS = heard(_form(_THING, "<asserting>", "[^,;:]*"))
+_PLAINLY = heard(_form(_PLAIN_THING, "<equating>", rf"(?:\s+(?:that|as|by|be|for|{_PLAIN_THING}))*"))
 _DOUBTED = heard(r"\?|\b<rejects denies untrue unreal apart no roughly wants wanted sought otherwise judged>\b")
 
 

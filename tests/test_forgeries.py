@@ -480,7 +480,8 @@ def other_variables():
         name = f"t{c}"
         honest = entry(
             "limit", f"1/{name}", f"1/({name} + s)",
-            {"method": "leading coefficients", "divisors": [f"{name} + s"], "orders": [0]}, setting={"variable": "s"}, hypotheses=[name],
+            {"method": "leading coefficients", "divisors": [f"{name} + s"], "orders": [0]},
+            setting={"variable": "s"}, hypotheses=[name],
         )  # fmt: skip
         pole = changed(changed(honest, f"1/{name}", "derived"), [name], "certificate", "divisors")
         for variable in (f"{name} ", f"\uff54{c}", f"{name} + 0", ""):

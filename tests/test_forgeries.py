@@ -521,6 +521,14 @@ def names_that_look_alike():
             assert replay_identity(forged).status == "rejected"
 
 
+@pytest.mark.parametrize(("name", "status"), [("p", "replayed"), ("pi", "rejected")])
+def test_pi_is_no_letter(name, status):
+    point = {name: [["1"]], "v": [["1"]], "n": 1}
+    certificate = {"method": "counterexample", "left": [["1"]], "right": [["3"]]}
+    record = answer(f"{name}*v", "3*v", certificate, "refuted", counterexample=point)
+    assert replay_identity({**record, "letters": {name: "1x1", "v": "nx1"}}).status == status
+
+
 CLAIMS = (
     dividing_cofactors, dividing_generators, other_languages, hidden_hypotheses, needless_hypotheses, surplus_fields,
     overflowing_exponents, other_witnesses, contradictory_constraints, conditions_that_never_hold, other_numbers,

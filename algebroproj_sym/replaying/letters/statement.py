@@ -53,6 +53,7 @@ def stated(record: Mapping[str, Any]) -> Statement:
     """Return the statement of a record, as it is given."""
     require(isinstance(record["letters"], Mapping), "letters: expected what each letter is")
     letters = {name: declared(text) for name, text in record["letters"].items()}
+    require("pi" not in letters, "pi is a number, and no letter")
     shapes = {name: letter.shape for name, letter in letters.items()}
 
     def zero(text: str) -> Node:

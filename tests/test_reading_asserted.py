@@ -52,6 +52,12 @@ def test_what_is_not_plainly_asserted_is_not(lead):
         assert last(lead, words, "2 c = 2 a - 2 b").verdict != "contradicts", words
 
 
+def test_a_sign_of_definition_asserts():
+    for lead, is_asserted in (("The image is larger by the factor", True), ("The old rule was", False)):
+        text = f"{lead}\n\\[ c := a + b. \\]\nHence\n\\[ 2 c = 2 a - 2 b. \\]"
+        assert (read_document(document_of(text), seconds=5)[-1].verdict == "contradicts") == is_asserted, lead
+
+
 @for_each("words", TAKEN_BACK)
 def test_nor_is_what_a_sentence_behind_it_may_take_back(words):
     assert last("The width is", f"{words} Hence", "2 c = 2 a - 2 b").verdict != "contradicts"

@@ -72,7 +72,8 @@ class _Words:
             sentence = last_sentence(display.before)
             behind = "" if has_ended(display) else display.after.partition(".")[0]
             words = words_of(f"{sentence} {conditions[place]} {behind}")
-            asserted, plain = (asserts(display.before, behind, plainly=each) for each in (False, True))
+            by_sign = ":=" in display.latex and not doubts(f"{sentence} {behind}")
+            asserted, plain = (by_sign or asserts(display.before, behind, plainly=each) for each in (False, True))
             found = self.said.setdefault(str(display.where), {})
             found[place] = _Said(words, bool(context_of(sentence).kind), asserted, plain)
             title = (_TITLE.findall(display.before) or [title])[-1]

@@ -19,7 +19,8 @@ _PLAIN_THING = rf"(?:{_DETERMINER}\s+(?:<plain-adjective>\s+)*{_NOUN}(?:\s+(?:of
 def _form(thing: str, says: str, rest: str) -> str:
     """Return the form of sentences that say something of a thing; behind verbs of ours stands the rest."""
     lead = rf"\W*(?:(?:<leads-in>|by <means>|(?:from|by|using) {thing},)\W*)*"
-    said = rf"(?:{thing}\s+{says}|(?:(?:it|this|they|there|where|which|and|with)\s+)?<asserting>)(?:\s+<how>)*"
+    said = rf"(?:{thing}\s+{says}|(?:(?:it|this|they|there|where|which|and|with)\s+)?<asserting>)"
+    said = rf"{said}(?:\s+<how>)*(?:\s+(?:at|by|of)\s+{thing})?"
     ours = rf"(?:we|one)\s+(?:(?:<leads-in>|can|may|thus)\s+)*<we-assert>\b{rest}|<commands>\b{rest}"
     return rf"{lead}(?:{said}|{ours}|of)?\W*"
 

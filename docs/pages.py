@@ -23,8 +23,10 @@ DOCS = Path(__file__).resolve().parent
 README = DOCS.parent / "README.md"
 PAGES = sorted(DOCS.rglob("*.md"))
 PROGRAMS = {"algebroproj": "algebroproj_sym", "pytest": "pytest"}
+STUDIES = [f"algebroproj_derivations.studies.{path.stem}" for path in DOCS.parent.glob("derivations/studies/[a-z]*.py")]
 FORKS = get_context("forkserver")
-FORKS.set_forkserver_preload(["algebroproj_sym.cli.report"])  # most of what a command imports
+# Most of what a command imports; what is not installed is passed over.
+FORKS.set_forkserver_preload(["algebroproj_sym.cli.report", "distributed.cli.dask_worker", *sorted(STUDIES)])
 BLOCK = re.compile(r'^```(\w+)(?: title="([^"]*)")?\n(.*?)^```$', re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^\$ (.*)\n?((?:(?!\$ ).*\n?)*)", re.MULTILINE)
 
@@ -50,15 +52,21 @@ def run(command, folder):
     if program == "pytest":
         arguments += ["-p", "no:cacheprovider"]
     with tempfile.TemporaryDirectory() as name:
-        printed = [Path(name) / "stdout", Path(name) / "stderr"]
-        process = FORKS.Process(target=perform_command, args=(PROGRAMS[program], arguments, folder, printed))
-        process.start()
+        process, printed = started(PROGRAMS[program], arguments, folder, Path(name))
         process.join()
         out, error = (path.read_text(encoding="utf-8") for path in printed)
     if target:
         target.write_text(out, encoding="utf-8")
     status = f"[exit status {process.exitcode}]\n" if process.exitcode else ""
     return ("" if target else out) + error + status
+
+
+def started(program, arguments, folder, kept):
+    """Return the process of a program that runs in a folder, and the files for what it prints, in another folder."""
+    printed = [kept / "stdout", kept / "stderr"]
+    process = FORKS.Process(target=perform_command, args=(program, arguments, folder, printed))
+    process.start()
+    return process, printed
 
 
 def perform_command(program, arguments, folder, printed):

@@ -146,10 +146,10 @@ SLOW = {
 @pytest.mark.parametrize("text", SLOW.values(), ids=SLOW)
 def test_reading_counts_towards_the_time_limit(tmp_path, text):
     path = tmp_path / "slow.json"
-    path.write_text(json.dumps([{"lhs": text, "rhs": text + "+1"}] * 2), encoding="utf-8")
+    path.write_text(json.dumps([{"lhs": text, "rhs": text + "+1"}]), encoding="utf-8")
     result = CliRunner().invoke(main, ["check", str(path), "--seconds", "0.01", "--format", "json"])
     found = json.loads(result.stdout)["identities"]
-    assert [item["reason"] for item in found] == ["no decision within 0.01 s"] * 2
+    assert [item["reason"] for item in found] == ["no decision within 0.01 s"]
     assert not multiprocessing.active_children()
 
 

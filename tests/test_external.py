@@ -287,7 +287,6 @@ def test_what_fails_is_an_error_and_no_verdict(file):
 
 def test_an_engine_that_fails_is_an_error_for_each_question():
     questions = [Question("x", "x"), Question("x", "y")]
-    assert [outcome.verdict for outcome in outcomes(questions, seconds=60)] == ["proved", "refuted"]
     assert [outcome.verdict for outcome in outcomes(questions, seconds=60, engine="nosuch")] == ["error", "error"]
 
 

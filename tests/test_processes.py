@@ -12,12 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from algebroproj_sym.cli.terminal import progressing
-from algebroproj_sym.declaring import judge_all, located, quotes_of
 from algebroproj_sym.processes import in_processes, mapped
-from algebroproj_sym.reporting.ledger import ledger
-from algebroproj_sym.showing.arranging import as_declared, shown
 
+# What takes seconds to import is imported by the test that needs it: a process that is spawned imports this module.
 linux = pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux only")
 
 
@@ -69,7 +66,10 @@ def importable(monkeypatch):
     monkeypatch.syspath_prepend(Path(__file__).parent.parent)
 
 
-@pytest.fixture(params=[pytest.param("fork", marks=linux), "spawn"])
+FORK = pytest.param("fork", marks=linux)
+
+
+@pytest.fixture(params=[FORK, "spawn"])
 def way(request, monkeypatch):
     """Let processes be forked, or spawned, as is done where another thread might hold a lock."""
     monkeypatch.setattr(threading, "active_count", lambda: 1 if request.param == "fork" else 2)
@@ -149,13 +149,20 @@ def test_no_more_processes_work_at_a_time_than_jobs(jobs, tmp_path):
 
 def test_a_progress_bar_leaves_the_process_without_threads(monkeypatch):
     """Else nothing would be forked at a terminal."""
+    from algebroproj_sym.cli.terminal import progressing
+
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
     monkeypatch.setattr(sys.stderr, "write", lambda text: len(text), raising=False)
     before = threading.active_count()
     assert [threading.active_count() for _ in progressing(range(3), 3, "counting")] == [before] * 3
 
 
+@pytest.mark.parametrize("way", [FORK, pytest.param("spawn", marks=pytest.mark.whole)], indirect=True)
 def test_claims_are_judged_alike_by_any_number_of_processes(way):
+    from algebroproj_sym.declaring import judge_all, located, quotes_of
+    from algebroproj_sym.reporting.ledger import ledger
+    from algebroproj_sym.showing.arranging import as_declared, shown
+
     found = located(["critical1996"])
     claims, quotes = [claim for _, claim in found], quotes_of(derivation for derivation, _ in found)
 

@@ -5,8 +5,6 @@ import os
 import re
 import shutil
 import signal
-import subprocess
-import sys
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
@@ -21,6 +19,7 @@ import pytest
 import xarray
 from click.testing import CliRunner
 from matplotlib.figure import Figure
+from pages import started
 
 from algebroproj_derivations.studies import example, normal_case
 from algebroproj_sym.cli import main
@@ -384,12 +383,7 @@ def test_a_study_that_gives_other_members_is_an_error():
         computed(others, np.arange(5), 0, {"scale": 1.0})
 
 
-COMMAND = (sys.executable, "-m", "algebroproj_sym")
 SWEEP = ("study", "example", "--members", "120", "--chunk", "10")
-
-
-def command(folder, *arguments):
-    return [*COMMAND, *SWEEP, "--out", str(folder), *arguments]
 
 
 @pytest.fixture(scope="module")
@@ -399,42 +393,52 @@ def undisturbed(tmp_path_factory):
     return (folder / "example.nc").read_bytes()
 
 
+def sweeping(folder, *arguments):
+    """Return the process of a sweep into a folder, and the file of its errors; it has imported what it needs."""
+    folder.mkdir(exist_ok=True)
+    process, (_, errors) = started("algebroproj_sym", [*SWEEP, "--out", str(folder), *arguments], folder, folder)
+    return process, errors
+
+
+def written(folder):
+    """Return the finished parts of a sweep, and when each was written."""
+    return {path: path.stat().st_mtime_ns for path in (folder / "chunks").glob("0*.nc")}
+
+
 @pytest.mark.whole
-def test_a_killed_sweep_loses_nothing_and_doubles_nothing(undisturbed, tmp_path):
-    with subprocess.Popen(command(tmp_path), stdout=subprocess.DEVNULL) as process:
-        wait_for(lambda: len(list((tmp_path / "chunks").glob("0*.nc"))) >= 3)
-        process.send_signal(signal.SIGKILL)
-    assert process.returncode == -signal.SIGKILL
-    kept = {path: path.stat().st_mtime_ns for path in (tmp_path / "chunks").glob("0*.nc")}
-    assert 3 <= len(kept) < 12
-    for path in kept:
+def test_a_sweep_that_loses_a_worker_and_is_killed_later_loses_nothing_and_doubles_nothing(undisturbed, tmp_path):
+    lost, errors = sweeping(tmp_path, "--jobs", "2")
+    wait_for(lambda: len(written(tmp_path)) >= 2)
+    workers = [each for each in psutil.Process(lost.pid).children() if "spawn_main" in " ".join(each.cmdline())]
+    workers[0].kill()
+    lost.join()
+    told = errors.read_text(encoding="utf-8")
+    assert lost.exitcode == 1
+    assert f"the workers were lost. Finished parts are kept in {tmp_path}" in " ".join(told.split())
+    assert "Traceback" not in told
+    kept = written(tmp_path)
+    assert 2 <= len(kept) < 12
+
+    killed, _ = sweeping(tmp_path)
+    wait_for(lambda: len(written(tmp_path)) > len(kept) or not killed.is_alive())
+    killed.kill()
+    killed.join()
+    assert killed.exitcode == -signal.SIGKILL
+    more = written(tmp_path)
+    assert kept.items() <= more.items()
+    for path in more:
         assert read(path).sizes[MEMBER] == 10
-    resumed = subprocess.Popen(command(tmp_path, "--jobs", "2"), stdout=subprocess.DEVNULL)
-    wait_for(lambda: len(list((tmp_path / "chunks").glob("0*.nc"))) > len(kept) or resumed.poll() is not None)
-    unchanged = {path: path.stat().st_mtime_ns for path in kept if path.exists()}
-    assert resumed.wait() == 0
-    assert unchanged.items() <= kept.items()
+
+    resumed, _ = sweeping(tmp_path)
+    wait_for(lambda: len(written(tmp_path)) > len(more) or not resumed.is_alive())
+    unchanged = {path: path.stat().st_mtime_ns for path in more if path.exists()}
+    resumed.join()
+    assert resumed.exitcode == 0
+    assert unchanged.items() <= more.items()
     assert (tmp_path / "example.nc").read_bytes() == undisturbed
     with read(tmp_path / "example.nc") as dataset:
         assert np.array_equal(dataset[MEMBER], np.arange(120))
     assert not (tmp_path / "chunks").exists()
-
-
-@pytest.mark.whole
-def test_a_killed_worker_ends_a_sweep_with_a_message_and_it_goes_on_later(undisturbed, tmp_path):
-    arguments = command(tmp_path, "--jobs", "2")
-    with subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
-        wait_for(lambda: len(list((tmp_path / "chunks").glob("0*.nc"))) >= 2)
-        workers = [each for each in psutil.Process(process.pid).children() if "spawn_main" in " ".join(each.cmdline())]
-        workers[0].kill()
-        told = process.stderr.read().decode()
-    assert process.returncode == 1
-    assert f"the workers were lost. Finished parts are kept in {tmp_path}" in " ".join(told.split())
-    assert "Traceback" not in told
-    kept = {path: path.stat().st_mtime_ns for path in (tmp_path / "chunks").glob("0*.nc")}
-    assert len(kept) >= 2
-    assert subprocess.run(command(tmp_path), stdout=subprocess.DEVNULL, check=False).returncode == 0
-    assert (tmp_path / "example.nc").read_bytes() == undisturbed
 
 
 def wait_for(condition, seconds=300):
@@ -448,32 +452,34 @@ def wait_for(condition, seconds=300):
 def cluster(folder):
     """A scheduler with two workers, separately started programs on loopback."""
     address = folder / "scheduler.json"
-    start = [sys.executable, "-m", "distributed.cli.dask_scheduler"]
-    programs = [
-        subprocess.Popen(
-            [*start, "--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(address)],
-            stderr=subprocess.DEVNULL,
-        )
-    ]
+
+    def program(name, *arguments):
+        kept = folder / f"printed by {len(programs)}"
+        kept.mkdir()
+        programs.append(started(f"distributed.cli.dask_{name}", [*arguments, "--no-dashboard"], folder, kept)[0])
+
+    programs = []
     try:
+        program("scheduler", "--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(address))
         wait_for(lambda: address.exists() and address.read_text().endswith("}"))
         url = json.loads(address.read_text())["address"]
-        worker = [sys.executable, "-m", "distributed.cli.dask_worker", url, "--nthreads", "1", "--no-dashboard"]
-        directory = ["--local-directory", str(folder)]
-        programs += [subprocess.Popen([*worker, *directory], stderr=subprocess.DEVNULL) for _ in range(2)]
+        for _ in range(2):
+            program("worker", url, "--nthreads", "1", "--no-nanny", "--local-directory", str(folder))
         with distributed.Client(url, set_as_default=False) as client:
             client.wait_for_workers(2, timeout=300)
         yield url
     finally:
-        for program in reversed(programs):
-            program.terminate()
-            program.wait()
+        for each in reversed(programs):
+            each.terminate()
+            each.join()
 
 
 @pytest.mark.whole
 def test_a_cluster_gives_the_same_bytes(undisturbed, tmp_path):
     with cluster(tmp_path) as url:
-        subprocess.run(command(tmp_path / "out", "--scheduler", url), check=True, capture_output=True)
+        process, errors = sweeping(tmp_path / "out", "--scheduler", url)
+        process.join()
+    assert process.exitcode == 0, errors.read_text(encoding="utf-8")
     assert (tmp_path / "out" / "example.nc").read_bytes() == undisturbed
 
 

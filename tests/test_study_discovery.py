@@ -98,16 +98,19 @@ def test_lost_workers_end_with_a_message_and_a_folder_that_goes_on(own, tmp_path
     flag = tmp_path / "lose"
     flag.touch()
     own.write_text("from dataclasses import replace\n" + MODULE + LOSING.format(flag=str(flag)))
-    arguments = (own, "--members", 40, "--chunk", 5, "--jobs", 2, "--out", tmp_path / "out")
-    lost = invoke(*arguments)
+    arguments = (own, "--members", 40, "--chunk", 5)
+    lost = invoke(*arguments, "--jobs", 2, "--out", tmp_path / "out")
     assert lost.exit_code == 1
+    assert "Traceback" not in lost.output
     assert f"the workers were lost. Finished parts are kept in {tmp_path / 'out'}" in lost.stderr
     kept = {path.name for path in (tmp_path / "out" / "chunks").glob("0*.nc")}
     assert kept <= {f"{chunk:08d}.nc" for chunk in range(4)}
     flag.unlink()
-    resumed = invoke(*arguments)
-    assert resumed.exit_code == 0, resumed.output
-    assert resumed.stdout.startswith("40 areas\n")
+    for folder in ("out", "undisturbed"):
+        resumed = invoke(*arguments, "--out", tmp_path / folder)
+        assert resumed.exit_code == 0, resumed.output
+        assert resumed.stdout.startswith("40 areas\n")
+    assert (tmp_path / "out" / "areas.nc").read_bytes() == (tmp_path / "undisturbed" / "areas.nc").read_bytes()
 
 
 def test_what_a_study_does_not_import_may_change(own, tmp_path):

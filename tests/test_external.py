@@ -234,6 +234,7 @@ def file(tmp_path):
 
 SQUARE = {"lhs": "(a + b)^2", "rhs": "a^2 + 2*a*b + b^2"}
 DREAM = {"name": "dream", "lhs": "(a + b)^2", "rhs": "a^2 + b^2"}
+UNDEFINED = {"lhs": "1/((x+1)^2-x^2-2*x-1)", "rhs": "1"}
 SLOW = {"name": "slow", "lhs": "(a+b+c+d+1/e)^90", "rhs": "(1/e+b+c+d+a)^90"}
 
 
@@ -266,10 +267,11 @@ def test_what_is_not_as_declared_or_not_decided_exits_with_1(file, item):
     assert run(file([item])).exit_code == 1
 
 
-def test_an_identity_that_takes_too_long_is_open_and_says_so(file):
+def test_an_identity_that_takes_too_long_is_open_and_one_that_fails_an_error_and_both_say_so(file):
     start = time.monotonic()
-    result = run(file([SLOW, DREAM]), "--seconds", "1", "--format", "json")
-    slow, dream = json.loads(result.stdout)["identities"]
+    result = run(file([SLOW, UNDEFINED, DREAM]), "--seconds", "1", "--format", "json")
+    slow, undefined, dream = json.loads(result.stdout)["identities"]
+    assert (undefined["verdict"], undefined["reason"].split(":")[0]) == ("error", "UndefinedError")
     assert (slow["verdict"], slow["reason"]) == ("open", "no decision within 1 s")
     assert dream["verdict"] == "refuted"
     assert result.exit_code == 1
@@ -278,7 +280,7 @@ def test_an_identity_that_takes_too_long_is_open_and_says_so(file):
 
 @pytest.mark.usefixtures("decided_here")
 def test_what_fails_is_an_error_and_no_verdict(file):
-    result = run(file([{"lhs": "1/((x+1)^2-x^2-2*x-1)", "rhs": "1"}]), "--format", "json")
+    result = run(file([UNDEFINED]), "--format", "json")
     (item,) = json.loads(result.stdout)["identities"]
     assert item["verdict"] == "error"
     assert "UndefinedError" in item["reason"]

@@ -233,14 +233,14 @@ def _by_chains(
         if not _change(others - {names[_bare(below)]}, names[_bare(below)], occurring, sign):
             yield replace(_made(symbol, tree, definition, [*kept], vocabulary), role="case")
             yield from [] if free is None else [free]
-    elif inverse := _of_inverse(symbol, match, names, vocabulary, occurring):
+    elif sign != "d" and (inverse := _of_inverse(symbol, match, names, vocabulary, occurring)):
         yield inverse
 
 
 def _of_inverse(
     symbol: str, match: re.Match[str], names: dict[str, str], vocabulary: Vocabulary, occurring: frozenset[str]
 ) -> Definition | None:
-    """Return the derivative of a letter by one that it gives: one divided by that of the other one by it."""
+    """Return a partial derivative of a letter by one that it gives: one divided by that of the other one by it."""
     sign, _, above, below = match.groups()
     given = vocabulary.definitions.get(names.get(_bare(below), ""))
     letters = vocabulary.letters_of(given.tree) if given and not given.parameters else frozenset()

@@ -133,7 +133,7 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     """Yield the powers of a letter and of a root that it is, as they rest on others.
 
     Both have one sign, or its degree is odd, or words speak of a root, or of what is never negative.  A root on the
-    left speaks for itself.
+    left speaks for itself, of real letters that equations above give.
     """
     left, right = formula.sides[index : index + 2]
     several = _SEVERAL.fullmatch(defined_by(left)[0])
@@ -141,16 +141,15 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     powers = powers_of(left, right)
     if powers and powers.is_open and several and alone:
         powers = powers_of(letter_of(several[1]), right)
-    if powers is None or standing.vocabulary.is_matrix(symbols_in(powers.left)[0]):
+    is_root = powers is not None and not powers.is_open and not defined_by(left)[0]
+    known = standing.vocabulary
+    if is_root and (not used_by(known, left, right) or complex_letters_in(known, left, right)):
+        return
+    if powers is None or known.is_matrix(symbols_in(powers.left)[0]):
         return
     branches = ({"branch", "lower"}, {"branch", "negative"})
     below = any(words <= each.words for words in branches for each in standing.premises[-MOST_PREMISES:])
-    certain = (
-        powers.is_open
-        or powers.degree % 2
-        or not defined_by(left)[0]
-        or (standing.beside.speaks_of_a_length and not below)
-    )
+    certain = powers.is_open or powers.degree % 2 or is_root or (standing.beside.speaks_of_a_length and not below)
     if not (certain or (standing.beside.speaks_of_a_root and not below)):
         return
     of_powers = replace(formula, sides=(powers.left, powers.right), relations=("=",))

@@ -90,6 +90,7 @@ def texts(latex: str) -> list[str | None]:
         (r"\Dot{\Bar{\boldsymbol{\beta}}} = a \Hat{x}", r"\dot{\bar{\boldsymbol{\beta}}} = a \hat{x}"),
         (r"\setlength{\arraycolsep}{2pt} a = b \newline + c \IEEEyesnumber \allowdisplaybreaks", r"a = b + c"),
         (r"a &= b \displaybreak[0] \\ &+ c", r"a &= b \\ &+ c"),
+        (r"{\hspace{0em}}^A X_B = a \hspace{0pt}^B x", r"{}^A X_B = a \,{}^B x"),
         (r"e_A = \log \lambda_A, \qquad A = 1, 2, 3", r"e_A = \log \lambda_A"),
         (r"\Delta{}u = 2 \Delta{}t^2", r"\Delta u = 2 \Delta t^2"),
         (r"c = \frac{f}{k}\> \sin t", r"c = \frac{f}{k} \sin t"),
@@ -311,3 +312,20 @@ def test_the_name_of_a_unit_is_whole(unit, name):
 def test_a_vector_with_a_label_is_another_one(above, left):
     text = rf"{above} We have \[ {left} = 2 @u + c @v. \]".replace("@", r"\boldsymbol ")
     assert [each.verdict for each in read_document(document_of(text))] == ["definition", "definition"]
+
+
+def test_a_set_may_be_a_value_in_a_case():
+    assert texts(r"\[ T = \begin{cases} 3 & a < 2 \\ \{x \in R | x < 2\} & a > 2 \end{cases} \]") != [None]
+
+
+def test_the_number_of_a_space_is_no_number_of_a_sample():
+    found = read_document(
+        document_of(r"\[ g = a b \in SE(3) \] \[ S := \begin{bmatrix} 0 & z \\ -z & 0 \end{bmatrix} \in so(2) \]")
+    )
+    assert [each.verdict for each in found] == ["definition", "definition"]
+
+
+def test_a_tensor_applied_to_a_number_is_told_in_words():
+    stress = r"The stress of tensors is \[ \dot s = C : \dot e = C : (a - b) \] "
+    first, _ = read_document(document_of(rf"{stress} \[ C = \lambda I \otimes I + 2 \mu \mathbf{{I}} \]"))
+    assert "reduce()" not in first.links[1].reason

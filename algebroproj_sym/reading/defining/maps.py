@@ -90,6 +90,8 @@ def unknown(name: str, shape: Shape, whole: Callable[[str, Part], Part]) -> Map:
             terms = []
             for minus, factors in part.terms:
                 numbers, rest = numbers_apart(factors)
+                if not rest:
+                    raise refused("a tensor of a number")
                 value = whole(f"{name} {side}", in_order([], reduce(times, rest)))
                 terms.append((minus, reduce(times, [*numbers, value])))
             return sum_of(terms)

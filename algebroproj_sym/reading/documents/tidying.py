@@ -53,6 +53,8 @@ _ROUNDED |= {r"\llbracket": r"\operatorname{jump}(", r"\rrbracket": ")"}
 _WITH_POWERS = r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh", r"\log", r"\ln"
 _UNSEEN = frozenset((r"\index", r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _BREAKS = frozenset(rf"\{name}" for name in ("displaybreak", "linebreak", "nolinebreak", "pagebreak", "nopagebreak"))
+_NO_ROOM = re.compile(r"-|0*\.?0*[a-z]")
+"""A length that is negative or zero."""
 _ROOM = frozenset((r"\hskip", r"\kern", r"\mskip", r"\mkern", r"\hspace", r"\hspace*"))
 
 
@@ -291,7 +293,10 @@ def _upright(page: Page, piece: Piece) -> bool:
 
 def _room(page: Page, piece: Piece) -> bool:
     length = page.waiting.length()
-    page.out.extend([] if length.startswith("-") else [renamed(piece, r"\quad")])
+    if not _NO_ROOM.match(length):
+        page.out.append(renamed(piece, r"\quad"))
+    elif page.waiting.next in ("^", "_"):
+        page.out.extend(at(piece, "{}"))
     return True
 
 

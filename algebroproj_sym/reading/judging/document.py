@@ -305,7 +305,7 @@ class _Pass:
         if plain and self.survey.indices.counted:
             repeats = gives_at_other_index(self._standing(statement, found), found.sides[0], found.sides[1])
             definition = None if repeats else definition
-        begins = definition is not None or self._begins(statement, found)
+        begins = definition is not None or ":=" in found.relations or self._begins(statement, found)
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None and not self.memory.ties(definition):
                 rests = rests_of(self.memory.vocabulary, definition.tree)

@@ -259,10 +259,11 @@ def _read_cases(cursor: Cursor, start: int) -> None:
 
 def _end_of_value(value: Sequence[Piece]) -> int:
     r"""Return where the set to which a value belongs begins, or a condition in braces; else where the value ends."""
-    depth, start, before = 0, len(value), ""
+    depth, brackets, start, before = 0, 0, len(value), ""
     for place, piece in enumerate(value):
-        if (depth, piece.text) == (0, r"\in"):
+        if (depth, brackets, piece.text) == (0, 0, r"\in"):
             return place
+        brackets += (piece.text in OPENING) - (piece.text in CLOSING)
         if depth == 1 and piece.text in RELATIONS and start < place:
             return start
         if not depth:

@@ -383,7 +383,9 @@ class Meanings:
         thrice = {each for side in formula.sides for each in repeated_in(side, 3)}
         if paired := thrice & self._paired:
             return f"the index {min(paired)} stands three times in a term, and twice elsewhere"
-        return next((reason for side in formula.sides if (reason := self._of_tree(side, symbols))), "")
+        spaces = [side for relation, side in zip(formula.relations, formula.sides[1:], strict=True) if relation == "∈"]
+        sides = [side for side in formula.sides if not any(side is space for space in spaces)]
+        return next((reason for side in sides if (reason := self._of_tree(side, symbols))), "")
 
     def _of_tree(self, tree: Formula, symbols: set[str]) -> str:
         if tree.data == "run" and len(tree.children) == 2:

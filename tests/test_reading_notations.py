@@ -91,6 +91,7 @@ def texts(latex: str) -> list[str | None]:
         (r"\setlength{\arraycolsep}{2pt} a = b \newline + c \IEEEyesnumber \allowdisplaybreaks", r"a = b + c"),
         (r"a &= b \displaybreak[0] \\ &+ c", r"a &= b \\ &+ c"),
         (r"{\hspace{0em}}^A X_B = a \hspace{0pt}^B x", r"{}^A X_B = a \,{}^B x"),
+        (r"y = \mathbf{z}_{\mathsmaller{B}}^{\mathsmaller{\top}} x", r"y = \mathbf{z}_B^\top x"),
         (r"e_A = \log \lambda_A, \qquad A = 1, 2, 3", r"e_A = \log \lambda_A"),
         (r"\Delta{}u = 2 \Delta{}t^2", r"\Delta u = 2 \Delta t^2"),
         (r"c = \frac{f}{k}\> \sin t", r"c = \frac{f}{k} \sin t"),

@@ -418,7 +418,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[Page, Piece], bool]], ...] = (
     ((r"\scalebox",), _framed(1, braces=False)),
     ((r"\textcolor", r"\colorbox", r"\raisebox"), _framed(1)),
     ((r"\makebox", r"\framebox"), _boxed),
-    ((r"\smash", r"\mathclap", r"\fbox"), _framed(0)),
+    ((r"\smash", r"\mathclap", r"\fbox", r"\mathsmaller", r"\mathlarger"), _framed(0)),
     (BRACES, braced_below),
     ((r"\mathbin",), _binary),
     ((r"\mathop",), _colon),

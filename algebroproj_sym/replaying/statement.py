@@ -36,7 +36,6 @@ class Statement:
         )
         require(all(map(is_name, self.variables)), "a variable is not the name of a number")
         require(len({*self.variables}) == len(self.variables), "a variable is listed twice")
-        require("pi" not in self.symbols, "pi is a number, which is known by real laws alone")
 
     def _named(self, name: str) -> set[str]:
         return self.form(name).symbols() if self.has(name) and self.kind != "numeric" else set()

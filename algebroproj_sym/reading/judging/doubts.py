@@ -56,7 +56,7 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
     if formula.relations[index] in (":=", "=:"):
         return "it defines its letter again"
     if cases := [each.where for each in used if each.role == "case"]:
-        return f"{cases[0]} may hold in one case only"
+        return f"it rests on {cases[0]}, which may hold in one case only"
     if beside.condition:
         return "a condition stands beside it"
     lone = [tree for tree in (left, right) if defined_by(tree)[0]]

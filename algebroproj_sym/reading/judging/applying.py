@@ -118,29 +118,45 @@ def with_what_is_true_here(readings: Sequence[Reading], statements: Sequence[Sta
 
     They are those of which the sentence has not all words of the sentence of the equation, and those with a sentence
     behind them that has a word which is new there.  If a line begins with where it holds, it must have the words of all
-    sentences since then.
+    sentences since then.  A contradiction is one only of lines that words plainly assert.
     """
     words = _Words(statements)
-    return [replace(each, links=tuple(_with_lines(each, link, words) for link in each.links)) for each in readings]
+    return [replace(each, links=tuple(_told(each, link, words) for link in each.links)) for each in readings]
+
+
+def _told(reading: Reading, link: Link, words: _Words) -> Link:
+    if link.verdict == "contradicts":
+        return _if_asserted(reading, link, words)
+    return _with_lines(reading, link, words) if link.verdict == "follows" else link
+
+
+def _lines_of(link: Link) -> list[str]:
+    """Return the lines on which a verdict rests."""
+    return [*dict.fromkeys(line for each in link.rests_on for line in _LINE.findall(each))]
+
+
+def _if_asserted(reading: Reading, link: Link, words: _Words) -> Link:
+    """Return a contradiction, or why it is none: a line that it rests on is not plainly asserted, or taken back."""
+    here = reading.statement.display.place
+    for line in _lines_of(link):
+        there = words.said.get(line, {})
+        above = [place for place in there if place < here]
+        if not all(there[place].is_plain for place in above or there):
+            return replace(link, verdict="independent", reason=f"the words beside {line} do not plainly assert it")
+        if said := words.said_between(max(above, default=here), here):
+            return replace(link, verdict="independent", reason=f"the words {said!r} may take {line} back")
+    return link
 
 
 def _with_lines(reading: Reading, link: Link, words: _Words) -> Link:
-    if link.verdict not in ("follows", "contradicts"):
-        return link
+    """Return what follows, with the lines that may be true of another thing among its hypotheses."""
     here = reading.statement.display.place
     near = beside(reading.statement, "")
     near = replace(near, sentence=f"{_NAME.sub('', near.sentence)} {reading.statement.condition}")
     concludes = replace(near, sentence=_HAVE.sub("", near.sentence)).follows
     found: list[str] = []
-    for line in dict.fromkeys(line for each in link.rests_on for line in _LINE.findall(each)):
-        there = words.said.get(line, {})
-        above = {place: each for place, each in there.items() if place < here}
-        if link.verdict == "contradicts":
-            if not all(there[place].is_plain for place in above or there):
-                return replace(link, verdict="independent", reason=f"the words beside {line} do not plainly assert it")
-            if said := words.said_between(max(above, default=here), here):
-                return replace(link, verdict="independent", reason=f"the words {said!r} may take {line} back")
-            continue
+    for line in _lines_of(link):
+        above = {place: each for place, each in words.said.get(line, {}).items() if place < here}
         if not above:
             continue
         known = frozenset().union(*(each.words for each in above.values()))

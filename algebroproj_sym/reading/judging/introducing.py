@@ -6,7 +6,7 @@ from lark import Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_in
-from algebroproj_sym.reading.defining.premises import neighbours
+from algebroproj_sym.reading.defining.premises import Premise, neighbours
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     argument_of,
@@ -110,14 +110,18 @@ def relates_new_letters(memory: Memory, formula: Parsed, index: int) -> bool:
     """Whether a side of a link has letters of which nothing was said, and the other one has not: it says what they are.
 
     Nothing above the link can say anything of it.  A number is a condition, and an operation in a circle may stand
-    between two equations.  Letters over which a sum or an integral runs are none, nor are derivatives.
+    between two equations.  Letters over which a sum or an integral runs are none, nor are derivatives, nor is the
+    identity.
     """
     left, right = sides = formula.sides[index : index + 2]
     if formula.relations[index] not in EQUALITIES or operations_in(left) or not says_more_than_a_number(right):
         return False
     known = memory.seen.union(memory.vocabulary.definitions, memory.given.whole.symbols, *map(_bound_in, sides))
     ours, theirs = ({*symbols_in(each)} - known for each in sides)
-    return any(memory.vocabulary.constant(each) is None and not CHANGES.search(each) for each in ours ^ theirs)
+    new = ours ^ theirs
+    if memory.vocabulary.with_identity(left, right) is not None:
+        new = {each for each in new if not memory.vocabulary.is_like_identity(each)}
+    return any(memory.vocabulary.constant(each) is None and not CHANGES.search(each) for each in new)
 
 
 def _bound_in(tree: Formula) -> set[str]:
@@ -213,7 +217,8 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
     if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
         return False
     is_case = is_case_of(parameters, right) and not memory.survey.are_variables(parameters)
-    is_case = is_case and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol))
+    elsewhere = memory.alone.get(given_by(_base_of(left)), statement.display.part) != statement.display.part
+    is_case = is_case and not elsewhere and (symbol in memory.asserted or not memory.survey.has_one_argument(symbol))
     power = without_power(left) is not left and not memory.survey.meanings.is_label(left)
     if (is_case and not memory.beside.defines) or (power and (symbol in memory.given_at or _has_alone(memory, left))):
         return False
@@ -271,7 +276,8 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     symbol, _ = _letter_of(left)
     known = memory.vocabulary.definitions.get(symbol)
     near = neighbours(memory.premises, part, memory.cited)
-    tied = any(each.gives is None and symbol in each.symbols for each in near) or memory.open.get(symbol) == part
+    tied = any(symbol in each.symbols and not _gives_a_letter(memory, each) for each in near)
+    tied = tied or memory.open.get(symbol) == part
     told = memory.beside.names or memory.introduced
     here = (known is not None and known.part == part) or memory.alone.get(given_by(_base_of(left))) == part
     other = memory.beside.strange(_words_beside(memory, symbol, part)) and not memory.beside.case_of_sentence
@@ -280,6 +286,12 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     if memory.beside.case_of_sentence and (known or symbol in memory.tied):
         return False
     return not ((tied and not told) or (here and not anew))
+
+
+def _gives_a_letter(memory: Memory, premise: Premise) -> bool:
+    """Whether a premise gives a letter, or the value of a function of which nothing else is said."""
+    value = premise.at_vector
+    return premise.gives is not None or (value is not None and value.symbol not in memory.vocabulary.definitions)
 
 
 def _words_beside(memory: Memory, symbol: str, part: int) -> frozenset[str]:

@@ -204,6 +204,8 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
         cursor.out += [Token("CALLEE", bare, start_pos=start), *argument.out]
         cursor.index += len(inside)
         emit_power(cursor, above, raised)
+    elif above == "-1" and bare in (cursor.functions or ()) and cursor.peek() == "(":
+        cursor.out.append(Token("CALLEE", whole, start_pos=start))
     else:
         emit_name(cursor, bare, start, raised=True)
         emit_power(cursor, above, _without_primes(cursor.raised))

@@ -2,27 +2,39 @@
 
 from collections.abc import Iterator
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import applicable, extended
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.summation import in_components
 from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
+from algebroproj_sym.reading.judging.substituting import with_rates
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 
-def with_printed_components(standing: Standing, left: Formula, right: Formula, told: Vocabulary) -> Iterator[Way]:
-    """Yield a relation with the components of vectors, and the functions, that printed cross products tell."""
+def with_printed_components(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation with the components of vectors and matrices, and the functions, that printed matrices tell."""
     place = standing.beside.place
     if standing.survey.shows_components(left, right, place):
         return
     above = [each for each in standing.survey.crossed if each.place < place]
     made = [each for each in above if each.symbol not in standing.vocabulary.definitions]
     functions = [each for each in made if each.parameters]
-    for given in (functions, made):
-        for known in (extended(standing.vocabulary, given), extended(told, given)):
-            if any(each in made for each in used_by(known, left, right)):
-                yield Way(left, right, known, A_VALUE)
+    seen = list[list[Definition]]()
+    for given in (functions, made, [*made, *_last_entries(standing)]):
+        for known in (extended(standing.vocabulary, given), extended(standing.told, given)):
+            for changing in (known, with_rates(standing, (left, right), known)):
+                used = used_by(changing, left, right)
+                if used not in seen and any(each in given for each in used):
+                    seen.append(used)
+                    yield Way(left, right, changing, A_VALUE)
+
+
+def _last_entries(standing: Standing) -> list[Definition]:
+    """Return what the last printed matrix above says of the letters for its entries: all are of the same one."""
+    above = [each for each in standing.survey.entries if each.place < standing.beside.place]
+    last = {each.symbol: each for each in above}
+    return [each for each in last.values() if each.symbol not in standing.vocabulary.definitions]
 
 
 def by_components(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

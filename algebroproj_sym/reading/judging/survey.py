@@ -25,6 +25,7 @@ from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments
 from algebroproj_sym.reading.deriving.crossed import crossed_in
+from algebroproj_sym.reading.deriving.entries import entries_in
 from algebroproj_sym.reading.deriving.indices import Indices
 from algebroproj_sym.reading.deriving.quaternions import quaternions_in
 from algebroproj_sym.reading.deriving.summation import indices_in, is_in_index_notation
@@ -330,6 +331,20 @@ class Survey:
         found = {replace(one, place=place): one for place, each in sides for one in crossed_in([each], self.occurring)}
         symbols = [each.symbol for each in dict.fromkeys(found.values())]
         return tuple(each for each in found if symbols.count(each.symbol) == 1)
+
+    @cached_property
+    def entries(self) -> tuple[Definition, ...]:
+        """What printed matrices that hold say of letters for their entries, unless these were given before."""
+        found, alone = list[Definition](), set[str]()
+        for each in self.statements:
+            formula = self.formulas[id(each)]
+            if not isinstance(formula, Parsed) or not {*formula.relations} <= {*EQUALITIES}:
+                continue
+            if not beside(each, "").is_conditional:
+                given = entries_in(formula.sides, self.occurring, str(each.display.where), each.display.place)
+                found += (entry for entry in given if entry.symbol not in alone)
+            alone |= {defined_by(side)[0] for side in formula.sides}
+        return tuple(found)
 
     def shows_components(self, left: Formula, right: Formula, place: int) -> bool:
         """Whether a relation at a place is the first one that says what the components of a vector are."""

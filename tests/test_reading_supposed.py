@@ -133,7 +133,8 @@ def test_what_a_sentence_supposes_goes_into_no_derivative_integral_or_other_sect
 def test_a_root_follows_from_its_square_where_both_have_one_sign():
     *_, root = read_document(document_of(FALLS + r"Hence the speed is \[ v = \sqrt{2 g h}. \]"), seconds=5)
     assert root.verdict == "follows"
-    assert root.links[0].reason == "read as v = sqrt(2*g*h), where both sides have the same sign"
+    assert root.links[0].reason == "read as v = sqrt(2*g*h), as v**2 = sqrt(2*g*h)**2"
+    assert "v >= 0" in root.links[0].hypotheses
 
 
 @pytest.mark.parametrize(
@@ -142,7 +143,10 @@ def test_a_root_follows_from_its_square_where_both_have_one_sign():
         (r"It is \[ T^2 = \frac{c^2 l}{g}. \] Hence the period is \[ T = c \sqrt{\frac{l}{g}}. \]", True),
         (r"The root is \[ x^2 + b = 0. \] Hence \[ x = \pm \sqrt{-b}. \]", True),
         (r"The root is \[ x^2 = b. \] Hence \[ x = \pm 2\sqrt{b}. \]", False),
-        (FALLS + r"Hence \[ v = \sqrt{2 g h}. \]", False),
+        (FALLS + r"Hence \[ v = \sqrt{2 g h}. \]", True),
+        (FALLS + r"Let $v = -u^2 - 1$. Hence \[ v = \sqrt{2 g h}. \]", False),
+        (r"It is \[ x = -3. \] Hence \[ x = \sqrt{9}. \]", False),
+        (r"It is \[ x = -a^2 - 1. \] Hence \[ x = \sqrt{(a^2 + 1)^2}. \]", False),
         (FALLS + r"The negative root is \[ v = \sqrt{2 g h}. \]", False),
         (FALLS + r"Hence the speed is \[ v = \sqrt{g h}. \]", False),
         (FALLS + r"Hence \[ v = -\sqrt{2 g h}. \]", False),

@@ -1,6 +1,6 @@
 r"""Formulas that repeat another one: with numbers put in for letters, as in ``m a = 2 \cdot 3``, or as its power."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from lark import Token, Tree
@@ -54,35 +54,45 @@ class Powers:
     """The powers."""
     degree: int
     """Of which degree they are."""
-    is_open: bool
+    is_open: bool = False
     r"""Whether the sign of the root is open, as in ``\pm\sqrt{a}``."""
+    is_of_left: bool = True
+    """Whether the root stands on the right."""
+    is_positive: bool = False
+    """Whether the root is a multiple of numbers alone, with the plus sign."""
 
 
 def powers_of(left: Formula, right: Formula) -> Powers | None:
     r"""Return the powers of a letter and of a root that it is, or of a root and its value; None for another equation.
 
-    A root may stand among factors, and its sign may be open: ``x = a \pm \sqrt{b}`` has ``(x - a)^2 = b``.
+    A root may stand among factors, and its sign may be open: ``x = a \pm \sqrt{b}`` has ``(x - a)^2 = b``.  A value
+    such as that of a sine is like a letter.
     """
-    if left.data != "symbol" and _degree(left) == 2 and _degree(right) == 1:
-        return _raised(left, right, 2, is_open=False)
+    degrees = _degree(left), _degree(right)
+    is_value = left.data in ("symbol", "function")
+    if not is_value and degrees == (2, 1):
+        return replace(_raised(left, right, 2), is_of_left=False)
     above, *below = right.children if right.data == "fraction" else [right]
     terms = above.children if isinstance(above, Tree) and above.data == "sum" else []
-    if left.data != "symbol" or not isinstance(above, Tree):
+    if not is_value or not isinstance(above, Tree):
         return None
     if len(terms) > 1 and terms[-2] in ("±", "∓"):
         root: Any = terms[-1]
         whole: Any = Tree("run", [left, *(Tree("group", [each]) for each in below)]) if below else left
         rest: Any = Tree("sum", [whole, Token("SIGN", "-"), Tree("group", [Tree("sum", terms[:-2])])])
         is_root = isinstance(root, Tree) and _degree(root) == 2 and not {"±", "∓"} & {*terms[:-2]}
-        return _raised(rest if terms[:-2] else whole, root, 2, is_open=True) if is_root else None
-    degree = _degree(right)
-    return _raised(left, right, degree, is_open=False) if 1 < degree <= MOST_DEGREE else None
+        return replace(_raised(rest if terms[:-2] else whole, root, 2), is_open=True) if is_root else None
+    if not 1 < degrees[1] <= MOST_DEGREE or degrees[0] != 1:
+        return None
+    others = [each for each in trees_in(right) if _degree(each) == 1] if right.data == "run" else []
+    is_positive = right.data in ("root", "run") and not any(map(symbols_in, others))
+    return replace(_raised(left, right, degrees[1]), is_positive=is_positive)
 
 
-def _raised(left: Formula, right: Formula, degree: int, *, is_open: bool) -> Powers:
+def _raised(left: Formula, right: Formula, degree: int) -> Powers:
     exponent: Formula = Tree("number", [Token("NUMBER", str(degree))])
     both: list[Formula] = [Tree("power", [Tree("group", [each]), exponent]) for each in (left, right)]
-    return Powers(both[0], both[1], degree, is_open)
+    return Powers(both[0], both[1], degree)
 
 
 def _degree(tree: Formula) -> int:

@@ -135,6 +135,12 @@ def samples_of(vocabulary: Vocabulary, *trees: Formula) -> list[Sample]:
     return [each for each in samples if all(each.at(tree) is not None for tree in trees)]
 
 
+def is_somewhere_positive(vocabulary: Vocabulary, number: Formula) -> bool:
+    """Whether a number is seen to be real and not negative at some point."""
+    values = (complex(value) for each in samples_of(vocabulary, number) for value in each.at(number) or ())
+    return any(value.imag == 0 <= value.real for value in values)
+
+
 def are_one_matrix(vocabulary: Vocabulary, sides: Sides) -> bool:
     """Whether two sides with vectors and matrices as letters are seen to be one."""
     for known in (vocabulary, vocabulary.with_identity(*sides)):

@@ -13,6 +13,7 @@ from algebroproj_sym.reading.defining.premises import MOST_PREMISES, MOST_TOGETH
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.tensors import depend_on_size
 from algebroproj_sym.reading.defining.vocabulary import Numbers
+from algebroproj_sym.reading.deriving.angles import of_angle
 from algebroproj_sym.reading.deriving.ends import with_same_ends
 from algebroproj_sym.reading.deriving.gradients import along_directions
 from algebroproj_sym.reading.deriving.indexed import instance_of, instances, sources_of
@@ -25,6 +26,7 @@ from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of
 from algebroproj_sym.reading.judging.quaternions import of_quaternions
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.renaming import as_multiples, with_columns_as_letters, with_functions_as_letters
+from algebroproj_sym.reading.judging.sampling import is_somewhere_positive
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import from_integrals, with_premises
 from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
@@ -45,7 +47,6 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         special = special or f"the word {word!r} may mean special values or products"
     doubt = special or doubt_of(standing.beside, formula, index, known)
     others = _others(standing, statement, formula, index)
-    told = standing.told
     ways = [
         Way(left, right, known, doubt),
         *(Way(*each, known, reads=known.equation(*each)) for each in others),
@@ -54,13 +55,14 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *as_its_sentence_supposes(standing, left, right),
         *from_integrals(standing, left, right),
         *_raised(standing, formula, index),
+        *_of_angle(standing, formula, index),
         *_said_before(standing, left, right),
         *(at_others := [*_at_other_indices(standing, left, right)]),
-        *_with_same_ends(standing, [Way(left, right, told), *(each for each in at_others if not each.under)]),
+        *_with_same_ends(standing, [Way(left, right, standing.told), *(each for each in at_others if not each.under)]),
         *with_functions_as_letters(standing, formula, index),
         *with_columns_as_letters(standing, formula, index),
         *of_quaternions(standing, formula, index),
-        *with_printed_components(standing, left, right, told),
+        *with_printed_components(standing, left, right),
         *as_multiples(standing, left, right),
         *by_components(standing, left, right),
     ]
@@ -132,8 +134,9 @@ def _with_same_ends(standing: Standing, ways: Sequence[Way]) -> Iterator[Way]:
 def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     """Yield the powers of a letter and of a root that it is, as they rest on others.
 
-    Both have one sign, or its degree is odd, or words speak of a root, or of what is never negative.  A root on the
-    left speaks for itself, of real letters that equations above give.
+    Both have one sign, or its degree is odd.  A root that is no multiple of letters has the plus sign, if the letter
+    may have it; elsewhere words speak of a root, or of what is never negative.  A root on the left speaks for itself,
+    of real letters that equations above give.
     """
     left, right = formula.sides[index : index + 2]
     several = _SEVERAL.fullmatch(defined_by(left)[0])
@@ -141,7 +144,7 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     powers = powers_of(left, right)
     if powers and powers.is_open and several and alone:
         powers = powers_of(letter_of(several[1]), right)
-    is_root = powers is not None and not powers.is_open and not defined_by(left)[0]
+    is_root = powers is not None and not powers.is_open and not powers.is_of_left
     known = standing.vocabulary
     if is_root and (not used_by(known, left, right) or complex_letters_in(known, left, right)):
         return
@@ -150,18 +153,43 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     branches = ({"branch", "lower"}, {"branch", "negative"})
     below = any(words <= each.words for words in branches for each in standing.premises[-MOST_PREMISES:])
     certain = powers.is_open or powers.degree % 2 or is_root or (standing.beside.speaks_of_a_length and not below)
-    if not (certain or (standing.beside.speaks_of_a_root and not below)):
+    positive = powers.is_positive and not (below or "negative" in standing.beside.words)
+    if not (certain or positive or (standing.beside.speaks_of_a_root and not below)):
         return
     of_powers = replace(formula, sides=(powers.left, powers.right), relations=("=",))
-    shown = standing.vocabulary.equation(*formula.sides[index : index + 2])
-    reads = shown if powers.is_open else f"{shown}, where both sides have the same sign"
-    plain = Way(powers.left, powers.right, standing.vocabulary)
+    reads = f"{known.equation(left, right)}, as {known.equation(*of_powers.sides)}"
+    same = f"{known.text(left)} >= 0" if positive else "both sides have the same sign"
+    plain = Way(powers.left, powers.right, known)
     for way in (
-        *[plain][: bool(certain)],
+        *[plain][: bool(certain or positive)],
         *with_premises(standing, of_powers, 0),
         *under_equations(standing, *plain.sides),
     ):
-        yield replace(way, reads=reads, doubt=A_VALUE)
+        if certain or not positive or is_somewhere_positive(way.vocabulary, left):
+            yield replace(way, reads=reads, doubt=A_VALUE, where=() if powers.is_open or powers.degree % 2 else (same,))
+
+
+def _of_angle(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
+    """Yield what an equation with an inverse function says of its angle, which lies where such a function has values.
+
+    Nothing above it gives the letters of the angle: it might be another one.
+    """
+    found, known = of_angle(*formula.sides[index : index + 2]), standing.vocabulary
+    if found is None:
+        return
+    shown, angle = known.equation(*formula.sides[index : index + 2]), known.text(found.angle)
+    where = [angle.join(found.between), *([f"{known.text(found.positive)} > 0"] if found.positive else [])]
+    reads = f"{shown}, as {known.equation(found.left, found.right)}"
+    plain = Way(found.left, found.right, known)
+    of_function = replace(formula, sides=plain.sides, relations=("=",))
+    for way in (
+        plain,
+        *with_premises(standing, of_function, 0),
+        *with_printed_components(standing, *plain.sides),
+        *_raised(standing, of_function, 0),
+    ):
+        if not used_by(way.vocabulary, found.angle):
+            yield replace(way, reads=reads, doubt=A_VALUE, where=(*where, *way.where))
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

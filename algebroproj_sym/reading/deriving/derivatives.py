@@ -177,9 +177,7 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
         return _of_prime(symbol, vocabulary)
     bare = _without_dot(symbol)
     function = _by_bare(vocabulary.definitions).get(bare) if bare else None
-    if function is None:
-        return _of_time(symbol, vocabulary, occurring)
-    if vocabulary.definitions[function].parameters == ("t",):
+    if function is None or vocabulary.definitions[function].parameters:
         return _of_time(symbol, vocabulary, occurring)
     is_computed = vocabulary.is_computed(vocabulary.definitions[function].tree)
     found = None if is_computed else _of_factors(symbol, bare, "t", vocabulary, occurring)
@@ -444,16 +442,25 @@ def _of_function(symbol: str, definition: Definition, order: int, vocabulary: Vo
 
 
 def _of_time(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
-    r"""Return the derivative by its dots of a function of t, as ``\ddot x(t)`` of ``x(t)``, or of what has a t."""
+    r"""Return the derivative by its dots of a function of t, as ``\ddot x(t)`` of ``x(t)``, or of what has a t.
+
+    A dot on a function of another letter is taken for the derivative by this letter, if that has no dot itself.
+    """
     known, bare, dots = _by_bare(vocabulary.definitions), _without_dot(symbol), 1
     while bare and bare not in known:
         bare, dots = _without_dot(bare), dots + 1
     definition = vocabulary.definitions.get(known.get(bare, ""))
     if definition is not None and not definition.parameters and dots > 1:
         return _of_the_time(symbol, definition, dots, vocabulary, occurring)
-    if definition is None or definition.parameters != ("t",):
+    if definition is None or len(definition.parameters) != 1:
         return None
-    return _of_function(symbol, definition, dots, vocabulary)
+    (variable,) = definition.parameters
+    made = _of_function(symbol, definition, dots, vocabulary)
+    if made is None or variable == "t":
+        return made
+    where = f"{made.where}, with a dot as the derivative by {vocabulary.name(variable)}"
+    moves = _with_dot(variable) in map(_bare, occurring)
+    return None if moves else replace(made, where=where, role="case")
 
 
 def _of_the_time(

@@ -44,6 +44,7 @@ _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
 """A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
 _SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")
 _THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
+_BOLD_SMALL = re.compile(r"\\mathbf\{\\?[a-z]")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
 _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?![a-z]{2})")
 _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
@@ -189,13 +190,17 @@ class _Closure:
     def _take_blocks(self, cells: Sequence[Any]) -> None:
         r"""Take the blocks of a matrix with a block that is no number for what may be none, as t by ``\mathbf{0}^T``.
 
-        A capital is none.  Where blocks are sums, this concerns their terms: of a product, the last factor.
+        A capital is none.  Where blocks are sums, this concerns their terms: of a product, the last factor.  Beside
+        bold small letters, as v in ``(w, \mathbf{v})``, other small letters are numbers.
         """
         if any(map(self._is_block, cells)):
             self.known |= {*filter(CAPITAL.match, map(lone, cells))} - self._numbers - self._scales
             terms = [term for cell in cells for term in terms_of(cell)]
-            for letters in (factors_of(trees_in(each)[-1] if each.data == "run" else each) for each in terms):
-                self.open |= {*letters} - self._numbers - self._scales
+            letters = {
+                symbol for each in terms for symbol in factors_of(trees_in(each)[-1] if each.data == "run" else each)
+            }
+            numbers = {*filter(_SMALL.fullmatch, letters)} if any(map(_BOLD_SMALL.match, letters)) else set[str]()
+            self.open |= letters - numbers - self._numbers - self._scales
 
     def _is_block(self, cell: Any) -> bool:
         """Whether a cell is a transpose, or a product or a sum of capitals and bold letters, and no number."""

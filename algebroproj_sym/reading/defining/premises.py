@@ -136,6 +136,13 @@ class Premise:
         return None
 
 
+def said_by(definition: Definition) -> Premise:
+    """Return the equation by which a letter is defined."""
+    where = definition.where, definition.part, definition.place, frozenset[str]()
+    held = definition.role == "case", definition.words, False, definition.context, definition.ranges
+    return Premise(letter_of(definition.symbol), definition.tree, *where, *held)
+
+
 def _slope_of(value: Any, letter: Any) -> Any:
     """Return by what a letter is multiplied in a number, if it is rational and without the letter; None otherwise."""
     if shape(value) or not isinstance(letter, sympy.Symbol) or not value.has(letter):

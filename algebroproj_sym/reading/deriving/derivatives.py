@@ -1,7 +1,7 @@
 r"""What derivatives of what is defined are, such as ``\dot V``, ``f'(x)`` and ``\frac{\partial f}{\partial x}``."""
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -18,7 +18,7 @@ from algebroproj_sym.reading.deriving.chains import chained, slope_of
 from algebroproj_sym.reading.deriving.implicit import implicit
 from algebroproj_sym.reading.deriving.integrating import integral_in, is_integral
 from algebroproj_sym.reading.deriving.jacobians import jacobian_of
-from algebroproj_sym.reading.deriving.rates import ONE, UNCHANGED, ZERO, rate_of
+from algebroproj_sym.reading.deriving.rates import ONE, UNCHANGED, ZERO, copies_in, rate_of
 from algebroproj_sym.reading.deriving.through import nested, through_arguments
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -95,7 +95,7 @@ def computed(
         hidden = any(variable in vocabulary.letters_of(each.tree) for each in vocabulary.used_in(body))
     if variable not in letters or changing or inside or hidden or stands_within(variable, letters):
         return found, made
-    where = f"the derivative by {vocabulary.name(variable)}{_unchanged(others, vocabulary)}"
+    where = f"the derivative by {vocabulary.name(variable)}{unchanged(others, vocabulary)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
     made.append(Definition(symbol, (), slope_of(body, variable, order), where, -1, True))
     return letter_of(symbol), made
@@ -123,7 +123,7 @@ def _integrated(
     found = integral_in(tree, step, inner)
     if found is None:
         return tree, made
-    return letter_of(found.symbol), [*made, replace(found, where=f"{found.where}{_unchanged(others, vocabulary)}")]
+    return letter_of(found.symbol), [*made, replace(found, where=f"{found.where}{unchanged(others, vocabulary)}")]
 
 
 def _of_lone(tree: Any, variable: str, vocabulary: Vocabulary, occurring: frozenset[str]) -> Definition | None:
@@ -179,8 +179,10 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
     function = _by_bare(vocabulary.definitions).get(bare) if bare else None
     if function is None or vocabulary.definitions[function].parameters:
         return _of_time(symbol, vocabulary, occurring)
-    is_computed = vocabulary.is_computed(vocabulary.definitions[function].tree)
-    found = None if is_computed else _of_factors(symbol, bare, "t", vocabulary, occurring)
+    tree = vocabulary.definitions[function].tree
+    rated = any(each in vocabulary.definitions and has_rate(each, "t", occurring) for each in symbols_in(tree))
+    factors = rated or not vocabulary.is_computed(tree)
+    found = _of_factors(symbol, bare, "t", vocabulary, occurring) if factors else None
     return found or _rate(symbol, function, vocabulary, occurring)
 
 
@@ -289,9 +291,13 @@ def _of_factors(
         return None
     if definition.parameters not in ((), (variable,)):
         return None
-    tree = definition.tree
-    rates = _rates_in(occurring, variable)
-    letters = [each for each in symbols_in(tree) if each != variable]
+    tree, own = definition.tree, rates_in(occurring, variable)
+    try:
+        rates, trees = through_given(tree, {**own, variable: ONE}, vocabulary)
+        rate = rate_of(tree, rates)
+    except UnreadableError:
+        return None
+    letters = [each for one in trees for each in symbols_in(one) if each != variable]
     if any(each not in rates and vocabulary.gives_letters(each) for each in letters):
         return None
     constant = [each for each in letters if each not in rates and f"{each}({variable})" not in rates]
@@ -302,11 +308,7 @@ def _of_factors(
         or any(" " in each or "/" in each for each in constant)
     ):
         return None
-    if variable not in symbols_in(tree) and not _are_constant(constant, vocabulary):
-        return None
-    try:
-        rate = rate_of(tree, {**rates, variable: ONE})
-    except UnreadableError:
+    if not any(variable in symbols_in(one) for one in trees) and not _are_constant(constant, vocabulary):
         return None
     if rate is None or symbol in symbols_in(rate):
         return None
@@ -328,7 +330,7 @@ def _are_constant(letters: Iterable[str], vocabulary: Vocabulary) -> bool:
     )
 
 
-def _rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:
+def rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:
     """Return the letters, and values such as x(t), whose derivatives by a variable stand in a document, with these."""
     found: dict[str, Formula] = {}
     bare = _by_bare(sorted(occurring))
@@ -339,6 +341,9 @@ def _rates_in(occurring: frozenset[str], variable: str) -> dict[str, Formula]:
         rate = rate or (bare.get(_with_dot(each)) if variable == "t" else None)
         if rate is not None:
             found[each] = letter_of(rate)
+            if second is None and rate == bare.get(_with_dot(each)):
+                of_time: Formula = Tree("call", [Token("CALLEE", rate), Tree("items", [letter_of(variable)])])
+                found[f"{each}({variable})"] = of_time
         if (whole := bare.get(f"d{value}/d{variable}")) is not None:
             found[f"{each}({variable})"] = found[each] = letter_of(whole)
     return found
@@ -365,6 +370,8 @@ def _of_quotient(
     variable = _by_bare(sorted(letters)).get(_bare(below))
     used = vocabulary.used_in(definition.tree)
     if variable is None:
+        if sign != "d" and not order and _bare(below) in known:
+            return _as_if_not_given(symbol, definition, known[_bare(below)], vocabulary)
         other = _of_others(_bare(below), letters, vocabulary, occurring) if sign != "d" else ""
         is_zero = other and not _change(letters, other, occurring, sign)
         return _made(symbol, ZERO, definition, sorted(letters), vocabulary) if is_zero else None
@@ -376,6 +383,38 @@ def _of_quotient(
     if vocabulary.moves_with(others, variable):
         return None
     return _made(symbol, slope_of(value, variable, order), definition, others, vocabulary)
+
+
+def _as_if_not_given(symbol: str, definition: Definition, variable: str, vocabulary: Vocabulary) -> Definition | None:
+    """Return a partial derivative by a letter as if nothing gave it: the others in the formulas do not change.
+
+    It stands in one formula, or in others that are put in, and not in both: it might be meant at fixed values of these.
+    """
+    try:
+        rates, trees = through_given(definition.tree, {variable: ONE}, vocabulary)
+        rate = rate_of(definition.tree, rates)
+    except UnreadableError:
+        return None
+    fixed = {symbol for tree in trees for symbol in symbols_in(tree)} - {*rates}
+    twice = variable in symbols_in(definition.tree) and len(trees) > 1
+    if rate is None or twice or vocabulary.moves_with(fixed, variable):
+        return None
+    return replace(_made(symbol, rate, definition, sorted(fixed), vocabulary), role="case")
+
+
+def through_given(
+    tree: Formula, rates: Mapping[str, Formula], vocabulary: Vocabulary
+) -> tuple[dict[str, Formula], list[Formula]]:
+    """Return rates with those of letters that others give, and the formulas in which they stand with the first one."""
+    found, trees = dict(rates), [tree]
+    copies = dict.fromkeys(found, 1)
+    for each in vocabulary.used_in(tree):
+        known = each.symbol in found or each.parameters
+        if not known and (rate := rate_of(each.tree, found, copies)) is not None:
+            found[each.symbol] = Tree("group", [rate])
+            copies[each.symbol] = copies_in(each.tree, copies)
+            trees.append(each.tree)
+    return found, trees
 
 
 def _is_unknown(definition: Definition, vocabulary: Vocabulary) -> bool:
@@ -506,11 +545,12 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
 def _made(
     symbol: str, tree: Formula, definition: Definition, constant: list[str], vocabulary: Vocabulary
 ) -> Definition:
-    where = f"the derivative of {definition.where}{_unchanged(constant, vocabulary)}"
+    where = f"the derivative of {definition.where}{unchanged(constant, vocabulary)}"
     return Definition(symbol, (), tree, where, definition.part, True, place=definition.place, words=definition.words)
 
 
-def _unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
+def unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
+    """Return the words that some letters do not change; empty for no letters."""
     verb = "does" if len(letters) == 1 else "do"
     return f", where {', '.join(map(vocabulary.name, letters))} {verb}{UNCHANGED}" if letters else ""
 

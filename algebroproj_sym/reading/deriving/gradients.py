@@ -18,7 +18,7 @@ from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.rates import ZERO, copies_in, rate_of, written
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, lone, symbols_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, lone, symbols_in, trees_in, without_brackets
 
 _QUOTIENT = re.compile(r"(d|\\partial)([^/^()]+)(?:\(([^/^()]+)\))?/\1([^/^()]+)")
 _OPERATOR = re.compile(r"(d|\\partial)/\1([^/^]+)")
@@ -100,7 +100,9 @@ class _Gradients:
         if variable is None or not self._vocabulary.is_matrix(variable) or variable in self._vocabulary.definitions:
             return None
         others = letters - {variable} - {each.symbol for each in used}
-        via = any(variable in self._vocabulary.letters_of(each.tree) for each in used)
+        via = any(
+            variable in self._vocabulary.letters_of(each.tree) and not _is_length(each.tree, variable) for each in used
+        )
         rates = [each for each in others if _RATE.search(each) and bare_name(variable) in bare_name(each)]
         ambiguous = (partial and via and variable in symbols_in(direct)) or (rates and not partial)
         if ambiguous or self._vocabulary.depends(others, variable) or self.variable not in (None, variable):
@@ -167,6 +169,11 @@ class _Gradients:
         if tree.data == "fraction" and not self._has(tree.children[1]):
             return Tree("fraction", [self.along(tree.children[0]), tree.children[1]])
         raise _OtherwiseError
+
+
+def _is_length(tree: Formula, vector: str) -> bool:
+    """Whether a formula is the length of a vector: it changes with the vector in every derivative."""
+    return tree.data == "norm" and lone(without_brackets(trees_in(tree)[0])) == vector
 
 
 def _below_nabla(tree: Formula) -> Any:

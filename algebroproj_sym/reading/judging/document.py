@@ -192,7 +192,9 @@ class _Pass:
         elsewhere = number and (
             leads_elsewhere(statement.display.after) or is_example(sentence, statement.display.after)
         )
-        says = is_given_within(before, number=number) and not (elsewhere or beside(statement, "").is_denied)
+        restricts = self._restricts_new(statement, formula)
+        says = is_given_within(before, number=number and not restricts)
+        says = says and not (elsewhere or beside(statement, "").is_denied)
         says = says and not (ASKS.match(sentence) or is_denied_behind(statement.display.after))
         self.memory.stand_at(statement.display)
         stated = SAYS.search(before) or is_item(before, statement.display.after)
@@ -212,7 +214,7 @@ class _Pass:
                 says
                 and definition is None
                 and ends_clause(statement.display)
-                and self._introduces_within(formula, before)
+                and (restricts or self._introduces_within(formula, before))
             ):
                 given = self.memory.premises_of(statement, formula, formula.sides)
                 self.memory.premises += [replace(each, special=False) for each in given]
@@ -248,6 +250,14 @@ class _Pass:
         if formula.relations != ("=",) or len(lone) != 1 or not new:
             return False
         return lone[0] not in new and self.memory.vocabulary.is_matrix(lone[0])
+
+    def _restricts_new(self, statement: Statement, formula: Parsed) -> bool:
+        """Whether an equation within the text is of letters that its sentence introduces: "with $a^2 + b^2 = 1$"."""
+        sentence = last_sentence(statement.display.before)
+        same = (each.display for each in self.survey.statements[max(0, self.order - MOST_WITHIN) : self.order - 1])
+        places = {each.place for each in same if f"${each.latex}$" in sentence}
+        letters = {symbol for side in formula.sides for symbol in symbols_in(side)}
+        return len(letters) > 1 and {self.memory.asserted.get(each) for each in letters} <= places
 
     def _gives_a_square(self, left: Formula, right: Formula) -> bool:
         base = without_power(left)

@@ -2,13 +2,15 @@
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import free_symbols
-from algebroproj_sym.reading.defining.premises import Premise, extended, given_values, with_given
+from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, extended, given_values, said_by, with_given
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.derivatives import computed, derivatives_in
+from algebroproj_sym.reading.deriving.differentiating import derived_by, differentiated
 from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
 from algebroproj_sym.reading.deriving.rates import UNCHANGED
 from algebroproj_sym.reading.deriving.solving import solution_of
@@ -17,6 +19,7 @@ from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.parsing.factors import base_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.prose.devices import says
 from algebroproj_sym.reading.prose.words import Beside
 
 MOST_SOLVED = 4
@@ -109,6 +112,25 @@ def from_integrals(standing: Standing, left: Formula, right: Formula) -> Iterato
         for solution in solutions(worked, standing.vocabulary, {*symbols_in(left), *symbols_in(right)}):
             where = "; ".join((solution.where, *(letter.where for letter in (*made, *more))))
             yield Way(left, right, extended(standing.vocabulary, [replace(solution, where=where)]), A_VALUE)
+
+
+def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield a relation under equations near it or cited with both sides differentiated, where words speak of that.
+
+    They must hold not only at one moment, which is said.
+    """
+    if not says(r"\b<differentiates>\b", standing.beside.sentence):
+        return
+    within = {each.display.place for each in standing.survey.statements if each.display.environment == "inline"}
+    near = [each for each in standing.near() if not each.special or each.place in within]
+    given = sorted(standing.vocabulary.definitions.values(), key=lambda each: each.place)[-MOST_NEAR:]
+    near += [said_by(each) for each in given if each.part == standing.part and not each.parameters]
+    for variable, each in product(derived_by(left, right), near):
+        made = differentiated(each, variable, standing.vocabulary, standing.survey.occurring)
+        if made is not None:
+            where = (f"{each.where} holds for every {standing.vocabulary.name(variable)}",)
+            for under in ((made,), (made, each)):
+                yield Way(left, right, standing.vocabulary, A_VALUE, under=under, where=where)
 
 
 def solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:

@@ -25,6 +25,9 @@ def as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) 
     for premises, given in (([], []), (standing.above, standing.given)):
         known = extended(standing.vocabulary, [*given, *supposed])
         yield Way(left, right, known, A_VALUE)
+        changing = with_rates(standing, (left, right), known)
+        if used_by(changing, left, right) != used_by(known, left, right):
+            yield Way(left, right, changing, A_VALUE)
         values = given_values([*premises, *own], known, (left, right))
         if values:
             ours, theirs = (with_given(side, values) for side in (left, right))

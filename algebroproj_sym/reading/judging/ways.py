@@ -19,6 +19,7 @@ from algebroproj_sym.reading.deriving.gradients import along_directions
 from algebroproj_sym.reading.deriving.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.deriving.indices import excludes
 from algebroproj_sym.reading.deriving.instances import powers_of
+from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.components import by_components, with_printed_components
 from algebroproj_sym.reading.judging.constraining import under_equations
@@ -28,7 +29,7 @@ from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letter
 from algebroproj_sym.reading.judging.renaming import as_multiples, with_columns_as_letters, with_functions_as_letters
 from algebroproj_sym.reading.judging.sampling import is_somewhere_positive
 from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import from_integrals, with_premises
+from algebroproj_sym.reading.judging.substituting import from_derivatives, from_integrals, with_premises
 from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in, with_divided_angles
@@ -39,6 +40,7 @@ _SEVERAL = re.compile(r"(.+)_\{?(?:12|1,2|1/2|\\pm)\}?")
 
 def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: int) -> list[Way]:
     """Return the ways to take a link of a formula, the first one as it stands."""
+    formula = replace(formula, sides=tuple(map(with_exponentials, formula.sides)))
     left, right = formula.sides[index], formula.sides[index + 1]
     known = standing.vocabulary
     ranged = sorted((known.letters_of(left) | known.letters_of(right)) & standing.survey.restricted)
@@ -54,6 +56,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *under_equations(standing, left, right),
         *as_its_sentence_supposes(standing, left, right),
         *from_integrals(standing, left, right),
+        *from_derivatives(standing, left, right),
         *_raised(standing, formula, index),
         *_of_angle(standing, formula, index),
         *_said_before(standing, left, right),

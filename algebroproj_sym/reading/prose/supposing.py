@@ -39,7 +39,7 @@ _STATES = re.compile(
     r"indeed))* (?:have|has|gets?|obtains?|finds?|sees?|knows?|concludes?|arrives? at)(?: that)?|"
     r"\bfollows(?: (?:directly|immediately|easily))?(?: that)?|\b(?:hence|thus|therefore|so|so that|then|consequently)|"
     r"\b(?:not(?:e|ing)|notice|recall(?:ing)?|observe)(?: that)?|\bthat is|\bi\.e\.|"
-    r"\b(?:gives?|yields?|implies|giving|yielding|implying)(?: that)?)[^\w$]*$",
+    r"\b(?:gives?|yields?|implies|giving|yielding|implying|satisf(?:y|ies|ying)|obeys?)(?: that)?)[^\w$]*$",
     re.IGNORECASE,
 )
 """The words right before a formula that its sentence states."""

@@ -203,7 +203,7 @@ NOTHING_FOLLOWS = [
     r"\[ E(i) = a. \] \[ \sum_{i=1}^n E(i) = n a. \]",
     r"\[ E(x) = a. \] \[ \frac{d}{dx} (x E(x)) = a. \]",
     r"\[ f(x) := E(x) + 1. \] \[ E(x) = a. \] \[ f(2) = a + 1. \]",
-    r"\[ s^2 = a. \] \[ s = \sqrt{a}. \]",
+    r"\[ s^2 = a. \] \[ s = -\sqrt{a}. \]",
     r"\[ s^2 = a^2. \] \[ s = a. \]",
     r"\[ p(a) = q a. \] \[ p(a, b) = q a. \]",
     r"\[ \binom{n}{k} = \binom{k}{n}. \]",

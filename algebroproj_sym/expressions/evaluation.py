@@ -94,7 +94,8 @@ def _step(node: Any, places: dict[Any, int], steps: list[tuple[_Operation, Any]]
     if isinstance(node, sympy.Add | sympy.Mul | over):
         operands = [_place(argument, places, steps) for argument in node.args]
         return "quotient" if isinstance(node, over) else "sum" if isinstance(node, sympy.Add) else "product", operands
-    raise NotRationalError(f"evaluate: expected a rational expression over Q, got {node}")
+    shown = sympy.sstr(node, order="none")  # any order of terms is found by computing values, which may take minutes
+    raise NotRationalError(f"evaluate: expected a rational expression over Q, got {shown}")
 
 
 def _values(plan: _Plan, point: Mapping[sympy.Symbol, Any], lift: Callable[[Fraction], Any]) -> tuple[Any, ...]:

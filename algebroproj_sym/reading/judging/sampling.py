@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy
 
-from algebroproj_sym.expressions import NotRationalError, entries, evaluate
+from algebroproj_sym.expressions import NotRationalError, entries, evaluate, over, shape
 from algebroproj_sym.expressions.bounds import MAX_BITS
 from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.letters import prove_texts
@@ -70,14 +70,14 @@ class Sample:
             else:
                 changing = _has_slope(definition)
                 value = self._vocabulary.value if changing else self._value
-                self._known[symbol] = _bounded(self._number(value(definition.tree)))
+                self._known[symbol] = _as_number(_bounded(self._number(value(definition.tree))))
         return self._known[symbol]
 
     def _number(self, letters: Any) -> Any:
         for each in sorted((one for entry in entries(letters) for one in entry.free_symbols), key=str):
             if each not in self._numbers:
                 self._numbers[each] = _rational(next(self._others))
-        return letters.xreplace(self._numbers)
+        return letters.xreplace(self._numbers if _is_rational(letters) else _nearly(self._numbers))
 
     def _function(self, definition: Definition) -> Any:
         changing = _has_slope(definition)
@@ -91,7 +91,9 @@ class Sample:
             found = evaluated(
                 definition.tree, lambda symbol: letters[symbol] if symbol in letters else self._names(symbol)
             )
-            return _bounded(found.xreplace({letters[each]: own[each] for each in own}) if changing else found)
+            return _as_number(
+                _bounded(found.xreplace({letters[each]: own[each] for each in own}) if changing else found)
+            )
 
         return function
 
@@ -106,6 +108,34 @@ def _bounded(value: Any) -> Any:
     if any(max(int(each.p).bit_length(), int(each.q).bit_length()) > MAX_BITS for each in numbers):
         raise UnreadableError(f"expected numbers of at most {MAX_BITS} bits")
     return value
+
+
+def _is_rational(value: Any) -> bool:
+    """Whether an expression is made of rational numbers and letters by rational operations."""
+    parts = {each.func for entry in entries(value) for each in sympy.preorder_traversal(entry)}
+    powers = (power.exp for entry in entries(value) for power in entry.atoms(sympy.Pow))
+    known = all(issubclass(each, _RATIONAL) for each in parts)
+    return known and all(isinstance(each, sympy.Integer) for each in powers)
+
+
+_RATIONAL = (sympy.Symbol, sympy.Rational, sympy.Add, sympy.Mul, sympy.Pow, over)
+_DIGITS = 30
+"""With how many digits numbers are computed that are not rational."""
+
+
+def _nearly(numbers: Mapping[Any, Any]) -> dict[Any, Any]:
+    return {each: sympy.Float(value, _DIGITS) for each, value in numbers.items()}
+
+
+def _as_number(value: Any) -> Any:
+    """Return a value without letters as a rational number, or as one with some digits: it goes into others."""
+    if _is_rational(value):
+        return value
+    return value.applyfunc(_with_digits) if shape(value) else _with_digits(value)
+
+
+def _with_digits(number: Any) -> Any:
+    return sympy.N(number.doit(), _DIGITS)
 
 
 def _rational(value: Fraction) -> Any:

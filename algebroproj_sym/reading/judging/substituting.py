@@ -127,7 +127,7 @@ def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Itera
     near += [said_by(each) for each in given if each.part == standing.part and not each.parameters]
     for variable, each in product(derived_by(left, right), near):
         made = differentiated(each, variable, standing.vocabulary, standing.survey.occurring)
-        if made is not None:
+        if made is not None and not _rests_on_what_changes(made, standing.beside):
             where = (f"{each.where} holds for every {standing.vocabulary.name(variable)}",)
             for under in ((made,), (made, each)):
                 yield Way(left, right, standing.vocabulary, A_VALUE, under=under, where=where)
@@ -169,6 +169,6 @@ def _below(rate: Definition) -> set[str]:
     return {rate.symbol.rpartition("/")[2].removeprefix(r"\partial").removeprefix("d").strip()}
 
 
-def _rests_on_what_changes(rate: Definition, beside: Beside) -> bool:
+def _rests_on_what_changes(rate: Definition | Premise, beside: Beside) -> bool:
     """Whether a derivative takes letters to be fixed though words say that something changes."""
     return rate.where.endswith(UNCHANGED) and not _CHANGES.isdisjoint(beside.words | {*rate.words})

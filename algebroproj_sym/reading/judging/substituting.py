@@ -28,7 +28,19 @@ MOST_SOLVED = 4
 
 _CHANGES = frozenset(
     {
-        *("loses", "gains", "burns", "ejects", "gathers", "hardens", "softens", "melts", "evaporates", "leaks"),
+        *(
+            "loses",
+            "gains",
+            "burns",
+            "ejects",
+            "gathers",
+            "hardens",
+            "softens",
+            "melts",
+            "evaporates",
+            "leaks",
+            "grows",
+        ),
         *("empties", "drains", "shrinks", "draws", "apart", "faster", "slower", "accelerates", "decelerates"),
     }
 )

@@ -70,9 +70,9 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *by_components(standing, left, right),
     ]
     ways += [
-        replace(way, vocabulary=other, reads=f"{other.equation(*way.sides)}, where I is the identity")
+        replace(way, vocabulary=other, reads=f"{way.reads or other.equation(*way.sides)}, where I is the identity")
         for way in ways
-        if not way.reads and (other := way.vocabulary.with_identity(*way.sides)) is not None
+        if (way.where or not way.reads) and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
     ways += [each for way in ways if not way.reads for each in along_directions_in(way)]
     if standing.survey.has_tensors_of_three_rows:

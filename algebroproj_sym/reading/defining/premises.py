@@ -138,9 +138,19 @@ class Premise:
 
 def said_by(definition: Definition) -> Premise:
     """Return the equation by which a letter is defined."""
-    where = definition.where, definition.part, definition.place, frozenset[str]()
-    held = definition.role == "case", definition.words, False, definition.context, definition.ranges
-    return Premise(letter_of(definition.symbol), definition.tree, *where, *held)
+    return Premise(
+        letter_of(definition.symbol),
+        definition.tree,
+        definition.where,
+        definition.part,
+        definition.place,
+        names=frozenset(),
+        special=definition.role == "case",
+        words=definition.words,
+        chained=False,
+        context=definition.context,
+        ranges=definition.ranges,
+    )
 
 
 def _slope_of(value: Any, letter: Any) -> Any:

@@ -181,8 +181,8 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
         return _of_time(symbol, vocabulary, occurring)
     tree = vocabulary.definitions[function].tree
     rated = any(each in vocabulary.definitions and has_rate(each, "t", occurring) for each in symbols_in(tree))
-    factors = rated or not vocabulary.is_computed(tree)
-    found = _of_factors(symbol, bare, "t", vocabulary, occurring) if factors else None
+    by_factors = rated or not vocabulary.is_computed(tree)
+    found = _of_factors(symbol, bare, "t", vocabulary, occurring) if by_factors else None
     return found or _rate(symbol, function, vocabulary, occurring)
 
 

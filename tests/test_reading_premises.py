@@ -13,9 +13,8 @@ def last(latex, *, reading=document_of):
     return read_document(reading(latex), seconds=10)[-1]
 
 
-ENERGY = (
-    r"Here $m$ and $k$ are constant. \[ T := \frac12 m \dot x^2 + \frac12 k x^2 \] The letter $\ddot x = a$ is used. "
-)
+ENERGY = r"""Here $m$ and $k$ are constant. \[ T := \frac12 m \dot x^2 + \frac12 k x^2 \]
+The letter $\ddot x = a$ is used. """
 ORBIT = r"""The letters $h > p > \mu$ are used.
 \[ h = 2 \mu p \] \begin{equation} p = a(1-e^2) \label{p} \end{equation} """
 PLATE = r"We introduce the tilde matrix. \[ \mathbf{h} := [\tilde{\mathbf{w}}]\mathbf{d} \] "

@@ -4,10 +4,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from algebroproj_sym.reading.documents.displays import HEADING
+from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.verdicts import TRUE_HERE, Link, Reading
-from algebroproj_sym.reading.prose.asserting import asserts, doubts
+from algebroproj_sym.reading.prose.asserting import asserts, doubts, may_take_back
 from algebroproj_sym.reading.prose.contexts import context_of
 from algebroproj_sym.reading.prose.describing import names_a_thing
 from algebroproj_sym.reading.prose.devices import heard
@@ -35,8 +35,6 @@ _HARMLESS = heard(
 """A sentence between two equations by which nothing changes."""
 _HAVE = re.compile(r"\b(?:we|one) ha(?:ve|s)\b", re.IGNORECASE)
 """What says by itself that an equation holds, and not that it follows."""
-_SAYS_LETTERS = re.compile(r"\W*(?:where|with|here|and)\b,?\s+\$[^$=]*\$", re.IGNORECASE)
-"""How a sentence begins that says what letters are."""
 
 
 @dataclass(frozen=True)
@@ -54,23 +52,27 @@ class _Said:
 
 
 class _Words:
-    """The words beside the displays of a document."""
+    """The words beside the displays of a document, and beside the equations within its text."""
 
     def __init__(self, statements: Sequence[Statement]) -> None:
-        self.displays = {
-            each.display.place: each.display for each in statements if each.display.environment != "inline"
-        }
+        shown = {each.display.place: each.display for each in statements}
+        self.displays = {place: each for place, each in shown.items() if each.environment != "inline"}
         """By their places."""
+        self.within = {place: each for place, each in shown.items() if each.environment == "inline"}
+        """The formulas within the text, by their places."""
         self.said: dict[str, dict[int, _Said]] = {}
-        """What is said beside the displays of each line, by their places."""
+        """What is said beside the equations of each line, by their places."""
         self.titles: dict[int, str] = {}
         """Of the sections in which they stand."""
         self.first: dict[str, int] = {}
         """Where the display begins before which a word stands first."""
         conditions, title = {each.display.place: each.condition for each in statements}, ""
-        for place, display in self.displays.items():
+        for place, display in shown.items():
+            within = place in self.within
+            if within and "=" not in display.latex:
+                continue
             sentence = last_sentence(display.before)
-            behind = "" if has_ended(display) else display.after.partition(".")[0]
+            behind = _rest_of_sentence(display.after) if within else _behind(display)
             words = words_of(f"{sentence} {conditions[place]} {behind}")
             by_sign = ":=" in display.latex and not doubts(f"{sentence} {behind}")
             asserted, plain = (by_sign or asserts(display.before, behind, plainly=each) for each in (False, True))
@@ -78,7 +80,7 @@ class _Words:
             found[place] = _Said(words, bool(context_of(sentence).kind), asserted, plain)
             title = (_TITLE.findall(display.before) or [title])[-1]
             self.titles[place] = title
-            for word in words_of(display.before):
+            for word in () if within else words_of(display.before):
                 self.first.setdefault(word, place)
 
     def new_between(self, start: int, end: int) -> str:
@@ -94,15 +96,13 @@ class _Words:
 
         A sentence of neutral words is not, nor one that says what letters are.
         """
-        found = (
-            each
-            for each in self._sentences_between(start, end)
-            if strange_word(each, ()) and (doubts(each) or not _SAYS_LETTERS.match(each))
-        )
+        found = filter(may_take_back, self._sentences_between(start, end))
         return " ".join(without_formulas(next(found, "")).split()[:6])
 
     def _sentences_between(self, start: int, end: int) -> list[str]:
-        since = (each.before for place, each in self.displays.items() if start < place <= end)
+        since = [each.before for place, each in self.displays.items() if start < place <= end]
+        if start in self.within:
+            since[:1] = [self.within[start].after.removeprefix(_rest_of_sentence(self.within[start].after))]
         return [
             each for words in since for each in sentences_of(_TITLE.sub("", words))[:-1] if not _HARMLESS.match(each)
         ]
@@ -111,6 +111,17 @@ class _Words:
         """Return a word of the title above a display, if the title above another one says the same of another thing."""
         there, here = (self.titles[place] for place in (start, end))
         return strange_word(here, words_of(there)) if are_of_two_things(there, here) else ""
+
+
+def _behind(display: Display) -> str:
+    """Return how the sentence of a display goes on behind it."""
+    return "" if has_ended(display) else display.after.partition(".")[0]
+
+
+def _rest_of_sentence(after: str) -> str:
+    """Return the words behind a formula within the text, up to the end of its sentence, with a mark of a question."""
+    rest = sentences_of(after)[0]
+    return rest + after[len(rest) : len(rest) + 1].strip(".")
 
 
 def with_what_is_true_here(readings: Sequence[Reading], statements: Sequence[Statement]) -> list[Reading]:
@@ -164,7 +175,7 @@ def _with_lines(reading: Reading, link: Link, words: _Words) -> Link:
         if not word and any(each.is_limited for each in above.values()):
             since = " ".join(each.before for place, each in words.displays.items() if min(above) < place <= here)
             word = strange_word(since, known)
-        if not word and any(r"\doteq" in words.displays[place].latex for place in above):
+        if not word and any(r"\doteq" in (words.displays | words.within)[place].latex for place in above):
             word = "doteq"
         if word:
             found.append(f"{line} {TRUE_HERE}, where the word {word!r} is new")

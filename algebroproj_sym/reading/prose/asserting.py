@@ -6,14 +6,13 @@ Words that deny cannot all be listed.  So the forms of sentences are listed that
 import re
 
 from algebroproj_sym.reading.prose.devices import heard
-from algebroproj_sym.reading.prose.sentences import sentences_of, without_formulas, words_of
+from algebroproj_sym.reading.prose.sentences import sentences_of, strange_word, without_formulas, words_of
 
 _DETERMINER = r"(?:the|an?|its|our|their|this|these|those)"
 _THING = rf"(?:(?:{_DETERMINER}|each|both|every|two|three)\b[^,;:]*|(?-i:[A-Z][a-z]+)['’]s?\s[^,;:]*)"
 """Any thing, with whatever is said of it."""
-_NOUN = r"(?!(?!speed\b)[a-z]+ed\b)[a-z]+"
-_PLAIN_THING = rf"(?:{_DETERMINER}\s+(?:<plain-adjective>\s+)*{_NOUN}(?:\s+(?:of|for)\s+{_DETERMINER}\s+{_NOUN})?)"
-"""A thing with no adjective that might deny it."""
+_PLAIN_THING = rf"(?:{_DETERMINER}\s+(?:<plain-adjective>\s+)*<quantity>(?:\s+(?:of|for)\s+{_DETERMINER}\s+[a-z]+)?)"
+"""A quantity with no adjective that might deny it.  A thing that is no quantity may be a statement: "The gossip is"."""
 
 
 def _form(thing: str, says: str, rest: str) -> str:
@@ -49,8 +48,21 @@ def asserts(before: str, behind: str, *, plainly: bool = False) -> bool:
     asked = before.rstrip().endswith("?")
     said = f"{own} {without_formulas(behind)} {'' if words_of(own) else ' '.join(above[-1:])} {'?' if asked else ''}"
     goes_on = _GOES_ON.match(behind) is not None or _GIVEN.fullmatch(own) is not None
+    goes_on = goes_on and not (plainly and may_take_back(behind))
     form = _PLAINLY if plainly else _ASSERTS
     return form.fullmatch(own) is not None and goes_on and not doubts(said)
+
+
+def may_take_back(words: str) -> bool:
+    """Whether words behind an equation may be about it: some are not neutral, and they do not say what letters are.
+
+    Examples
+    --------
+    >>> [may_take_back(each) for each in ("and hence", "where $a$ is the length of the lid", ", or so he thought")]
+    [False, False, True]
+    """
+    strange = strange_word(_GOES_ON.sub("", words, count=1), ())
+    return strange != "" and (doubts(words) or not _SAYS_LETTERS.match(words))
 
 
 def doubts(words: str) -> bool:
@@ -58,6 +70,8 @@ def doubts(words: str) -> bool:
     return _DOUBTED.search(words) is not None
 
 
+_SAYS_LETTERS = re.compile(r"\W*(?:where|with|here|and)\b,?\s+\$[^$=]*\$", re.IGNORECASE)
+"""How words begin that say what letters are."""
 _GIVEN = heard(r"\W*(?:with|given|using|for|from)\W*")
 """Words before an equation behind which a main clause stands."""
 _GOES_ON = heard(r"\W*(?:$|(?:where|with|which|so|and|for|in which|thus|hence|or|as)\b)")

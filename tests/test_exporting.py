@@ -1,6 +1,7 @@
 """Exporting: the theorems say what the claims say, and Coq's kernel accepts them, and no others."""
 
 import copy
+import itertools
 import json
 import random
 import re
@@ -217,6 +218,9 @@ def test_words_differ_for_different_numbers():
 def test_a_name_that_means_something_in_coq_is_written_otherwise():
     assert all(identifier(text) not in reserved() for text in ("R", "fun", "I", "x", "follows", "regular_matrix"))
     assert identifier("x") == "x"
+    pieces = ["_", "x", "3b1", "α", "x3b1_", "_x5f_"]
+    names = {"".join(each) for size in range(1, 6) for each in itertools.product(pieces, repeat=size)}
+    assert len({*map(identifier, names)}) == len(names)
 
 
 def test_definitions_are_written_out_or_left_out_as_needed():

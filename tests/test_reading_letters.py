@@ -72,7 +72,8 @@ def test_a_letter_like_the_identity_is_read_as_it_where_that_follows():
     latex = r"the unit vector $\mathbf{n}$ \[ P = %s - \mathbf{n}\mathbf{n}^T \] \[ P^2 %s= P \] \end{document}"
     proved = last(latex % ("I", ""))
     assert proved.verdict == "follows"
-    assert proved.links[0].reason == "read as P**2 = P, where I is the identity"
+    assert proved.links[0].reason == "read as P**2 = P"
+    assert "I is the identity" in proved.links[0].hypotheses
     for others in (("I", "+ P "), ("J", "")):
         assert last(latex % others).links[0].reason == "the shapes fit only if n is a number"
     given = latex.replace(r"\[ P =", r"\[ I = 3\mathbf{n}\mathbf{n}^T \] \[ P =")

@@ -108,7 +108,9 @@ def identifier(name: str) -> str:
     >>> identifier("x"), identifier("R"), identifier("α"), identifier("x_x27_")
     ('x', "R''", '_x3b1_', 'x_x5f_x27_')
     """
-    spelled = re.sub(r"_(?=x[0-9a-f]+_)|[^A-Za-z0-9_']", lambda found: f"_x{ord(found.group()):x}_", name)
+    spelled = re.sub(
+        r"_(?=x[0-9a-f]+(?:_|[^\x00-\x7f]))|[^A-Za-z0-9_']", lambda found: f"_x{ord(found.group()):x}_", name
+    )
     return f"{spelled}''" if spelled in reserved() else spelled
 
 

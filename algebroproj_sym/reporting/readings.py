@@ -146,7 +146,9 @@ def _whole(reading: Reading) -> Iterator[str]:
     if link.rests_on:
         yield f"    rests on {'; '.join(link.rests_on)}"
     supposed = [each for each in link.hypotheses if TRUE_HERE in each]
-    conditions = (each if re.search("[<>=]| is ", each) else f"{each} != 0" for each in link.hypotheses)
+    conditions = (
+        each if re.search("[<>=]| (?:is|are|has|have) ", each) else f"{each} != 0" for each in link.hypotheses
+    )
     if shown := simple_conditions(each for each in conditions if each not in supposed):
         yield folded(f"    holds where {', '.join(shown)}", 400)
     if supposed:

@@ -170,7 +170,7 @@ def _link_of(asked: Asked, outcome: Outcome, way: Way) -> Link:
             verdict="follows",
             reason=f"read as {way.reads}" if way.reads else "",
             rests_on=way.rests_on,
-            hypotheses=(*way.where, *map(way.vocabulary.names.spelled, outcome.hypotheses)),
+            hypotheses=(*way.supposes, *map(way.vocabulary.names.spelled, outcome.hypotheses)),
             certificate=outcome.certificate,
         )
     why = ("the prover cannot read it: " if outcome.unreadable else "") + outcome.reason

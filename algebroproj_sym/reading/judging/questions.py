@@ -51,8 +51,8 @@ class Way:
     """How it is read otherwise than it stands."""
     under: tuple[Premise, ...] = ()
     """The equations under which it is to hold."""
-    where: tuple[str, ...] = ()
-    """The conditions under which it may be read so."""
+    supposes: tuple[str, ...] = ()
+    """What is taken to hold so: it becomes a hypothesis."""
 
     @property
     def sides(self) -> Sides:

@@ -142,7 +142,7 @@ def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Itera
         if made is not None and not _rests_on_what_changes(made, standing.beside):
             where = (f"{each.where} holds for every {standing.vocabulary.name(variable)}",)
             for under in ((made,), (made, each)):
-                yield Way(left, right, standing.vocabulary, A_VALUE, under=under, where=where)
+                yield Way(left, right, standing.vocabulary, A_VALUE, under=under, supposes=where)
 
 
 def solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:

@@ -70,9 +70,14 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *by_components(standing, left, right),
     ]
     ways += [
-        replace(way, vocabulary=other, reads=f"{way.reads or other.equation(*way.sides)}, where I is the identity")
+        replace(
+            way,
+            vocabulary=other,
+            reads=way.reads or other.equation(*way.sides),
+            supposes=(*way.supposes, "I is the identity"),
+        )
         for way in ways
-        if (way.where or not way.reads) and (other := way.vocabulary.with_identity(*way.sides)) is not None
+        if (way.supposes or not way.reads) and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
     ways += [each for way in ways if not way.reads for each in along_directions_in(way)]
     if standing.survey.has_tensors_of_three_rows:
@@ -93,7 +98,8 @@ def _with_three_rows(way: Way) -> Way:
     """Return a way in which vectors and matrices have three rows, if nothing else says how many."""
     shown = way.reads or way.vocabulary.equation(*way.sides)
     known = way.vocabulary.with_rows(DIMENSIONS)
-    return replace(way, vocabulary=known, doubt=A_VALUE, reads=f"{shown}, in three dimensions")
+    supposes = (*way.supposes, "space has three dimensions")
+    return replace(way, vocabulary=known, doubt=A_VALUE, reads=shown, supposes=supposes)
 
 
 def along_directions_in(way: Way) -> Iterator[Way]:
@@ -169,7 +175,9 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
         *under_equations(standing, *plain.sides),
     ):
         if certain or not positive or is_somewhere_positive(way.vocabulary, left):
-            yield replace(way, reads=reads, doubt=A_VALUE, where=() if powers.is_open or powers.degree % 2 else (same,))
+            yield replace(
+                way, reads=reads, doubt=A_VALUE, supposes=() if powers.is_open or powers.degree % 2 else (same,)
+            )
 
 
 def _of_angle(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
@@ -192,7 +200,7 @@ def _of_angle(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
         *_raised(standing, of_function, 0),
     ):
         if not used_by(way.vocabulary, found.angle):
-            yield replace(way, reads=reads, doubt=A_VALUE, where=(*where, *way.where))
+            yield replace(way, reads=reads, doubt=A_VALUE, supposes=(*where, *way.supposes))
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -246,11 +254,11 @@ def _with_complex_numbers(way: Way) -> Iterator[Way]:
     if not complex_letters_in(way.vocabulary, *way.sides):
         return
     shown, unit = way.vocabulary.equation(*way.sides), way.vocabulary.imaginary
-    unit = f", where {unit} is the imaginary unit" if unit else ", of complex numbers"
-    kinds: tuple[tuple[Numbers, str], ...] = (
-        ("complex", ""),
-        ("some complex", ", and letters are real unless complex ones give them"),
+    unit = f"{unit} is the imaginary unit" if unit else "letters are complex numbers"
+    kinds: tuple[tuple[Numbers, tuple[str, ...]], ...] = (
+        ("complex", ()),
+        ("some complex", ("letters are real unless complex ones give them",)),
     )
     for numbers, letters in kinds:
         known = way.vocabulary.with_complex_numbers(numbers)
-        yield replace(way, vocabulary=known, reads=f"{shown}{unit}{letters}")
+        yield replace(way, vocabulary=known, reads=shown, supposes=(*way.supposes, unit, *letters))

@@ -223,6 +223,14 @@ def test_a_name_that_means_something_in_coq_is_written_otherwise():
     assert len({*map(identifier, names)}) == len(names)
 
 
+def test_a_claim_with_a_greek_letter_has_a_theorem():
+    angle = sympy.Symbol("α")
+    section = Section("demo", "1", "Angles")
+    section.identity("1.1", "a letter", printed=angle**2 / x, derived=over(angle, x / angle))
+    (claim,) = export([claim_record(judge(*section.claims))])
+    assert claim.theorems, claim.reason
+
+
 def test_definitions_are_written_out_or_left_out_as_needed():
     definitions = {"p": name("x"), "q": power(name("p"), 2), "r": name("y")}
     assert list(used(definitions, [name("q")])) == ["p", "q"]

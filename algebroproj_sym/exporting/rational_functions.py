@@ -49,7 +49,7 @@ class Field:
     known: dict[str, Value] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self._ring = flint.fmpz_mpoly_ctx.get(self.variables, "lex")
+        self._ring = flint.fmpz_mpoly_ctx.get(tuple(f"x{place}" for place, _ in enumerate(self.variables)), "lex")
         self._values: dict[Term, Value] = {}
         self.known |= {v: Value(g, {}) for v, g in zip(self.variables, self._ring.gens(), strict=True)}
         listed = [self.polynomial(term) for term in self.listed]

@@ -97,3 +97,13 @@ def test_what_is_no_generated_function_of_real_numbers_is_refused(modifier, pack
         modified(package.optics.scale)(1j, 1.0)
     with pytest.raises(TypeError, match="expected the arguments f, x3, got 1"):
         modified(package.optics.scale)(1.0)
+
+
+def test_a_batch_of_float32_systems_has_twice_the_digits(package):
+    """An entry of a system is the integer 1: in a batch it must not make float64 of the others."""
+    pairs = np.random.default_rng(1).normal(size=(2, 5, 8, 2)).astype(np.float32)
+    function = package.dd(package.correlation.general_correlation_matrix)
+    several, wide = function(*pairs), function(*pairs.astype(float))
+    assert several.hi.dtype == several.lo.dtype == np.float32
+    found = several.hi.astype(float) + several.lo
+    assert np.max(abs(found - wide.hi)) < 1e-11

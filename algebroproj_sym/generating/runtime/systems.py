@@ -144,9 +144,10 @@ def _without_rests(rows: Rows) -> tuple[Rows, Rows | None]:
 def _of_one_kind(rows: Rows) -> Rows:
     """Return the entries as numbers of one kind, in which the integers of a formula do not count."""
     entries = [entry for row in rows for entry in row]
-    if any(isinstance(entry, DoubleDouble) for entry in entries):
-        return [[double_double(entry) for entry in row] for row in rows]
     counting = [entry for entry in entries if not isinstance(entry, int)]
+    if doubles := [entry for entry in entries if isinstance(entry, DoubleDouble)]:
+        one = doubles[0].hi.dtype.type(1) if hasattr(doubles[0].hi, "dtype") else 1
+        return [[double_double(one * entry if isinstance(entry, int) else entry) for entry in row] for row in rows]
     xp = namespace(entries)
     dtypes = {entry.dtype if hasattr(entry, "dtype") else np.asarray(entry).dtype for entry in counting}
     dtype = xp.result_type(*dtypes) if dtypes else np.dtype(np.float64)

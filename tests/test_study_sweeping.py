@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import resource
 import shutil
 import signal
 import time
@@ -295,6 +296,30 @@ def test_a_full_disk_is_an_error_and_the_sweep_goes_on_later(tmp_path, monkeypat
             list(run(sweep))
     assert not list(sweep.folder.rglob("*.partial"))
     assert len(list(run(sweep))) == sweep.count
+
+
+def test_a_file_that_may_not_be_so_large_is_an_error_and_the_sweep_goes_on_later(reference, tmp_path):
+    """HDF5 would end the process when it meets the end of the disk, or a limit."""
+    sweep = swept(tmp_path)
+    list(run(sweep))
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (sum(sweep.path(each).stat().st_size for each in range(5)) // 2, hard))
+    try:
+        with pytest.raises(OSError, match="File too large"):
+            assemble(sweep)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert not sweep.result.exists()
+    assert finished(sweep)[0] == []
+    assert sweep.result.read_bytes() == reference[1]
+
+
+def test_what_a_run_that_was_killed_while_it_assembled_has_left_is_removed(reference, tmp_path):
+    sweep = swept(tmp_path)
+    (tmp_path / ".assembling" / "lengths.nc").mkdir(parents=True)
+    finished(sweep)
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["lengths.nc", "lengths.nc.seal", "manifest.json"]
+    assert sweep.result.read_bytes() == reference[1]
 
 
 @pytest.mark.parametrize(("number", "told"), [(ENOSPC, True), (EDQUOT, True), (ENOENT, False), (ECONNRESET, False)])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, ProcessPoolExecutor
 from contextlib import ExitStack, contextmanager
-from errno import EACCES, EDQUOT, ENOSPC, EROFS
+from errno import EACCES, EDQUOT, EFBIG, ENOSPC, EROFS
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,7 +28,7 @@ REQUIREMENT = "algebroproj-sym[study]"
 CONNECTING = "10s"
 REDRAW = "redraw"
 CHUNKS_PER_WORKER = 2
-NOT_WRITABLE = (EACCES, EDQUOT, ENOSPC, EROFS)
+NOT_WRITABLE = (EACCES, EDQUOT, EFBIG, ENOSPC, EROFS)
 """How many chunks are under way for each worker: one is computed while another one is kept."""
 
 

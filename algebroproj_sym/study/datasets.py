@@ -90,6 +90,7 @@ def join(paths: Sequence[Path], dimension: str, attributes: Mapping[str, str], p
     be written.
     """
     temporary = _beside(path)
+    _require_room(temporary, sum(each.stat().st_size for each in paths))
     if path.suffix == ZARR:
         whole = path.with_suffix(".nc")
         join(paths, dimension, attributes, whole)
@@ -101,6 +102,15 @@ def join(paths: Sequence[Path], dimension: str, attributes: Mapping[str, str], p
     else:
         _join(paths, dimension, attributes, temporary)
     temporary.replace(path)
+
+
+def _require_room(path: Path, size: int) -> None:
+    """Raise `OSError` if a file cannot be so large: HDF5 would end the process when it meets the end of the disk."""
+    try:
+        with path.open("wb") as file:
+            os.posix_fallocate(file.fileno(), 0, size + size // 10)
+    finally:
+        path.unlink(missing_ok=True)
 
 
 def _join(paths: Sequence[Path], dimension: str, attributes: Mapping[str, str], result: Path) -> None:

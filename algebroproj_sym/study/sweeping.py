@@ -32,6 +32,7 @@ from algebroproj_sym.study.declaration import MEMBER, Indices, Study
 
 MANIFEST = "manifest.json"
 CHUNKS = "chunks"
+ASSEMBLING = ".assembling"
 LOCK = ".lock"
 SEAL = ".seal"
 SUFFIXES = {"netcdf": ".nc", "zarr": ".zarr"}
@@ -205,11 +206,24 @@ def assemble(sweep: Sweep) -> xarray.Dataset:
         raise FileNotFoundError(f"{sweep.path(absent[0])}: expected a chunk with its seal, found none")
     if not sweep.result.exists():
         paths = [sweep.path(chunk) for chunk in range(sweep.count)]
-        whole = _unsealed(sweep.result)
-        join(paths, MEMBER, attributes(sweep.study.summary, **sweep.manifest), whole)
-        _put(sweep, whole, sweep.result, range(sweep.members))
-    shutil.rmtree(sweep.folder / CHUNKS, ignore_errors=True)
+        with _emptied(sweep.folder / ASSEMBLING) as folder:
+            whole = folder / sweep.result.name
+            join(paths, MEMBER, attributes(sweep.study.summary, **sweep.manifest), whole)
+            _put(sweep, whole, sweep.result, range(sweep.members))
+    for name in (ASSEMBLING, CHUNKS):
+        shutil.rmtree(sweep.folder / name, ignore_errors=True)
     return read(sweep.result)
+
+
+@contextmanager
+def _emptied(folder: Path) -> Iterator[Path]:
+    """Give an empty folder, whatever a killed run has left there, and remove it in the end."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def finished(folder: Path) -> tuple[str, xarray.Dataset]:

@@ -394,6 +394,26 @@ def test_bad_arguments_are_refused_before_work_begins(tmp_path, arguments, messa
     assert not (tmp_path / "new").exists()
 
 
+def of_a_file(indices, seed, *, file):
+    return chunk(indices, seed, scale=float(file.read_text()))
+
+
+def test_a_file_that_changes_while_a_study_reads_it_is_refused(tmp_path):
+    options = (Option("file", Path, None, "A file."),)
+    made = Study(
+        "lengths", "Some lengths", options, 45, of_a_file, lambda _: "", lambda _: {"f": Figure()}, lambda file: None
+    )
+    (tmp_path / "given").write_text("2")
+    sweep = Sweep(made, tmp_path, {"file": tmp_path / "given"}, 45, 10, 4)
+    prepare(sweep)
+    done = run(sweep)
+    assert next(done) == 0
+    (tmp_path / "given").write_text("3")
+    with pytest.raises(OtherSweepError, match="a file that the study reads has changed"):
+        next(done)
+    assert missing(sweep) == [1, 2, 3, 4]
+
+
 def test_chunks_with_different_units_do_not_become_one_dataset(tmp_path):
     sweep = Sweep(study(), tmp_path, {"unit": "ft"}, 20, 10)
     prepare(sweep)

@@ -199,6 +199,8 @@ def _finish(sweep: Sweep, jobs: int, scheduler: str | None) -> None:
             f"study: the workers were lost. Finished parts are kept in {sweep.folder}: "
             "the same command goes on from there"
         ) from error
+    except sweeping.OtherSweepError as error:
+        raise click.ClickException(str(error)) from error
     except OSError as error:
         if error.errno not in NOT_WRITABLE:
             raise

@@ -158,7 +158,8 @@ def missing(sweep: Sweep) -> list[int]:
 def run(sweep: Sweep, executor: Executor | None = None, window: int = 1) -> Iterator[int]:
     """Compute the chunks that are missing, and yield the number of each when it is kept.
 
-    An executor computes, with `window` chunks under way at once; without one, this process does.
+    An executor computes, with `window` chunks under way at once; without one, this process does.  It raises
+    `OtherSweepError` if a file that the study reads has changed since the sweep was made.
     """
     if executor is None:
         for chunk in missing(sweep):
@@ -250,6 +251,8 @@ def _recorded(value: Any) -> Any:
 
 
 def _keep(sweep: Sweep, chunk: int, dataset: xarray.Dataset) -> None:
+    if arguments(sweep) != sweep.manifest["arguments"]:
+        raise OtherSweepError(f"{sweep.folder}: a file that the study reads has changed since the study began")
     path = sweep.path(chunk)
     write(dataset, _unsealed(path))
     _put(sweep, _unsealed(path), path, sweep.indices(chunk))

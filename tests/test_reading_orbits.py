@@ -143,6 +143,14 @@ def test_a_model_in_a_new_section_is_given_anew():
     assert {each.verdict for each in readings(latex + r"\[ m_x = (u + c)^3 / d \] \[ m_y = \ln v \]")} == {"definition"}
 
 
+def test_an_eccentricity_is_not_the_number_of_euler():
+    *_, last = readings(
+        r"\[ e^2 = 1 - b^2/a^2 \] \[ N = a/\sqrt{1 - e^2 u} \] \[ w = e^{y/R} \] Hence \[ N^2 (1 - e^2 u) = a^2. \]"
+    )
+    assert last.verdict == "follows"
+    assert not any("exp" in each for each in last.links[0].hypotheses)
+
+
 def test_waves_of_many_numbers_are_compared_in_seconds():
     latex = (
         r"\[ q = \ln\tan\left(\frac{\pi}{4} + \frac{\varphi}{2}\right) \] \[ x = R \lambda \] \[ y = R q \] With $k = "

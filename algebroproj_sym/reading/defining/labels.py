@@ -271,9 +271,11 @@ def _not_raised(tree: Any, frames: Collection[str]) -> Iterator[str]:
 
 
 def has_euler(sides: Iterable[Formula]) -> bool:
-    """Whether e is Euler's number: the base of powers with letters, and nothing else."""
+    """Whether e is Euler's number: the base of powers with letters, and nothing else; no side is a square of it."""
     powers, letters = list[bool](), 0
     for side in sides:
+        if side.data == "power" and side.children[0] == E and not symbols_in(trees_in(side)[1]):
+            return False
         letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
         for power in side.find_data("power"):
             base, exponent = power.children

@@ -352,14 +352,15 @@ class _Parts(_Gathering):
         if max(len(rows), len(rows[0])) > MOST_ROWS:
             raise refused(f"a matrix with more than {MOST_ROWS} rows or columns")
         if all(cell.is_zero for row in rows for cell in row):
-            return constant("0")
+            zero = constant("0")
+            zero.zeros = Size(len(rows)), Size(len(rows[0]))
+            return zero
         heights, widths = [Size() for _ in rows], [Size() for _ in rows[0]]
         blocks = any(not cell.is_number for row in rows for cell in row)
         for row, height in zip(rows, heights, strict=True):
             for cell, width in zip(row, widths, strict=True):
-                if not (blocks and cell.is_zero):
-                    cell.shape[0].unite(height)
-                    cell.shape[1].unite(width)
+                for size, own in zip(cell.zeros if blocks and cell.is_zero else cell.shape, (height, width), strict=False):
+                    size.unite(own)
 
         def in_place(cell: Part, height: Size, width: Size) -> Part:
             is_wide = blocks and cell.is_zero and not (height.value == width.value == 1)

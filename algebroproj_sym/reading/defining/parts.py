@@ -89,6 +89,8 @@ class Part:
         Of how many parts it is made.
     is_zero, is_one : bool
         Whether it is the number 0, or 1.
+    zeros : tuple of Size
+        The rows and columns of a printed matrix of zeros.
     is_table : bool
         Whether it is a matrix and no vector: a bold capital, or one that is inverted somewhere.
     mean_by : str
@@ -111,6 +113,7 @@ class Part:
         self.weight: int = 1 + sum(part.weight for part in inside)
         self.is_zero = False
         self.is_one = False
+        self.zeros: tuple[Size, ...] = ()
         self.is_table = False
         self.mean_by = ""
         self.terms: list[Term] = [(False, [self])]

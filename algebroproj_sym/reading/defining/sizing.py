@@ -13,12 +13,14 @@ from algebroproj_sym.reading.defining.maps import identity_of, unknown
 from algebroproj_sym.reading.defining.parts import Part, Shape, Size, constant, refused, sum_of
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
-from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 _BARE = re.compile(rf"{VECTOR_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
 _ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
+_DOTS = re.compile(r"\\d*dot(?![a-z])")
+"""The marks of derivatives by time, which have the shape of what is derived."""
 _SIZES = "nmklpqrstuvwhijabcdgoyz"
 FREE = "free"
 """How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
@@ -49,6 +51,7 @@ class Reader:
         self._of_rotations = of_rotations
         self._letters: dict[str, Shape] = {}
         self._known: dict[str, Part] = {}
+        self._of_rates: dict[str, Shape] = {}
         self._sizes: dict[Size, str] = {}
         self._names: set[str] = set()
         self._functions: dict[str, str] = {}
@@ -102,6 +105,9 @@ class Reader:
                 rows.unite(self._of_rotations)
         if "identity" in properties:
             return Part((rows, columns), lambda: f"eye({self.size(rows)})")
+        same = self._of_rates.setdefault(bare_name(_DOTS.sub("", symbol)), (rows, columns))
+        for own, other in zip((rows, columns), same, strict=True):
+            own.unite(other)
         shape = self._letters.setdefault(symbol, (rows, columns))
         part = Part(shape, lambda: name)
         part.is_table = TABLE.search(symbol) is not None or symbol in vocabulary.kinds.inverted

@@ -108,7 +108,7 @@ class Pending(list[Piece]):
     def has_upright_word(self) -> bool:
         r"""Whether an upright word and the end of its group come next, as in ``{\rm range}``."""
         following = "".join(each.text for each in self[-1:-20:-1])
-        return re.match(r"\s*\\rm\s*[A-Za-z]{2,}\.?\s*\}", following) is not None
+        return re.match(r"\s*\\rm\s*[A-Za-z]+\.?\s*\}", following) is not None
 
     @property
     def has_corners(self) -> bool:

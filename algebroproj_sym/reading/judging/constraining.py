@@ -1,6 +1,6 @@
 """Relations under equations above them: those of their letters alone, or all tied to them."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import combinations
 
 from lark import Tree
@@ -10,6 +10,7 @@ from algebroproj_sym.reading.defining.recognising import differ_in_one_letter
 from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
+from algebroproj_sym.reading.judging.substituting import with_rates
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 
@@ -55,6 +56,7 @@ def under_equations(standing: Standing, left: Formula, right: Formula) -> Iterat
     if together and tuple(together) != alone:
         yield Way(left, right, told, under=(*together, *own))
     yield from _with_given_letters(standing, left, right, [each for each in asserted if each.gives is None])
+    yield from _with_rates_put_in(standing, left, right, [(each, *own) for each in asserted] or [(*own,)])
 
 
 def _is_asserted(standing: Standing, premise: Premise, *, is_last: bool) -> bool:
@@ -84,6 +86,18 @@ def _with_given_letters(standing: Standing, left: Formula, right: Formula, other
     changed = [each for each in tied if symbols & (each.symbols | own)]
     for under in dict.fromkeys(((changed[0],), (*tied,))) if changed else ():
         yield Way(left, right, told, A_VALUE, under=under)
+
+
+def _with_rates_put_in(
+    standing: Standing, left: Formula, right: Formula, others: Iterable[tuple[Premise, ...]]
+) -> Iterator[Way]:
+    r"""Yield a relation under equations with derivatives of what is defined, as ``\dot p = F`` with ``p = m v``."""
+    known = standing.vocabulary
+    for under in others:
+        sides = left, right, *(side for each in under for side in (each.left, each.right))
+        told = with_rates(standing, sides, known)
+        if under and {each.symbol for each in used_by(told, *sides)} - {*known.definitions}:
+            yield Way(left, right, told, A_VALUE, under=under)
 
 
 def _has_components(premise: Premise, letters: Collection[str]) -> bool:

@@ -197,9 +197,13 @@ def _members(statements: Iterable[Statement], of: re.Pattern[str]) -> frozenset[
 
 
 _AND_OTHERS = r"(?:\$[^$]*\$ ?(?:, ?and|,|and) ?)*"
+_THING = (
+    r"(?!(?:of|in|for|and|with|or|on|by|to|from|at|as|is|are|but|while|when|where|if|than|that|the|an?|along|over|under"
+    r"|about|around|between|across|through|towards?|per|near|up|within)\b)[a-z-]+"
+)
 _CONSTANT_BEFORE = re.compile(
     rf"(?<![\w-])(?<!wise )(?<!ly )(?<!most )(?:constants? {_AND_OTHERS}"
-    r"|(?:constant|fixed) (?!of|in|for|and|with|or|on|by|to)[a-z]+ )$",
+    rf"|(?:constant|fixed) (?:{_THING} )?(?:{_THING} |{_THING}s {_AND_OTHERS}))$",
     re.IGNORECASE,
 )
 _CONSTANT_BEHIND = re.compile(

@@ -26,6 +26,7 @@ from algebroproj_sym.reading.defining.parts import (
     column,
     constant,
     in_order,
+    inverse_of_blocks,
     joined,
     number_of,
     numbers_apart,
@@ -156,6 +157,8 @@ class _Parts(_Gathering):
                 raise UnreadableError("a product of vectors has no inverse")
             if abs(int(text)) > MOST_MATRIX_POWER:
                 raise refused(f"the power {text}")
+            if text == "-1" and (inverse := inverse_of_blocks(base, lambda block: self.power(block, exponent))):
+                return inverse
         found = Part(base.shape, lambda: f"({base.text()})**{text}", base)
         found.terms = (product_terms(base, base) if int(text) == 2 and base.is_number else []) or found.terms
         found.is_table = base.is_table
@@ -166,6 +169,8 @@ class _Parts(_Gathering):
             if base.is_zero:
                 return base
             return transposed(base)
+        if mark == "hat" and self.reader.kinds.turning is not None and [*map(len, base.blocks)] == [1, 1]:
+            return self._hat_of_both([cell for row in base.blocks for cell in row], self.reader.kinds.turning)
         if mark == "hat" and not base.is_number:
             column(base, 3)
             return Part((Size(3), Size(3)), lambda: f"skew({base.text()})", base)
@@ -174,6 +179,13 @@ class _Parts(_Gathering):
                 size.unite(Size(3))
             return Part((Size(3), Size(1)), lambda: f"vee({base.text()})", base)
         raise refused("a mark")
+
+    def _hat_of_both(self, cells: list[Part], turning: int) -> Part:
+        """Return the matrix of a column of two vectors: the hat of one beside the other one, above zeros."""
+        turned = self.marked(column(cells[turning], 3), Token("MARK", "hat"))
+        zeros = constant("0")
+        zeros.zeros = Size(1), Size(3)
+        return self.matrix(Token("BEGIN", "["), [turned, column(cells[1 - turning], 3)], [zeros, constant("0")])
 
     def slope(self, value: Part, variable: Part) -> Part:
         raise refused("a derivative")
@@ -359,13 +371,18 @@ class _Parts(_Gathering):
         blocks = any(not cell.is_number for row in rows for cell in row)
         for row, height in zip(rows, heights, strict=True):
             for cell, width in zip(row, widths, strict=True):
-                for size, own in zip(cell.zeros if blocks and cell.is_zero else cell.shape, (height, width), strict=False):
+                for size, own in zip(
+                    cell.zeros if blocks and cell.is_zero else cell.shape, (height, width), strict=False
+                ):
                     size.unite(own)
 
         def in_place(cell: Part, height: Size, width: Size) -> Part:
             is_wide = blocks and cell.is_zero and not (height.value == width.value == 1)
-            zeros = lambda: f"zeros({self.reader.size(height)}, {self.reader.size(width)})"  # noqa: E731
-            return Part((height, width), zeros) if is_wide else cell
+            if not is_wide:
+                return cell
+            found = Part((height, width), lambda: f"zeros({self.reader.size(height)}, {self.reader.size(width)})")
+            found.zeros = height, width
+            return found
 
         cells = [[*map(in_place, row, [height] * len(row), widths)] for row, height in zip(rows, heights, strict=True)]
         return of_blocks(cells)

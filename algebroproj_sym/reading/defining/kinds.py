@@ -25,6 +25,7 @@ from algebroproj_sym.reading.defining.tensors import (
     speaks_of_dyads,
     speaks_of_tensors,
 )
+from algebroproj_sym.reading.defining.twists import turning_in
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
 from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
 from algebroproj_sym.reading.parsing.factors import (
@@ -82,6 +83,8 @@ class Kinds:
     """The symbols that are tensors of the fourth order."""
     contracts: bool = False
     r"""Whether ``A : B`` is the sum of the products of their entries: no equation says otherwise."""
+    turning: int | None = None
+    """Which of two vectors in a column has a hat itself in the hat of both."""
     dyads: bool = False
     r"""Whether ``a \otimes b`` is ``a b^T``: words speak of tensors, and of no other product with this sign."""
 
@@ -118,7 +121,8 @@ def kinds_of(
     second = second_in(sides) if speaks_of_tensors(words) else frozenset[str]()
     fourth = fourth_in(equations, second)
     kinds = Kinds(*found, oblong=oblong, inverted=inverted, averages=averages, second=second, fourth=fourth)
-    return replace(kinds, contracts=not contract_otherwise(equations), dyads=speaks_of_dyads(words))
+    kinds = replace(kinds, contracts=not contract_otherwise(equations), dyads=speaks_of_dyads(words))
+    return replace(kinds, turning=turning_in(equations))
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:

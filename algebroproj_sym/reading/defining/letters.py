@@ -29,6 +29,8 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 Read = TypeVar("Read")
+LONGEST = 3_000
+"""How many characters a question may have: proofs of longer ones take too long."""
 _COLUMN = re.compile(rf"{VECTOR_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
 _LATIN = re.compile(rf"{VECTOR_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{VECTOR_STYLE}[a-z]")
 
@@ -71,6 +73,8 @@ def _asked(reader: Reader, left: Formula, right: Formula, given: Sequence[tuple[
     if any(side.blocks for pair in constraints for side in pair):
         raise refused("an equation of blocks")
     questions = [reader.question(pair) for pair in _in_blocks(sides)]
+    if any(len(each.lhs) + len(each.rhs) > LONGEST for each in questions):
+        raise UnreadableError("with all definitions put in, it is too long")
     texts = [(one.text(), other.text()) for one, other in constraints]
     return [
         replace(each, constraints=(*each.constraints, *(worked_out(*pair, each.letters or {}) for pair in texts)))

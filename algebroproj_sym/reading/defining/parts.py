@@ -100,7 +100,7 @@ class Part:
     symbols : frozenset of str
         The symbols in it.
     blocks : list of list of Part
-        The rows of blocks of which it is made, if nothing says their sizes as yet; it has no text of its own then.
+        The rows of blocks of which it is made; it has no text of its own as long as nothing says their sizes.
     """
 
     def __init__(self, shape: Shape, text: Callable[[], str], *inside: Part) -> None:
@@ -205,8 +205,25 @@ def of_blocks(rows: Blocks) -> Part:
 
     height, width = (each[0] if len(each) == 1 else Size(blocks=each) for each in (heights, widths))
     found = Part((height, width), text, *(each for row in rows for each in row))
-    found.blocks = rows if any(size.value is None for size in found.shape) else []
+    is_split = any(not cell.is_number for row in rows for cell in row)
+    found.blocks = rows if is_split or any(size.value is None for size in found.shape) else []
     return found
+
+
+def inverse_of_blocks(part: Part, inverse: Callable[[Part], Part]) -> Part | None:
+    """Return the inverse of a matrix of two rows of blocks with a zero beside its diagonal; None of another one."""
+    if [*map(len, part.blocks)] != [2, 2]:
+        return None
+    (first, above), (below, last) = part.blocks
+    is_upper, is_lower = map(_is_null, (below, above))
+    if is_upper is is_lower:
+        return None
+    for block in (first, last):
+        block.shape[0].unite(block.shape[1])
+    one, other = inverse(first), inverse(last)
+    corner = times(times(one, above), other) if is_upper else times(times(other, below), one)
+    opposite = sum_of([(True, corner)])
+    return of_blocks([[one, opposite], [below, other]] if is_upper else [[one, above], [opposite, other]])
 
 
 def transposed(part: Part) -> Part:
@@ -242,7 +259,14 @@ def _times_blocks(left: Part, right: Part) -> Part:
 def _row_times_column(row: Sequence[Part], column: Sequence[Part]) -> Part:
     for one, other in zip(row, column, strict=True):
         one.shape[1].unite(other.shape[0])
-    return sum_of([(False, times(one, other)) for one, other in zip(row, column, strict=True)])
+    pairs = [*zip(row, column, strict=True)]
+    kept = [pair for pair in pairs if not any(map(_is_null, pair))] or pairs[:1]
+    return sum_of([(False, times(one, other)) for one, other in kept])
+
+
+def _is_null(part: Part) -> bool:
+    """Whether it is a printed zero, or a block of zeros."""
+    return part.is_zero or bool(part.zeros)
 
 
 def times(left: Part, right: Part) -> Part:

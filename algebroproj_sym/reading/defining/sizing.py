@@ -22,6 +22,8 @@ _ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
 _DOTS = re.compile(r"\\d*dot(?![a-z])")
 """The marks of derivatives by time, which have the shape of what is derived."""
 _SIZES = "nmklpqrstuvwhijabcdgoyz"
+_OF_VALUES = frozenset(("symmetric", "positive definite", "skew", "rotation", "orthogonal"))
+"""The properties that all values of a function have if words say so of its letter."""
 FREE = "free"
 """How the name of a value begins that may be any: of a function that nothing defines, and that has no other value."""
 WHOLE = "whole"
@@ -56,7 +58,7 @@ class Reader:
         self._names: set[str] = set()
         self._functions: dict[str, str] = {}
         self._wholes: dict[str, tuple[str, Shape]] = {}
-        self._symmetric: set[str] = set()
+        self._listed: dict[str, str] = {}
         self._called: dict[str, str] = {}
         self._applied: set[str] = set()
         self._no_numbers: list[tuple[str, Part]] = []
@@ -242,6 +244,9 @@ class Reader:
 
         It is symmetric if what is summed is the same when it is turned.
         """
+        listed = sorted(_OF_VALUES.intersection(self._vocabulary.properties_of(name))) if is_call else ()
+        if listed:
+            shape[0].unite(shape[1])
         is_open = is_call and None in (shape[0].value, shape[1].value) and self._vocabulary.is_no_number(name)
 
         def text() -> str:
@@ -250,12 +255,14 @@ class Reader:
             key = f"{name}({', '.join(each.text() for each in arguments)})"
             kind = FREE if is_call and self._called.setdefault(base_of(name), key) == key else WHOLE
             own, first = self._wholes.setdefault(key, (f"{kind}{len(self._wholes) + 1}_", shape))
+            if listed:
+                self._listed[own] = ", ".join(listed)
             if [size.root for size in first] != [size.root for size in shape] and any(
                 one.value is None or one.value != other.value for one, other in zip(first, shape, strict=True)
             ):
                 raise UnreadableError(f"{name} has two sizes")
             if turned is not None and turned.text() == arguments[0].text():
-                self._symmetric.add(own)
+                self._listed[own] = "symmetric"
             return own
 
         found = Part(shape, text, *arguments)
@@ -281,7 +288,7 @@ class Reader:
                 raise UnreadableError(f"the shapes fit only if {self._vocabulary.name(symbol)} is a number")
         for own, shape in self._wholes.values():
             if (text := f"{self.size(shape[0])}x{self.size(shape[1])}") != "1x1":
-                letters[own] = f"{text} symmetric" if own in self._symmetric else text
+                letters[own] = f"{text} {self._listed.get(own, '')}".strip()
         for own, other in self._same_values(letters):
             texts = [re.sub(rf"\b{own}\b", other, each) for each in texts]
         return Question(texts[0], texts[1], tuple(self._laws()), letters=letters)

@@ -8,7 +8,7 @@ from itertools import chain, islice
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import entries, free_symbols
-from algebroproj_sym.proving import Outcome
+from algebroproj_sym.proving import Outcome, Question
 from algebroproj_sym.proving.letters.deciding import NOWHERE
 from algebroproj_sym.proving.reals.prove import often_agree
 from algebroproj_sym.proving.statements import has_functions
@@ -33,6 +33,10 @@ NOT_DERIVED = "it defines its letter; that it follows is not proved"
 OPEN = "it defines its letter; whether it follows is not decided"
 
 
+Answer = tuple[tuple[Question, ...], Outcome]
+UNASKED = Outcome("open", "none", 0.0, "it is not asked: another way is proved")
+
+
 @dataclass
 class Asked:
     """A link that is yet to be decided: as it stands, and in other ways."""
@@ -54,13 +58,11 @@ class Asked:
 
 def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
     """Decide every link, first as it stands, then in other ways, then with single changes."""
-    found = answers([way for each in asked for way in each.ways], seconds, jobs)
     failing: list[tuple[Asked, Way, Outcome]] = []
-    for each in asked:
-        each.answers = [answer for _, answer in found[: len(each.ways)]]
+    for each, found in zip(asked, _answered(asked, seconds, jobs), strict=True):
+        each.answers = [answer for _, answer in found]
         place = _place_of_proof(each.answers)
         each.link = replace(_link_of(each, each.answers[place], each.ways[place]), asked=found[place][0])
-        del found[: len(each.ways)]
         if each.link.verdict != "follows":
             answered = zip(each.ways, each.answers, strict=True)
             failing += [(each, *one) for one in answered if _refutes(*one)]
@@ -88,6 +90,29 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         if is_open and not any(_says(each.link)):
             why = f"{OPEN}: {each.link.reason}" if each.link.reason else OPEN
             each.link = Link("definition", why, rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
+
+
+def _answered(asked: Sequence[Asked], seconds: float, jobs: int) -> list[list[Answer]]:
+    """Return what became of all ways; those under equations are asked where no earlier one is a proof without doubt."""
+    found: list[list[Answer]] = [[((), UNASKED)] * len(each.ways) for each in asked]
+    for with_equations in (False, True):
+        open_ways = [
+            (one, place)
+            for one, each in enumerate(asked)
+            for place, way in enumerate(each.ways[: _first_proof(found[one])])
+            if bool(way.under) is with_equations
+        ]
+        told = answers([asked[one].ways[place] for one, place in open_ways], seconds, jobs)
+        for (one, place), answer in zip(open_ways, told, strict=True):
+            found[one][place] = answer
+    return found
+
+
+def _first_proof(found: Sequence[Answer]) -> int:
+    """Return the place of the first proof; that of the end if none is there, or it inverts a matrix."""
+    place = next((i for i, (_, answer) in enumerate(found) if answer.verdict == "proved"), len(found))
+    inverts = place < len(found) and any(each.startswith("det(") for each in found[place][1].hypotheses)
+    return len(found) if inverts else place
 
 
 def _refutes(way: Way, answer: Outcome) -> bool:

@@ -31,6 +31,8 @@ MOST_REPAIRS_OF_LETTERS = 40
 MOST_ASKED = 16
 """How many changes of a relation are asked of the prover that no point refutes, in all the ways that prove and refute
 nothing."""
+LONGEST = 600
+"""How many characters a relation may have, with all put in, of which changes are tried."""
 MOST_CONSTRAINTS = 4
 """Under how many constraints a change is tried: under more, the proofs take too long."""
 MOST_PUT_IN = 12
@@ -49,7 +51,7 @@ def likely_repairs(way: Way, *, chained: bool) -> list[Repaired]:
         if other.left != other.right or (chained and each.kind in WITHIN and each.before not in way.sides)
     ]
     if is_lettered(way):
-        return changed[:MOST_REPAIRS_OF_LETTERS]
+        return [] if _is_long(way) else changed[:MOST_REPAIRS_OF_LETTERS]
     samples = [each for each in samples_of(way.vocabulary) if any(each.at(side) is not None for side in way.sides)]
     return [*islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)]
 
@@ -83,7 +85,15 @@ def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
         yield from (pair for pair in changed[:MOST_REPAIRS_OF_LETTERS] if not _differs(pair[1], point))
 
 
+def _is_long(way: Way) -> bool:
+    """Whether the proofs of single changes take too long, as where lengths of products stand in each other."""
+    questions = asked_of(way.vocabulary, *way.sides)
+    return not isinstance(questions, str) and any(len(each.lhs) + len(each.rhs) > LONGEST for each in questions)
+
+
 def _is_hard(way: Way) -> bool:
+    if _is_long(way):
+        return True
     if len(used_by(way.vocabulary, *way.sides)) > MOST_PUT_IN:
         return True
     questions = asked_under(way) if way.under else ""

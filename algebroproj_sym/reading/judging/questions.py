@@ -404,8 +404,11 @@ def _text(value: Any) -> str:
 def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[Question, ...], Outcome]]:
     """Return the questions of each way with the outcome; one that cannot be asked is open."""
     asked = [asked_under(each) for each in ways]
-    questions = [question for group in asked if isinstance(group, list) for question in group]
-    decided = iter([*outcomes(questions, seconds=seconds, jobs=min(jobs, len(questions)))] if questions else ())
+    every = [question for group in asked if isinstance(group, list) for question in group]
+    once = {repr(question): question for question in every}
+    told = outcomes([*once.values()], seconds=seconds, jobs=min(jobs, len(once))) if once else ()
+    found = dict(zip(once, told, strict=True))
+    decided = iter([found[repr(question)] for question in every])
     return [
         (tuple(each), _with_letters(each, _without_opposite_roots(_of_entries([*islice(decided, len(each))]))))
         if isinstance(each, list)

@@ -283,12 +283,16 @@ def _sizes(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[int, in
             yield from ((symbol, (int(match[2]), int(match[2]))) for symbol in symbols_in_list(match[1]))
 
 
+_ARGUMENTS = re.compile(r"(?<=[A-Z}])\s*\((?:[a-z,\s]|\\[a-z]+(?:\{(?:[a-z]|\\[a-z]+)\})?)+\)\s*$")
+"""Letters without scripts: what is said of a matrix with them holds for all values."""
+
+
 def _properties(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[str, ...]]]:
     for each in statements:
         if match := _ROTATIONS.match(each.latex):
             yield from ((symbol, ("rotation",)) for symbol in symbols_in_list(match[1]) if not _is_denied(each))
         elif each.display.environment == "inline" and (kind := _kind_of(each)):
-            for symbol in symbols_in_list(each.latex, 1):
+            for symbol in symbols_in_list(_ARGUMENTS.sub("", each.latex), 1):
                 if kind == "covariance" and not _OF_TWO.search(symbol):
                     yield symbol, ("symmetric",)
                 elif kind != "covariance" and "dot" not in symbol:

@@ -96,7 +96,8 @@ def kinds_of(
 
     Words call some symbols vectors or matrices, and some of these columns.
     """
-    equations = [sides for formula in formulas for sides in _equal_in(formula)]
+    every = [*formulas]
+    equations = [sides for formula in every for sides in _equal_in(formula)]
     sides = [side for each in equations for side in each]
     occurring = sorted({symbol for side in sides for symbol in symbols_in(side)})
     accents = _accents_in(equations, spoken=_SPOKEN.search(words) is not None)
@@ -122,7 +123,7 @@ def kinds_of(
     fourth = fourth_in(equations, second)
     kinds = Kinds(*found, oblong=oblong, inverted=inverted, averages=averages, second=second, fourth=fourth)
     kinds = replace(kinds, contracts=not contract_otherwise(equations), dyads=speaks_of_dyads(words))
-    return replace(kinds, turning=turning_in(equations))
+    return replace(kinds, turning=turning_in(formula.sides for formula in every))
 
 
 def _equal_in(formula: Parsed) -> Iterator[Sides]:

@@ -29,7 +29,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 Read = TypeVar("Read")
-LONGEST = 3_000
+LONGEST = 2_000
 """How many characters a question may have: proofs of longer ones take too long."""
 _COLUMN = re.compile(rf"{VECTOR_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
 _LATIN = re.compile(rf"{VECTOR_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{VECTOR_STYLE}[a-z]")

@@ -26,11 +26,11 @@ from algebroproj_sym.reading.defining.identifiers import BOLD, Identifiers, is_a
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
-from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
+from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
 from algebroproj_sym.reading.parsing.factors import LIKE_IDENTITY
-from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
 from algebroproj_sym.reading.parsing.writing import text_of
 
 MOST_DEFINITIONS = 20_000
@@ -186,7 +186,9 @@ class Vocabulary:
         self._behind.clear()
 
     def define(self, definition: Definition) -> None:
-        """Add a definition."""
+        r"""Add a definition; not that of a dot, as ``\dot x = \frac{d}{dt} x``, which says nothing of x."""
+        if _is_dot(definition):
+            return
         self.definitions[definition.symbol] = definition
         self._behind.clear()
         if definition.symbol in self._mentioned:
@@ -498,3 +500,13 @@ def _is_symbol(token: object) -> bool:
 def is_operator(symbol: str) -> bool:
     r"""Whether a symbol is an operator, such as ``\nabla`` and ``\partial_t``, and no letter."""
     return re.match(r"(?:\\[a-z]+\{)?\\(?:nabla|partial)(?![a-zA-Z /])", symbol) is not None and "/" not in symbol
+
+
+def _is_dot(definition: Definition) -> bool:
+    """Whether a derivative is defined as that of the letter below its dot."""
+    tree = without_brackets(definition.tree)
+    if tree.data != "big" or str(tree.children[0]) != "d/dt":
+        return False
+    letter = lone(without_brackets(trees_in(tree)[0]))
+    dotted = re.sub(r"\\dot(?![a-z])", "", definition.symbol)
+    return bool(letter) and dotted != definition.symbol and bare_name(dotted) == bare_name(letter)

@@ -63,6 +63,11 @@ def derivatives_in(
     return [*found.values()][::-1]
 
 
+def is_worked_out(tree: Formula) -> bool:
+    r"""Whether a formula is an integral, or ``\frac{d}{dx}`` with what stands behind it."""
+    return is_integral(tree) or (tree.data == "big" and _OPERATOR.fullmatch(str(tree.children[0])) is not None)
+
+
 def computed(
     tree: Any, vocabulary: Vocabulary, occurring: frozenset[str], own: frozenset[str] = frozenset()
 ) -> tuple[Any, list[Definition]]:
@@ -82,9 +87,13 @@ def computed(
         return found, made
     sign, order, variable = match.groups()
     body = found.children[1]
-    rate = _of_lone(body, variable, vocabulary, occurring) if (sign, order) == ("d", None) else None
-    if rate is not None:
-        return letter_of(rate.symbol), [*made, rate]
+    if (sign, order) == ("d", None):
+        whole = f"{tree.children[0]} {vocabulary.text(body)}"
+        formula = Definition(whole, (), body, vocabulary.text(body), -1, True)
+        rate = _of_lone(body, variable, vocabulary, occurring)
+        rate = rate or _of_formula(whole, formula, variable, vocabulary, occurring)
+        if rate is not None:
+            return letter_of(rate.symbol), [*made, rate]
     letters = vocabulary.letters_of(body) - {each.symbol for each in made}
     others = sorted(letters - {variable})
     changing = _change(others, variable, occurring)
@@ -291,6 +300,13 @@ def _of_factors(
         return None
     if definition.parameters not in ((), (variable,)):
         return None
+    return _of_formula(symbol, definition, variable, vocabulary, occurring)
+
+
+def _of_formula(
+    symbol: str, definition: Definition, variable: str, vocabulary: Vocabulary, occurring: frozenset[str]
+) -> Definition | None:
+    """Return the derivative of a formula likewise."""
     tree, own = definition.tree, rates_in(occurring, variable)
     try:
         rates, trees = through_given(tree, {**own, variable: ONE}, vocabulary)

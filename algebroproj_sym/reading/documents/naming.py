@@ -28,9 +28,60 @@ _TAKES = frozenset((*UPRIGHT, *STYLES, r"\text", r"\label", r"\tag", r"\ref", r"
 """What stands before letters that are a name already."""
 
 
+_OPERATORS = frozenset("dDeijT")
+"""Letters that are upright where they are no letters of the text."""
+
+
+def _upright_in(pieces: Sequence[Piece]) -> frozenset[str]:
+    """Return the small letters that stand upright."""
+    return frozenset(pieces[place + 2].text for place in _uprights(pieces) if pieces[place + 2].text not in _OPERATORS)
+
+
+def _uprights(pieces: Sequence[Piece]) -> Iterator[int]:
+    """Yield the places of letters that stand upright, and in no script."""
+    texts = [each.text for each in pieces]
+    for place, text in enumerate(texts[:-3]):
+        alone = texts[place + 1] == "{" and texts[place + 3] == "}" and re.fullmatch("[a-z]", texts[place + 2])
+        if text == r"\mathrm" and alone and not _is_script(texts, place):
+            yield place
+
+
+def _slanted_in(pieces: Sequence[Piece]) -> frozenset[str]:
+    """Return the small letters that stand as they are, and in no script."""
+    texts = [each.text for each in pieces]
+    return frozenset(
+        text
+        for place, text in enumerate(texts)
+        if re.fullmatch("[a-z]", text) and not _is_script(texts, place) and not _is_styled(texts, place)
+    )
+
+
+def _is_styled(texts: Sequence[str], place: int) -> bool:
+    return texts[max(place - 1, 0)] == "{" and texts[max(place - 2, 0)].startswith("\\")
+
+
+def _is_script(texts: Sequence[str], place: int) -> bool:
+    """Whether something stands in a script."""
+    depth = 0
+    for text in reversed(texts[:place]):
+        if text in ("_", "^") and depth <= 0:
+            return depth < 0 or texts[place - 1] == text
+        depth += (text == "}") - (text == "{")
+    return False
+
+
+def _told_apart(pieces: Sequence[Piece], letters: Collection[str]) -> Iterator[Piece]:
+    r"""Yield pieces in which letters that stand upright are others than those that do not: ``\mathrm{v}`` and v."""
+    places = {place for place in _uprights(pieces) if pieces[place + 2].text in letters}
+    yield from (Piece(r"\mathsf", each.place) if place in places else each for place, each in enumerate(pieces))
+
+
 def named(statements: Sequence[Statement]) -> list[Statement]:
     """Return the statements with each name of several letters as one."""
     statements = [replace(each, pieces=tuple(_joined(each.pieces))) for each in statements]
+    both = frozenset().union(*(_upright_in(each.pieces) & _slanted_in(each.pieces) for each in statements))
+    if both:
+        statements = [replace(each, pieces=tuple(_told_apart(each.pieces, both))) for each in statements]
     words = {word for each in statements for word in _WORD.findall(re.sub(r"\$[^$]*\$", " ", each.display.before))}
     words |= {word.capitalize() for word in words if len(word) > LONG}
     names = {

@@ -31,7 +31,7 @@ MOST_REPAIRS_OF_LETTERS = 40
 MOST_ASKED = 16
 """How many changes of a relation are asked of the prover that no point refutes, in all the ways that prove and refute
 nothing."""
-LONGEST = 600
+LONGEST = 300
 """How many characters a relation may have, with all put in, of which changes are tried."""
 MOST_CONSTRAINTS = 4
 """Under how many constraints a change is tried: under more, the proofs take too long."""

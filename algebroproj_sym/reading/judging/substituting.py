@@ -9,7 +9,7 @@ from algebroproj_sym.reading.defining.dependence import free_symbols
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, extended, given_values, said_by, with_given
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.derivatives import computed, derivatives_in
+from algebroproj_sym.reading.deriving.derivatives import computed, derivatives_in, is_worked_out
 from algebroproj_sym.reading.deriving.differentiating import derived_by, differentiated
 from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
 from algebroproj_sym.reading.deriving.rates import UNCHANGED
@@ -97,7 +97,7 @@ def _with_computed(standing: Standing, formula: Parsed, index: int) -> Iterator[
     variables = variables_of(formula.sides)
     sides = [between_bounds(side, variables, told) for side in (left, right)] if variables else [left, right]
     (ours, made), (theirs, more) = (computed(side, told, occurring, own) for side in sides)
-    put_in = [each for each in used_by(told, left, right) if any(map(is_integral, each.tree.iter_subtrees()))]
+    put_in = [each for each in used_by(told, left, right) if any(map(is_worked_out, each.tree.iter_subtrees()))]
     worked = [computed(each.tree, told, occurring, own) for each in put_in]
     made = [*made, *more, *(each for _, further in worked for each in further)]
     if not (made or sides != [left, right]) or any(_rests_on_what_changes(each, standing.beside) for each in made):

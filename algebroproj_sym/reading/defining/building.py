@@ -90,7 +90,7 @@ class _Parts(_Gathering):
 
     def product(self, first: Part, *rest: Any) -> Part:
         found = first
-        for sign, other in zip(rest[::2], rest[1::2], strict=True):
+        for sign, other in self._applied_first([*zip(rest[::2], rest[1::2], strict=True)]):
             if str(sign) in CONTRACTS and self.reader.kinds.contracts:
                 found = contracted(found, other)
             elif str(sign) in CONTRACTS:
@@ -100,6 +100,20 @@ class _Parts(_Gathering):
             else:
                 found = joined(str(sign) if sign.type == "CIRCLED" else sign.type, found, other)
         return found
+
+    def _applied_first(self, factors: list[tuple[Token, Part]]) -> list[tuple[Token, Part]]:
+        r"""Return factors in which a matrix behind a cross is applied first: ``a \times I \cdot b`` is a times I b."""
+        found: list[tuple[Token, Part]] = []
+        for sign, other in factors:
+            if found and sign.type == "DOT" and found[-1][0].type == "CROSS" and self._is_map(found[-1][1]):
+                found[-1] = found[-1][0], joined("DOT", found[-1][1], other)
+            else:
+                found.append((sign, other))
+        return found
+
+    def _is_map(self, part: Part) -> bool:
+        """Whether a part is a matrix, and no vector."""
+        return part.is_table and part.symbols.isdisjoint(self.reader.kinds.columns)
 
     def quotient(self, *parts: Part) -> Part:
         return reduce(quotient, parts)

@@ -19,6 +19,7 @@ from algebroproj_sym.reading.defining.parts import (
     Part,
     Size,
     have_same_blocks,
+    is_null,
     refused,
     same_shape,
 )
@@ -75,7 +76,7 @@ def _asked(reader: Reader, left: Formula, right: Formula, given: Sequence[tuple[
     questions = [reader.question(pair) for pair in _in_blocks(sides)]
     if any(len(each.lhs) + len(each.rhs) > LONGEST for each in questions):
         raise UnreadableError("with all definitions put in, it is too long")
-    texts = [(one.text(), other.text()) for one, other in constraints]
+    texts = [pair for one, other in constraints if len({*(pair := (one.text(), other.text()))}) > 1]
     return [
         replace(each, constraints=(*each.constraints, *(worked_out(*pair, each.letters or {}) for pair in texts)))
         for each in questions
@@ -99,4 +100,5 @@ def _in_blocks(sides: list[Part]) -> list[list[Part]]:
         return [sides]
     blocks = [[cell for row in side.blocks for cell in row] for side in sides]
     pairs = zip(*(each or cycle([side]) for each, side in zip(blocks, sides, strict=True)), strict=False)
-    return [[*pair] for pair in pairs] if any(blocks) else [sides]
+    found = [[*pair] for pair in pairs] if any(blocks) else [sides]
+    return [pair for pair in found if not all(map(is_null, pair))] or found[:1]

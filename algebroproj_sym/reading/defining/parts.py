@@ -215,7 +215,7 @@ def inverse_of_blocks(part: Part, inverse: Callable[[Part], Part]) -> Part | Non
     if [*map(len, part.blocks)] != [2, 2]:
         return None
     (first, above), (below, last) = part.blocks
-    is_upper, is_lower = map(_is_null, (below, above))
+    is_upper, is_lower = map(is_null, (below, above))
     if is_upper is is_lower:
         return None
     for block in (first, last):
@@ -260,11 +260,12 @@ def _row_times_column(row: Sequence[Part], column: Sequence[Part]) -> Part:
     for one, other in zip(row, column, strict=True):
         one.shape[1].unite(other.shape[0])
     pairs = [*zip(row, column, strict=True)]
-    kept = [pair for pair in pairs if not any(map(_is_null, pair))] or pairs[:1]
-    return sum_of([(False, times(one, other)) for one, other in kept])
+    kept = [pair for pair in pairs if not any(map(is_null, pair))] or pairs[:1]
+    first, *rest = (times(one, other) for one, other in kept)
+    return sum_of([(False, each) for each in (first, *rest)]) if rest else first
 
 
-def _is_null(part: Part) -> bool:
+def is_null(part: Part) -> bool:
     """Whether it is a printed zero, or a block of zeros."""
     return part.is_zero or bool(part.zeros)
 
@@ -283,6 +284,7 @@ def _product(left: Part, right: Part) -> Part:
     found = Part(shape, lambda: f"{left.text()}*{right.text()}", left, right)
     found.terms = product_terms(left, right) or found.terms
     found.scaled = (left, right) if left.is_number else None
+    found.zeros = shape if any(each.zeros for each in (left, right)) else ()
     found.is_table = all(each.is_table or each.turned is not None for each in (left, right))
     return found
 

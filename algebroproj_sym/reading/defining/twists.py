@@ -34,6 +34,11 @@ def turning_in(equations: Iterable[Sequence[Formula]]) -> int | None:
     return found.pop() if len(found) == 1 else None
 
 
+def tells_hat(left: Formula, right: Formula) -> bool:
+    """Whether an equation says what the hat of two vectors is."""
+    return _has_hat(left) and bool(_turned(right))
+
+
 def _has_hat(tree: Formula) -> bool:
     return tree.data == "marked" and tree.children[1] == "hat"
 

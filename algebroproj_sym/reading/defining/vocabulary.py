@@ -126,6 +126,12 @@ class Vocabulary:
                 return True
         return False
 
+    def without_hats(self) -> Vocabulary:
+        """Return the vocabulary in which the hat of six entries is not known."""
+        found = self.copied()
+        found.kinds = replace(self.kinds, turning=None)
+        return found
+
     def with_properties(self, properties: Mapping[str, tuple[str, ...]]) -> Vocabulary:
         """Return the vocabulary in which some more symbols have properties."""
         found = self.copied()

@@ -33,6 +33,7 @@ from algebroproj_sym.reading.defining.recognising import (
     without_own_indices,
     without_power,
 )
+from algebroproj_sym.reading.defining.twists import tells_hat
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.derivatives import derivatives_in
 from algebroproj_sym.reading.deriving.instances import numbers_put_in
@@ -103,6 +104,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         or (index == 0 and _is_told(memory, left, right))
         or any(_is_instance(memory, each, right) for each in others)
         or (index == 0 and _brings(memory, statement, left, right))
+        or tells_hat(left, right)
     )
 
 

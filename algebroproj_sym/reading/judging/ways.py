@@ -12,6 +12,7 @@ from algebroproj_sym.reading.defining.maps import DIMENSIONS
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, MOST_TOGETHER, extended, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.tensors import depend_on_size
+from algebroproj_sym.reading.defining.twists import tells_hat
 from algebroproj_sym.reading.defining.vocabulary import Numbers
 from algebroproj_sym.reading.deriving.angles import of_angle
 from algebroproj_sym.reading.deriving.ends import with_same_ends
@@ -42,6 +43,8 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
     """Return the ways to take a link of a formula, the first one as it stands."""
     formula = replace(formula, sides=tuple(map(with_exponentials, formula.sides)))
     left, right = formula.sides[index], formula.sides[index + 1]
+    if tells_hat(left, right):
+        standing = replace(standing, vocabulary=standing.vocabulary.without_hats())
     known = standing.vocabulary
     ranged = sorted((known.letters_of(left) | known.letters_of(right)) & standing.survey.restricted)
     special = f"{known.name(ranged[0])} stands for the elements of a set" if ranged else ""

@@ -197,13 +197,15 @@ def _members(statements: Iterable[Statement], of: re.Pattern[str]) -> frozenset[
 
 
 _AND_OTHERS = r"(?:\$[^$]*\$ ?(?:, ?and|,|and) ?)*"
-_THING = (
+_NO_THING = (
     r"(?!(?:of|in|for|and|with|or|on|by|to|from|at|as|is|are|but|while|when|where|if|than|that|the|an?|along|over|under"
-    r"|about|around|between|across|through|towards?|per|near|up|within)\b)[a-z-]+"
+    r"|about|around|between|across|through|towards?|per|near|up|within)\b)"
 )
+_KIND = r"(?:[a-z-]+(?:al|ar|ic|ed|ive|ous|ary)|link|total|mean) "
+"""An adjective, or a noun that is none of a verb, as in "constant angular rate" and unlike "constant wind drives"."""
 _CONSTANT_BEFORE = re.compile(
     rf"(?<![\w-])(?<!wise )(?<!ly )(?<!most )(?:constants? {_AND_OTHERS}"
-    rf"|(?:constant|fixed) (?:{_THING} )?(?:{_THING} |{_THING}s {_AND_OTHERS}))$",
+    rf"|(?:constant|fixed) (?:{_KIND})?{_NO_THING}(?:[a-z-]*(?:[^s\W]|ss|us|is) |[a-z-]+s {_AND_OTHERS}))$",
     re.IGNORECASE,
 )
 _CONSTANT_BEHIND = re.compile(

@@ -1,6 +1,6 @@
 """Relations under equations above them: those of their letters alone, or all tied to them."""
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import combinations
 
 from lark import Tree
@@ -56,7 +56,7 @@ def under_equations(standing: Standing, left: Formula, right: Formula) -> Iterat
     if together and tuple(together) != alone:
         yield Way(left, right, told, under=(*together, *own))
     yield from _with_given_letters(standing, left, right, [each for each in asserted if each.gives is None])
-    yield from _with_rates_put_in(standing, left, right, [(each, *own) for each in asserted] or [(*own,)])
+    yield from _with_rates_put_in(standing, left, right, asserted, own)
 
 
 def _is_asserted(standing: Standing, premise: Premise, *, is_last: bool) -> bool:
@@ -89,14 +89,16 @@ def _with_given_letters(standing: Standing, left: Formula, right: Formula, other
 
 
 def _with_rates_put_in(
-    standing: Standing, left: Formula, right: Formula, others: Iterable[tuple[Premise, ...]]
+    standing: Standing, left: Formula, right: Formula, others: Sequence[Premise], own: Sequence[Premise]
 ) -> Iterator[Way]:
-    r"""Yield a relation under equations with derivatives of what is defined, as ``\dot p = F`` with ``p = m v``."""
+    r"""Yield a relation under one of its letters with derivatives put in, as ``\dot p = F`` with ``p = m v``."""
     known = standing.vocabulary
-    for under in others:
-        sides = left, right, *(side for each in under for side in (each.left, each.right))
-        told = with_rates(standing, sides, known)
-        if under and {each.symbol for each in used_by(told, *sides)} - {*known.definitions}:
+    for under in [(each, *own) for each in others] or [(*own,)]:
+        given = [side for each in under for side in (each.left, each.right)]
+        told = with_rates(standing, (left, right, *given), known)
+        rates = {each.symbol for each in used_by(told, left, right, *given)} - {*known.definitions}
+        letters = frozenset().union(*map(told.letters_of, (left, right, *given[2:])))
+        if under and rates and frozenset().union(*map(told.letters_of, given[:2])) <= letters:
             yield Way(left, right, told, A_VALUE, under=under)
 
 

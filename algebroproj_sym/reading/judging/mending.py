@@ -1,5 +1,6 @@
 """The single changes after which a relation may follow: what a sieve of points leaves is asked of the prover."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -31,8 +32,6 @@ MOST_REPAIRS_OF_LETTERS = 40
 MOST_ASKED = 16
 """How many changes of a relation are asked of the prover that no point refutes, in all the ways that prove and refute
 nothing."""
-LONGEST = 300
-"""How many characters a relation may have, with all put in, of which changes are tried."""
 MOST_CONSTRAINTS = 4
 """Under how many constraints a change is tried: under more, the proofs take too long."""
 MOST_PUT_IN = 12
@@ -51,7 +50,7 @@ def likely_repairs(way: Way, *, chained: bool) -> list[Repaired]:
         if other.left != other.right or (chained and each.kind in WITHIN and each.before not in way.sides)
     ]
     if is_lettered(way):
-        return [] if _is_long(way) else changed[:MOST_REPAIRS_OF_LETTERS]
+        return [] if _nests_lengths(way) else changed[:MOST_REPAIRS_OF_LETTERS]
     samples = [each for each in samples_of(way.vocabulary) if any(each.at(side) is not None for side in way.sides)]
     return [*islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)]
 
@@ -85,14 +84,27 @@ def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
         yield from (pair for pair in changed[:MOST_REPAIRS_OF_LETTERS] if not _differs(pair[1], point))
 
 
-def _is_long(way: Way) -> bool:
-    """Whether the proofs of single changes take too long, as where lengths of products stand in each other."""
+def _nests_lengths(way: Way) -> bool:
+    """Whether lengths of vectors stand within each other: the proofs of single changes take too long then."""
     questions = asked_of(way.vocabulary, *way.sides)
-    return not isinstance(questions, str) and any(len(each.lhs) + len(each.rhs) > LONGEST for each in questions)
+    texts = [] if isinstance(questions, str) else [side for each in questions for side in (each.lhs, each.rhs)]
+    return any(_begins_nested(text[match.end() :]) for text in texts for match in re.finditer(r"\bnorm\(", text))
+
+
+def _begins_nested(text: str) -> bool:
+    """Whether a length stands in text before its closing bracket."""
+    depth = 1
+    for match in re.finditer(r"\bnorm\(|[()]", text):
+        if match[0].startswith("norm"):
+            return True
+        depth += 1 if match[0] == "(" else -1
+        if not depth:
+            return False
+    return False
 
 
 def _is_hard(way: Way) -> bool:
-    if _is_long(way):
+    if _nests_lengths(way):
         return True
     if len(used_by(way.vocabulary, *way.sides)) > MOST_PUT_IN:
         return True

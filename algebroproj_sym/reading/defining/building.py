@@ -171,6 +171,8 @@ class _Parts(_Gathering):
                 raise UnreadableError("a product of vectors has no inverse")
             if abs(int(text)) > MOST_MATRIX_POWER:
                 raise refused(f"the power {text}")
+            if text == "-1" and base.is_orthogonal:
+                return transposed(base)
             if text == "-1" and (inverse := inverse_of_blocks(base, lambda block: self.power(block, exponent))):
                 return inverse
         found = Part(base.shape, lambda: f"({base.text()})**{text}", base)

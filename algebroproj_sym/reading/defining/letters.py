@@ -78,7 +78,9 @@ def _asked(reader: Reader, left: Formula, right: Formula, given: Sequence[tuple[
         raise UnreadableError("with all definitions put in, it is too long")
     texts = [pair for one, other in constraints if len({*(pair := (one.text(), other.text()))}) > 1]
     return [
-        replace(each, constraints=(*each.constraints, *(worked_out(*pair, each.letters or {}) for pair in texts)))
+        each
+        if each.lhs == each.rhs
+        else replace(each, constraints=(*each.constraints, *(worked_out(*pair, each.letters or {}) for pair in texts)))
         for each in questions
     ]
 

@@ -93,6 +93,8 @@ class Part:
         The rows and columns of a printed matrix of zeros.
     is_table : bool
         Whether it is a matrix and no vector: a bold capital, or one that is inverted somewhere.
+    is_orthogonal : bool
+        Whether it is a letter whose inverse is its transpose, or the transpose of one.
     mean_by : str
         The operator of which it is an expected value; empty for none.
     terms : list of (bool, list of Part)
@@ -115,6 +117,7 @@ class Part:
         self.is_one = False
         self.zeros: tuple[Size, ...] = ()
         self.is_table = False
+        self.is_orthogonal = False
         self.mean_by = ""
         self.terms: list[Term] = [(False, [self])]
         self.symbols: frozenset[str] = frozenset().union(*(part.symbols for part in inside))
@@ -233,7 +236,7 @@ def transposed(part: Part) -> Part:
     if part.turned is not None:
         return part.turned
     found = Part(part.shape[::-1], lambda: f"({part.text()}).T", part)
-    found.turned, found.is_table = part, part.is_table
+    found.turned, found.is_table, found.is_orthogonal = part, part.is_table, part.is_orthogonal
     if part.terms != [(False, [part])]:
         found.terms = [(minus, [*map(_turned, factors[::-1])]) for minus, factors in part.terms]
     return found

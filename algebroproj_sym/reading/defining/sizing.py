@@ -112,6 +112,7 @@ class Reader:
             own.unite(other)
         shape = self._letters.setdefault(symbol, (rows, columns))
         part = Part(shape, lambda: name)
+        part.is_orthogonal = not {"rotation", "orthogonal"}.isdisjoint(properties)
         part.is_table = TABLE.search(symbol) is not None or symbol in vocabulary.kinds.inverted
         return part
 

@@ -152,4 +152,4 @@ def test_other_products_with_these_signs_are_left_open(latex):
 
 def test_a_letter_behind_a_nabla_is_no_tensor_of_the_second_order():
     sides = parsed(r"s = \tr(\nabla \mathbf{u} + (\nabla \mathbf{u})^T) + \nabla \mathbf{v} : \mathbf{e}").sides
-    assert second_in(sides) == {r"\mathbf{e}"}
+    assert second_in([sides]) == {r"\mathbf{e}"}

@@ -210,14 +210,13 @@ class _Parts(_Gathering):
         """Return by how much a value changes along a direction."""
         return change
 
-    def applied(self, slope: Part, variable: Part) -> Part:
-        """Return a derivative by a vector times the direction in which the vector changes."""
+    def applied(self, slope: Part, change: Part) -> Part:
+        """Return a derivative by a vector times the change of the vector."""
         if slope.is_zero:
             return slope
-        direction = self.direction(variable)
-        if self.reader.is_tensor(variable):
-            return contracted(slope, direction)
-        return joined("DOT", slope, direction) if slope.shape[1].value == 1 else times(slope, direction)
+        if self.reader.is_tensor(change):
+            return contracted(slope, change)
+        return joined("DOT", slope, change) if slope.shape[1].value == 1 else times(slope, change)
 
     def gradient(self, value: Part, variable: Part) -> Part:
         """Return the column of the derivatives of a number that nothing gives."""
@@ -365,7 +364,7 @@ class _Parts(_Gathering):
     def inner(self, items: list[Part]) -> Part:
         if len(items) != 2:
             raise UnreadableError("an inner product takes two vectors")
-        if all(each.is_table for each in items):
+        if all(each.is_table or self.reader.is_tensor(each) for each in items):
             return joined(":", *items)
         if any(each.is_number for each in items):
             return self.reader.whole("inner", items, (Size(1), Size(1)))

@@ -21,6 +21,7 @@ from algebroproj_sym.reading.defining.oblong import oblong_in
 from algebroproj_sym.reading.defining.tensors import (
     contract_otherwise,
     fourth_in,
+    scales_in,
     second_in,
     speaks_of_dyads,
     speaks_of_tensors,
@@ -81,6 +82,8 @@ class Kinds:
     """The letters that are tensors of the second order whatever their scripts are: they are no columns."""
     fourth: frozenset[str] = frozenset()
     """The symbols that are tensors of the fourth order."""
+    scales: frozenset[str] = frozenset()
+    """The thin letters that are numbers, because they stand before tensors and never behind one."""
     contracts: bool = False
     r"""Whether ``A : B`` is the sum of the products of their entries: no equation says otherwise."""
     turning: int | None = None
@@ -109,20 +112,21 @@ def kinds_of(
     columns |= frozenset(_stretched_in(equations)) - numbers
     known |= vectors_in(sides, words) - numbers | columns
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
-    closure = _Closure(
-        {*known, *(each for each in occurring if _BOLD.search(before_condition(each)))}, equations, occurring
-    )
+    known |= {each for each in occurring if _BOLD.search(before_condition(each))}
+    second = second_in(equations) if speaks_of_tensors(words) else frozenset[str]()
+    scales = scales_in(equations, second) - known
+    closure = _Closure(known, equations, occurring, scales)
     while closure.grows():
         pass
     columns |= frozenset(_summed_with(columns, closure.known, equations))
-    oblong = oblong_in(equations, occurring, words)
+    square = {each for each in occurring if " " not in each and split_symbol(each)[0] in second}
+    oblong = oblong_in(equations, occurring, words) - square
     inverted = frozenset(letter for side in sides for letter in _inverted_in(side)) & closure.known
     averages = averages_in(equations, words)
     found = frozenset(closure.known), columns, frozenset(closure.open)
-    second = second_in(sides) if speaks_of_tensors(words) else frozenset[str]()
     fourth = fourth_in(equations, second)
     kinds = Kinds(*found, oblong=oblong, inverted=inverted, averages=averages, second=second, fourth=fourth)
-    kinds = replace(kinds, contracts=not contract_otherwise(equations), dyads=speaks_of_dyads(words))
+    kinds = replace(kinds, scales=scales, contracts=not contract_otherwise(equations), dyads=speaks_of_dyads(words))
     return replace(kinds, turning=turning_in(formula.sides for formula in every))
 
 
@@ -139,14 +143,16 @@ def _equal_in(formula: Parsed) -> Iterator[Sides]:
 class _Closure:
     """The letters that are no numbers, and those that may be none, while more and more are found."""
 
-    def __init__(self, known: set[str], equations: Sequence[Sides], occurring: Sequence[str]) -> None:
+    def __init__(
+        self, known: set[str], equations: Sequence[Sides], occurring: Sequence[str], scales: frozenset[str]
+    ) -> None:
         self.known = known
         self.open = set[str]()
         self._equations = equations
         self._occurring = occurring
         sides = [side for each in equations for side in each]
         self._numbers = {symbol for side in sides for symbol in _numbers_in(side)} - known
-        self._scales = {symbol for side in sides for symbol in _above_lines(side)}
+        self._scales = {symbol for side in sides for symbol in _above_lines(side)} | scales
 
     def grows(self) -> bool:
         """Take in what the equations say; whether that was more than was known."""

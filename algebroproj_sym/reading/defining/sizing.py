@@ -292,7 +292,9 @@ class Reader:
                 letters[own] = f"{text} {self._listed.get(own, '')}".strip()
         for own, other in self._same_values(letters):
             texts = [re.sub(rf"\b{own}\b", other, each) for each in texts]
-        return Question(texts[0], texts[1], tuple(self._laws()), letters=letters)
+        texts, squares = self._with_whole_roots(texts, dict(self._laws()))
+        laws = tuple(f"{name}^2 = {value}" for name, value in squares.items())
+        return Question(texts[0], texts[1], laws, letters=letters)
 
     def _same_values(self, letters: Mapping[str, str]) -> Iterator[tuple[str, str]]:
         """Yield values of functions, each with an earlier one that is the same."""
@@ -303,13 +305,31 @@ class Reader:
                     yield own, other
                     break
 
-    def _laws(self) -> list[str]:
-        found = []
+    def _laws(self) -> Iterator[tuple[str, str]]:
+        """Yield the roots, each with its square, but those of printed numbers."""
         for call, name in self._functions.items():
             kind, _, argument = call.partition("(")
             if kind == "sqrt" and not POSITIVE.fullmatch(argument[:-1]):
-                found.append(f"{name}^2 = {argument[:-1]}")
-        return found
+                yield name, argument[:-1]
+
+    def _with_whole_roots(self, texts: list[str], laws: dict[str, str]) -> tuple[list[str], dict[str, str]]:
+        """Return texts in which the root of a number and the one beside it are one letter, and what its square is.
+
+        None of both may stand alone.
+        """
+        numbers = ((name, call[5:-1]) for call, name in self._functions.items() if call.startswith("sqrt("))
+        for one, number in ((name, text) for name, text in numbers if POSITIVE.fullmatch(text)):
+            whole = " ".join((*texts, *laws.values()))
+            for other in laws:
+                pair = f"{one}*{other}"
+                if whole.count(one) == whole.count(other) == whole.count(pair) > 0:
+                    texts = [each.replace(pair, other) for each in texts]
+                    laws = {
+                        name: f"{number}*({value})" if name == other else value.replace(pair, other)
+                        for name, value in laws.items()
+                    }
+                    break
+        return texts, laws
 
 
 def base_of(function: str) -> str:

@@ -2,18 +2,20 @@
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
-from lark import Token
+from lark import Token, Tree
 
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.factors import LIKE_IDENTITY, inner_of, terms_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, symbols_in, trees_in, without_brackets
 from algebroproj_sym.reading.prose.devices import says
 
 CONTRACTS = (":", "colon")
 """The signs of ``A : B``, the sum of the products of their entries."""
 _TENSOR = re.compile(r"\\math(?:bf|sf|bb)(?![a-z])")
+_FOURTH = re.compile(r"\\mathbb(?![a-z])")
 _OF_TENSORS = ("tr", "Tr", "trace", "det", "dev", "sym")
 
 
@@ -27,6 +29,20 @@ def speaks_of_dyads(words: str) -> bool:
     return speaks_of_tensors(words) and not says(r"\b<other-circles>", words)
 
 
+def with_traces(formula: Parsed) -> Parsed:
+    r"""Return a formula in which ``I_1(\mathbf{A})``, the first invariant of a tensor, is a trace."""
+    return replace(formula, sides=tuple(map(_with_traces, formula.sides)))
+
+
+def _with_traces(tree: Any) -> Any:
+    if not isinstance(tree, Tree):
+        return tree
+    items = trees_in(tree.children[1]) if tree.data == "call" and tree.children[0] == "I_1" else []
+    if len(items) == 1 and _TENSOR.search(lone(items[0])):
+        return Tree("function", [Token("FUNCTION", "tr"), tree.children[1]])
+    return Tree(tree.data, [_with_traces(each) for each in tree.children])
+
+
 def contract_otherwise(equations: Sequence[Sides]) -> bool:
     """Whether an equation says that ``A : B`` is the trace of a product of both, where none is transposed."""
     for sides in equations:
@@ -38,13 +54,37 @@ def contract_otherwise(equations: Sequence[Sides]) -> bool:
     return False
 
 
-def second_in(sides: Sequence[Formula]) -> frozenset[str]:
-    """Return the bold letters, without their scripts, that are matrices: beside ``:``, or of which there is a trace."""
+def second_in(equations: Sequence[Sides]) -> frozenset[str]:
+    """Return the bold letters, without their scripts, that are matrices: beside ``:``, or of which there is a trace.
+
+    So are those that are added or equal to one.
+    """
+    sides = [side for each in equations for side in each]
     operands = (each for side in sides for each in _operands(side))
     arguments = (trees_in(each)[0] for side in sides for each in side.find_data("function") if _is_of_tensors(each))
-    return frozenset(
-        letter for part in (*operands, *arguments) for letter in _letters_of(part) if _TENSOR.search(letter)
-    )
+    found = {letter for part in (*operands, *arguments) for letter in _letters_of(part) if _TENSOR.search(letter)}
+    sums = [[term for side in both for term in terms_of(side)] for both in equations]
+    sums += [terms_of(each) for side in sides for each in side.find_data("sum")]
+    related = [{letter for term in terms for letter in _letters_of(term) if _TENSOR.search(letter)} for terms in sums]
+    while more := {letter for letters in related if not letters.isdisjoint(found) for letter in letters} - found:
+        found |= more
+    return frozenset(found)
+
+
+def scales_in(equations: Sequence[Sides], second: Collection[str]) -> frozenset[str]:
+    r"""Return the thin letters that stand before a tensor and never behind one: numbers, as G in ``2 G \mathbf{e}``."""
+    before, behind = set[str](), set[str]()
+    for run in (run for both in equations for side in both for run in side.find_data("run")):
+        factors = trees_in(run)
+        places = [place for place, each in enumerate(factors) if _has_second(each, second)]
+        if places:
+            before |= {symbol for each in factors[: places[0]] for symbol in symbols_in(each)}
+            behind |= {symbol for each in factors[places[0] :] for symbol in symbols_in(each)}
+    return frozenset(each for each in before - behind if not _TENSOR.search(each))
+
+
+def _has_second(tree: Formula, second: Collection[str]) -> bool:
+    return any(split_symbol(each)[0] in second for each in symbols_in(tree) if " " not in each and "/" not in each)
 
 
 def depend_on_size(trees: Sequence[Formula], *, has_identity: bool) -> bool:
@@ -78,8 +118,9 @@ def _letters_of(part: Any) -> Iterator[str]:
     for term in terms_of(part):
         if r"\nabla" in symbols_in(term):
             continue
-        last = trees_in(term)[-1] if term.data == "run" else term
-        letter = lone(inner_of(last) if last.data != "fraction" else last)
+        maps = term.data == "product" and _FOURTH.match(_first_of(term))
+        last = trees_in(term)[-1] if term.data == "run" or maps else term
+        letter = lone(inner_of(last))
         if letter and " " not in letter and "/" not in letter:
             yield split_symbol(letter)[0]
 

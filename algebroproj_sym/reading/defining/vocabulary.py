@@ -121,7 +121,8 @@ class Vocabulary:
         for run in (_without_numbers(run, self.kinds.fourth) for each in trees for run in each.find_data("run")):
             factors = trees_in(run)
             identities = [each for each in factors if self.is_like_identity(lone(each))]
-            others = [symbol for each in factors if each not in identities for symbol in symbols_in(each)]
+            others = {symbol for each in factors if each not in identities for symbol in symbols_in(each)}
+            others -= self.kinds.scales
             if identities and any(self.is_no_number(each) or _CAPITAL.match(each) for each in others):
                 return True
         return False
@@ -478,7 +479,7 @@ def _without_numbers(tree: Formula, fourth: frozenset[str]) -> Formula:
         return _without_numbers(trees_in(tree)[0], fourth)
     signs = [str(each) for each in tree.children if isinstance(each, Token)]
     contracts = tree.data == "product" and signs in ([":"], ["colon"]) and fourth.isdisjoint(symbols_in(tree))
-    if contracts or tree.data == "norm" or (tree.data == "function" and signs[0] in ("tr", "Tr", "trace", "det")):
+    if contracts or tree.data == "norm" or (tree.data == "function" and signs[0] in _OF_NUMBERS):
         return _ONE
     parts = [_without_numbers(each, fourth) if isinstance(each, Tree) else each for each in tree.children]
     row, place = _is_row(parts[0]), next((i for i, each in enumerate(parts) if _is_column(each)), 0)
@@ -487,6 +488,7 @@ def _without_numbers(tree: Formula, fourth: frozenset[str]) -> Formula:
     return Tree(tree.data, parts)
 
 
+_OF_NUMBERS = ("tr", "Tr", "trace", "det", "ln", "sin", "cos")
 _ONE: Formula = Tree("number", [Token("NUMBER", "1")])
 _SMALL = re.compile(VECTOR_STYLE + r"\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}")
 

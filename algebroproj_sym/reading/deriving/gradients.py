@@ -6,23 +6,38 @@ components.  Of a function that nothing gives it is the derivative that the docu
 """
 
 import re
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import extended, letter_of
+from algebroproj_sym.reading.defining.tensors import CONTRACTS
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.rates import ZERO, copies_in, rate_of, written
+from algebroproj_sym.reading.deriving.rates import ONE, TWO, ZERO, copies_in, rate_of, written
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, lone, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.factors import inner_of, terms_of
+from algebroproj_sym.reading.parsing.grammar import (
+    IN_BRACKETS,
+    Formula,
+    lone,
+    symbols_in,
+    tokens_in,
+    trees_in,
+    without_brackets,
+)
 
 _QUOTIENT = re.compile(r"(d|\\partial)([^/^()]+)(?:\(([^/^()]+)\))?/\1([^/^()]+)")
 _OPERATOR = re.compile(r"(d|\\partial)/\1([^/^]+)")
 _RATE = re.compile(r"^\\d+ot|^\\Delta|^d |/")
+_SQUARE = re.compile(r"(.+)\^2")
+_LENGTH = re.compile(r"\\\|(.+)\\\|")
+_STEP = r"\Delta "
+"""How an increment begins: by ``\\Delta x`` a derivative is also taken through ``x = x_0 + a \\Delta x``."""
+_STYLED = re.compile(r"\\(?:math(?:bf|sf)|vec)")
 _NABLA = re.compile(r"\\nabla(?:_.*)?")
 
 
@@ -30,94 +45,166 @@ class _OtherwiseError(Exception):
     """A side is no sum of derivatives by one vector and of what they are equal to."""
 
 
-def along_directions(vocabulary: Vocabulary, *sides: Formula) -> tuple[list[Formula], Vocabulary] | None:
+def along_directions(vocabulary: Vocabulary, *sides: Formula) -> tuple[list[Formula], list[Vocabulary]] | None:
     """Return the sides of equations along a direction in which a vector changes, and what letters stand for in them.
 
-    There are none if no side is a derivative by a vector.
+    There are none if no side is a derivative by a vector.  In a text on tensors it may be one by a number, which
+    changes by one.  What a letter stands for is put in if it is a derivative.  A vector that has a value is any vector,
+    or this value.
     """
-    sides = tuple(map(_with_nabla, sides))
+    sides = tuple(_with_nabla(_with_slopes(each, vocabulary)) for each in sides)
     reader = _Gradients(vocabulary, sides)
     try:
-        for part in (part for side in sides for part in side.iter_subtrees()):
-            reader.find(part)
-        if reader.variable is None:
+        if not (variable := reader.variable_of(sides)):
             return None
-        return [*map(reader.along, sides)], extended(vocabulary, reader.made.values())
+        is_number = not vocabulary.is_matrix(variable)
+        change: Formula = ONE if is_number else Tree("direction", [letter_of(variable)])
+        found = [reader.along(each, variable, change) for each in sides]
+        known = extended(vocabulary, reader.made.values())
+        return found, [_without(variable, known), known] if variable in known.definitions else [known]
     except _OtherwiseError:
         return None
+
+
+@dataclass(frozen=True)
+class _Written:
+    """A derivative as it is written.  Within its brackets stands the letter below it, or all letters of a function."""
+
+    value: Any
+    below: str
+    within: str
+    partial: bool
 
 
 class _Gradients:
     """The derivatives by a vector in an equation."""
 
     def __init__(self, vocabulary: Vocabulary, sides: Sequence[Formula]) -> None:
-        self.variable: str | None = None
         self.made: dict[str, Definition] = {}
         self._vocabulary = vocabulary
+        self._sides = sides
         known = [each.tree for side in sides for each in vocabulary.used_in(side)]
-        self._written = {bare_name(each): each for tree in (*sides, *known) for each in symbols_in(tree)}
+        given = [each for one in vocabulary.definitions.values() for each in (one.symbol, *one.symbols)]
+        self._written = {bare_name(each): each for each in given}
+        self._written |= {bare_name(each): each for tree in (*sides, *known) for each in symbols_in(tree)}
         self._nablas = [value for side in sides for part in side.iter_subtrees() if (value := _below_nabla(part))]
 
-    def find(self, tree: Formula) -> Formula | None:
-        """Return a derivative by the vector along a direction; None if a formula is none."""
+    def variable_of(self, sides: Sequence[Formula]) -> str:
+        """Return the letter by which the derivatives at the ends of all terms are; empty if there are none."""
+        ends = [end for side in sides for term in terms_of(side) if (end := self._slope_at(_end_of(term)))]
+        others = (slope for side in sides for part in side.iter_subtrees() if (slope := self._slope_at(part)))
+        found = {name for each in ends or [*others] if (name := self._varied(each))}
+        if len(found) > 1:
+            raise _OtherwiseError
+        return next(iter(found), "")
+
+    def _varied(self, slope: _Written) -> str:
+        """Return the letter by which a derivative is, if the document gives its function."""
+        names = dict(self._written)
+        if (definition := self._given(slope)) is not None:
+            used = [definition, *self._vocabulary.used_in(definition.tree)]
+            names |= {bare_name(each): each for one in used for each in (*one.symbols, *one.parameters)}
+            if not slope.below and len(definition.parameters) == 1:
+                return definition.parameters[0]
+        elif lone(slope.value):
+            return ""
+        else:
+            names |= {bare_name(each): each for each in symbols_in(slope.value)}
+        variable = names.get(bare_name(slope.below), "")
+        numbers = slope.partial and bool(self._vocabulary.kinds.second)
+        return variable if variable and (numbers or self._vocabulary.is_matrix(variable)) else ""
+
+    def _given(self, slope: _Written) -> Definition | None:
+        """Return the definition of the function of a derivative."""
+        value = slope.value
+        name = str(value.children[0]) if value.data == "call" else _lone(value)
+        known = {bare_name(each): each for each in self._vocabulary.definitions}
+        definition = self._vocabulary.definitions.get(known.get(bare_name(name), ""))
+        return definition if definition is not None and definition.usable else None
+
+    def _slope_at(self, tree: Formula) -> _Written | None:
+        """Return the derivative that a formula is; None if it is none."""
         head = str(tree.children[0]) if tree.children else ""
         if tree.data in ("symbol", "opaque") and (match := _QUOTIENT.fullmatch(head)):
-            return self._of(letter_of(match[2]), match[4], match[3] or match[4], partial=match[1] != "d")
+            return _Written(self._above(match[2]), match[4], match[3] or match[4], match[1] != "d")
         if tree.data == "big" and (match := _OPERATOR.fullmatch(head)):
-            return self._of(tree.children[1], match[2], match[2], partial=match[1] != "d")
+            return _Written(tree.children[1], match[2], match[2], match[1] != "d")
         if (value := _below_nabla(tree)) is not None:
             below = split_symbol(_lone(tree.children[0]))[2]
-            return self._of(value, below, below, partial=False)
+            return _Written(value, below, below, partial=False)
         return None
 
-    def _has(self, tree: Formula) -> bool:
-        return any(self.find(part) is not None for part in tree.iter_subtrees())
+    def _above(self, text: str) -> Formula:
+        r"""Return what stands above a line: a letter, or its square or length, as in ``\partial m^2``."""
+        if (match := _SQUARE.fullmatch(text)) and text not in self._written:
+            return Tree("power", [letter_of(self._written.get(match[1], match[1])), TWO])
+        if match := _LENGTH.fullmatch(text):
+            return Tree("norm", [letter_of(self._written.get(match[1], match[1]))])
+        return letter_of(text)
 
-    def _of(self, value: Any, below: str, within: str, *, partial: bool) -> Formula | None:
-        """Return a function with its definition put in, if it is one of a vector, and its derivative is computed.
+    def find(self, tree: Formula, variable: str, change: Formula) -> Formula | None:
+        """Return a derivative by a letter as the change of its function; None if a formula is none."""
+        slope = self._slope_at(tree)
+        return None if slope is None else self._of(slope, variable, change)
 
-        Within its brackets stands the letter by which the derivative is taken, or all letters of which it is one.
-        """
-        known = {bare_name(each): each for each in self._vocabulary.definitions}
+    def _has(self, tree: Formula, variable: str, change: Formula) -> bool:
+        return any(self.find(part, variable, change) is not None for part in tree.iter_subtrees())
+
+    def _of(self, slope: _Written, variable: str, change: Formula) -> Formula | None:
+        """Return by how much a function changes, if it is one of the letter, and its derivative is computed."""
+        value, vocabulary = slope.value, self._vocabulary
         name, arguments = (str(value.children[0]), _arguments(value)) if value.data == "call" else (_lone(value), ())
-        definition = self._vocabulary.definitions.get(known.get(bare_name(name), ""))
-        if definition is not None and definition.usable:
+        definition = self._given(slope)
+        below = slope.below
+        if definition is not None:
             if arguments and arguments != definition.parameters:
                 return None
-            if within not in (below, ",".join(map(bare_name, definition.parameters))):
+            if slope.within not in (below, ",".join(map(bare_name, definition.parameters))):
                 return None
             below = below or (definition.parameters[0] if len(definition.parameters) == 1 else "")
             value = letter_of(definition.symbol)
             if definition.parameters:
                 self.made[definition.symbol] = replace(definition, symbol=f"{definition.symbol} ", parameters=())
                 value = letter_of(self.made[definition.symbol].symbol)
-        elif name or within != below:
+        elif name or slope.within != below:
             return None
-        direct = value if definition is None or not definition.usable else definition.tree
-        used = self._vocabulary.used_in(direct)
+        if bare_name(below) != bare_name(variable):
+            return None
+        direct = value if definition is None else definition.tree
+        if variable in vocabulary.definitions:
+            vocabulary = self._without_value(variable, direct, partial=slope.partial)
+        used = vocabulary.used_in(direct)
         letters = {symbol for each in (direct, *(each.tree for each in used)) for symbol in symbols_in(each)}
-        variable = {bare_name(each): each for each in sorted(letters)}.get(bare_name(below))
-        if variable is None or not self._vocabulary.is_matrix(variable) or variable in self._vocabulary.definitions:
+        if variable not in letters and not any(each in letters for each, _ in self._slopes_by(variable)):
             return None
         others = letters - {variable} - {each.symbol for each in used}
-        via = any(
-            variable in self._vocabulary.letters_of(each.tree) and not _is_length(each.tree, variable) for each in used
-        )
+        via = any(variable in vocabulary.letters_of(each.tree) and not _is_length(each.tree, variable) for each in used)
         rates = [each for each in others if _RATE.search(each) and bare_name(variable) in bare_name(each)]
-        ambiguous = (partial and via and variable in symbols_in(direct)) or (rates and not partial)
-        if ambiguous or self._vocabulary.depends(others, variable) or self.variable not in (None, variable):
+        twice = slope.partial and via and variable in symbols_in(direct) and not variable.startswith(_STEP)
+        ambiguous = twice or (rates and not slope.partial)
+        if ambiguous or vocabulary.depends(others, variable):
             raise _OtherwiseError
-        self.variable = variable
-        return Tree("along", [value, self._changed(direct, used)])
+        return Tree("along", [value, self._changed(direct, used, variable, change)])
 
-    def _changed(self, tree: Formula, used: Sequence[Definition]) -> Formula:
-        """Return by how much a formula changes along the direction."""
+    def _without_value(self, variable: str, tree: Formula, *, partial: bool) -> Vocabulary:
+        """Return the vocabulary in which a letter that has a value is free, if a formula has it only through it."""
+        found = _without(variable, self._vocabulary)
+        shared = self._vocabulary.letters_of(letter_of(variable)) & (found.letters_of(tree) - {variable})
+        steps = variable.startswith(_STEP)
+        if not partial or not (steps or all(map(found.is_like_identity, shared))):
+            raise _OtherwiseError
+        return found
+
+    def _changed(self, tree: Formula, used: Sequence[Definition], variable: str, change: Formula) -> Formula:
+        """Return by how much a formula changes if a letter changes."""
         rates: dict[str, Formula] = {"e": ZERO} if self._vocabulary.euler else {}
-        rates[self.variable or ""] = Tree("direction", [letter_of(self.variable or "")])
+        rates[variable] = change
         for call in (call for each in (tree, *(each.tree for each in used)) for call in each.find_data("call")):
-            if (slope := self._slope(call)) is not None:
-                rates[written(call)] = Tree("group", [Tree("applied", [slope, letter_of(self.variable or "")])])
+            if (slope := self._slope(call, variable)) is not None:
+                rates[written(call)] = Tree("group", [Tree("applied", [slope, change])])
         copies = dict[str, int]()
+        by_it = {letter: self._times(slope, variable, change) for letter, slope in self._slopes_by(variable)}
+        rates = {**by_it, **rates}
         try:
             for each in used:
                 if not each.parameters and (rate := rate_of(each.tree, rates, copies)) is not None:
@@ -127,9 +214,16 @@ class _Gradients:
         except UnreadableError:
             raise _OtherwiseError from None
 
-    def _slope(self, call: Formula) -> Formula | None:
+    def _slopes_by(self, variable: str) -> Iterator[tuple[str, Formula]]:
+        """Yield the letters of which the equation has the derivative by a letter, each with this derivative."""
+        for part in (part for side in self._sides for part in side.iter_subtrees()):
+            slope = self._slope_at(part)
+            if slope is not None and bare_name(slope.below) == bare_name(variable) and (letter := _lone(slope.value)):
+                yield self._written.get(bare_name(letter), letter), part
+
+    def _slope(self, call: Formula, variable: str) -> Formula | None:
         """Return the derivative of the value of a function that nothing gives, as the document writes it."""
-        name, variable = str(call.children[0]), self.variable or ""
+        name = str(call.children[0])
         if name in self._vocabulary.definitions or _arguments(call) != (variable,):
             return None
         if call in self._nablas:
@@ -141,34 +235,112 @@ class _Gradients:
         )
         return next((letter_of(self._written[each]) for each in names if each in self._written), None)
 
-    def _of_letters(self, tree: Any) -> Any:
+    def _of_letters(self, tree: Any, variable: str) -> Any:
         """Return a formula in which a function that stands alone is its value, as c in ``c(x)`` and ``x/c``."""
         if not isinstance(tree, Tree):
             return tree
         if (value := _below_nabla(tree)) is not None and bare_name(split_symbol(_lone(tree.children[0]))[2]) in (
             "",
-            bare_name(self.variable or ""),
+            bare_name(variable),
         ):
-            return Tree("gradient", [value, letter_of(self.variable or "")])
+            return Tree("gradient", [value, letter_of(variable)])
         if tree.data == "symbol" and (made := self.made.get(str(tree.children[0]))) is not None:
             return letter_of(made.symbol)
-        return Tree(tree.data, [*map(self._of_letters, tree.children)])
+        return Tree(tree.data, [self._of_letters(each, variable) for each in tree.children])
 
-    def along(self, tree: Any) -> Formula:
+    def along(self, tree: Any, variable: str, change: Formula) -> Formula:
         """Return a formula along a direction: derivatives as changes, and what else is there times the direction."""
-        if (found := self.find(tree)) is not None:
+        if (found := self.find(tree, variable, change)) is not None:
             return found
-        if not self._has(tree):
-            return Tree("applied", [self._of_letters(tree), letter_of(self.variable or "")])
         if tree.data in IN_BRACKETS and len(tree.children) == 1:
-            return self.along(tree.children[0])
+            return self.along(tree.children[0], variable, change)
         if tree.data == "sum":
-            return Tree("sum", [each if isinstance(each, Token) else self.along(each) for each in tree.children])
-        if tree.data == "run" and not any(map(self._has, tree.children[:-1])):
-            return Tree("run", [*tree.children[:-1], Tree("group", [self.along(tree.children[-1])])])
-        if tree.data == "fraction" and not self._has(tree.children[1]):
-            return Tree("fraction", [self.along(tree.children[0]), tree.children[1]])
+            parts = [each if isinstance(each, Token) else self.along(each, variable, change) for each in tree.children]
+            return Tree("sum", parts)
+        has = self._has(tree, variable, change)
+        if tree.data in ("run", "product") and (found := self._through(tree, variable, change, has=has)) is not None:
+            return found
+        if not has:
+            return self._times(tree, variable, change)
+        if tree.data == "fraction" and not self._has(tree.children[1], variable, change):
+            return Tree("fraction", [self.along(tree.children[0], variable, change), tree.children[1]])
         raise _OtherwiseError
+
+    def _times(self, tree: Formula, variable: str, change: Formula) -> Formula:
+        letters = self._of_letters(tree, variable)
+        return letters if change == ONE else Tree("applied", [letters, change])
+
+    def _through(self, tree: Formula, variable: str, change: Formula, *, has: bool) -> Formula | None:
+        """Return a product along a direction: its last factor along it, and along this change what is before it."""
+        *first, last = tree.children
+        if any(isinstance(each, Tree) and self._has(each, variable, change) for each in first):
+            raise _OtherwiseError
+        contracts = isinstance(first[-1], Token) and str(first[-1]) in CONTRACTS
+        maps = (
+            contracts
+            and (self._maps(last) or self._slope_at(_end_of(last)))
+            and not self._maps(Tree(tree.data, first[:-1]))
+        )
+        if not (has or maps):
+            return None
+        inner: Formula = Tree("group", [self.along(last, variable, change)])
+        before = [each for each in first if isinstance(each, Tree)][-1]
+        slope = self._slope_at(_end_of(last)) if isinstance(last, Tree) else None
+        via = self._slope_at(_end_of(before))
+        follows = slope is None or (via is not None and bare_name(_lone(slope.value)) == bare_name(via.below))
+        name = self._varied(via) if via is not None and follows else ""
+        if name and via is not None and (changed := self._chained(before, via, name, inner)) is not None:
+            head = first[: first.index(before)]
+            return Tree(tree.data, [*head, changed]) if head else changed
+        return Tree(tree.data, [*first, inner])
+
+    def _chained(self, tree: Formula, slope: _Written, name: str, change: Formula) -> Formula | None:
+        """Return by how much what stands before a change changes: of a number, as its formula is printed."""
+        definition = self._given(slope)
+        own = self._slope_at(tree) is not None
+        if (
+            own
+            and definition is not None
+            and not self._vocabulary.is_matrix(name)
+            and name in symbols_in(definition.tree)
+        ):
+            return self._changed(definition.tree, (), name, change)
+        return self.along(tree, name, change)
+
+    def _maps(self, tree: Any) -> bool:
+        """Whether a formula has a tensor of the fourth order."""
+        fourth = self._vocabulary.kinds.fourth
+        return not fourth.isdisjoint(symbols_in(tree)) or "otimes" in tokens_in(tree)
+
+
+def _without(variable: str, vocabulary: Vocabulary) -> Vocabulary:
+    """Return the vocabulary in which a letter has no value."""
+    found = vocabulary.copied()
+    del found.definitions[variable]
+    found.forget()
+    return found
+
+
+def _with_slopes(tree: Any, vocabulary: Vocabulary) -> Any:
+    """Return a formula in which letters are put in that stand for a multiple of a derivative by a vector."""
+    if not isinstance(tree, Tree):
+        return tree
+    if (definition := vocabulary.definitions.get(lone(tree))) is not None and definition.usable:
+        end = _end_of(definition.tree)
+        is_slope = end.data == "opaque" and not definition.parameters
+        if is_slope and (match := _QUOTIENT.fullmatch(str(end.children[0]))) and _STYLED.search(match[4]):
+            return Tree("group", [definition.tree])
+    if tree.data in (*IN_BRACKETS, "sum", "run", "fraction"):
+        return Tree(tree.data, [_with_slopes(each, vocabulary) for each in tree.children])
+    return tree
+
+
+def _end_of(term: Any) -> Any:
+    """Return the last factor of a term, also within brackets."""
+    term = inner_of(term)
+    if term.data in ("run", "product"):
+        return _end_of(trees_in(term)[-1])
+    return _end_of(terms_of(term)[-1]) if term.data == "sum" else term
 
 
 def _is_length(tree: Formula, vector: str) -> bool:

@@ -14,7 +14,10 @@ _LABEL = re.compile(r"\\label\s*\{[^{}]*\}\s*")
 
 
 def needless_braces(page: Page, piece: Piece) -> bool:
-    r"""Leave out braces round nothing before a mark of alignment, and round a name before a bracket: ``{N}(t)``."""
+    r"""Leave out braces round nothing before a mark of alignment, and round a name before a bracket: ``{N}(t)``.
+
+    So are those round a bracket behind a name, as in ``f{\left(t\right)}``.
+    """
     before = first_text(reversed(without_label(page.out)))
     argument = (
         before in ("^", "_", "]")
@@ -22,7 +25,8 @@ def needless_braces(page: Page, piece: Piece) -> bool:
         or (before.startswith("\\") and before not in _ENDS)
     )
     if argument or (inside := page.waiting.name_in_braces()) is None:
-        return False
+        behind = not argument and (before[-1:].isalpha() or before == "}")
+        return behind and page.waiting.brackets_in_braces() is not None
     page.waiting.put(inside)
     return True
 

@@ -98,6 +98,24 @@ class Pending(list[Piece]):
         style, name = match["style"], match["name"] or ""
         return at(Piece("", place), rf"\mathcal{{{name}}}" if style else name)
 
+    def brackets_in_braces(self) -> list[Piece] | None:
+        r"""Take the end of braces that have nothing but a round bracket; None if they have something else."""
+        depth, brackets, closed = 1, 0, False
+        for place in range(len(self) - 1, -1, -1):
+            text = self[place].text
+            depth += (text == "{") - (text == "}")
+            if depth == 0:
+                if closed:
+                    del self[place]
+                return [] if closed else None
+            if text.isspace() or text in (r"\left", r"\right"):
+                continue
+            if closed or not (brackets or text == "("):
+                return None
+            brackets += (text == "(") - (text == ")")
+            closed = brackets == 0
+        return None
+
     @property
     def is_sign(self) -> bool:
         """Whether a sign or a relation and a closing brace come next."""

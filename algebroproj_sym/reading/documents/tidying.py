@@ -40,6 +40,7 @@ _OTHERWISE |= {
 }
 _OTHERWISE |= dict.fromkeys((r"\begin{dcases}", r"\begin{dcases*}", r"\begin{cases*}"), r"\begin{cases}")
 _OTHERWISE |= dict.fromkeys((r"\end{dcases}", r"\end{dcases*}", r"\end{cases*}"), r"\end{cases}")
+_OTHERWISE[r"\varDelta"] = r"\Delta"
 _OTHERWISE |= dict.fromkeys((r"\triangledown", r"\bigtriangledown"), r"\nabla")
 _POSTFIX = dict.fromkeys((r"\T", r"\tran", r"\trans", r"\transp", r"\transpose", r"\tp"), "T") | {r"\inv": "-1"}
 """What documents call the marks of matrices whose macros are elsewhere."""

@@ -29,9 +29,12 @@ from algebroproj_sym.reading.judging.introducing import (
     begins_anew,
     definition_in,
     gives_if_open,
+    is_condition_on,
     is_only_one,
     names_its_letter,
     relates_new_letters,
+    says_on_what_it_depends,
+    split_again,
     tells,
 )
 from algebroproj_sym.reading.judging.memory import Memory, where_of
@@ -307,8 +310,11 @@ class _Pass:
                 if not (self.memory.beside.is_conditional or statement.condition):
                     self.memory.summed += self.memory.premises_of(statement, found, found.sides)
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
+        if says_on_what_it_depends(found) and defined_by(found.sides[0])[0] in self.memory.vocabulary.definitions:
+            return Reading(number, statement.latex, read, "", (Link("definition"),), statement, found), []
         if found.relations[:1] == (":=",) and self.survey.has_programs:
             self.memory.forget(defined_by(found.sides[0])[0])
+        split_again(self.memory.vocabulary, found)
         definition = definition_in(self.memory, statement, found, explicit=False)
         definition = definition and replace(definition, ranges=self.memory.ranges)
         plain = definition is not None and not (definition.explicit or definition.parameters)
@@ -326,7 +332,12 @@ class _Pass:
             if relation == "∈" and index and begins:
                 links.append(Link("definition"))
                 continue
-            gives = definition is not None if index == 0 else begins and relates_new_letters(self.memory, found, index)
+            gives = (
+                definition is not None
+                if index == 0
+                else begins
+                and (relates_new_letters(self.memory, found, index) or self._is_residual(statement, found, index))
+            )
             link, question = self._link(statement, found, index, place, gives=gives)
             links.append(link)
             if question is not None:
@@ -353,6 +364,13 @@ class _Pass:
             if ways := [*by_components(standing, *formula.sides[index : index + 2])]:
                 no, claimed = False, self.memory.beside.follows
                 yield Asked(place, index, ways, link, no, no, no, no, no, no, no, claimed)
+
+    def _is_residual(self, statement: Statement, formula: Parsed, index: int) -> bool:
+        """Whether a link is a condition, as that of ``r = y - a x = 0`` in a display with several such equations."""
+        own = (self.survey.formulas[id(each)] for each in self.survey.statements if each.display is statement.display)
+        ends = [each.sides[-2:] for each in own if isinstance(each, Parsed) and len(each.sides) > 2]
+        last = index + 2 == len(formula.sides)
+        return last and sum(is_condition_on(*each) for each in ends) > 1 and is_condition_on(*formula.sides[-2:])
 
     def _begins(self, statement: Statement, formula: Parsed) -> bool:
         """Whether a chain begins with an equation that gives the letter on its left."""

@@ -1,12 +1,14 @@
 """Which equations say what a letter is, so that there is nothing to check."""
 
+import re
 from dataclasses import replace
+from typing import Any
 
-from lark import Tree
+from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_in
-from algebroproj_sym.reading.defining.premises import Premise, neighbours
+from algebroproj_sym.reading.defining.premises import Premise, letter_of, neighbours
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     argument_of,
@@ -37,9 +39,11 @@ from algebroproj_sym.reading.defining.twists import tells_hat
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.derivatives import derivatives_in
 from algebroproj_sym.reading.deriving.instances import numbers_put_in
+from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.memory import Memory, where_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.factors import terms_of
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, lone, put_in, symbols_in, tokens_in, trees_in
 from algebroproj_sym.reading.prose.meanings import CHANGES
 from algebroproj_sym.reading.prose.words import beside
 
@@ -124,6 +128,49 @@ def relates_new_letters(memory: Memory, formula: Parsed, index: int) -> bool:
     if memory.vocabulary.with_identity(left, right) is not None:
         new = {each for each in new if not memory.vocabulary.is_like_identity(each)}
     return any(memory.vocabulary.constant(each) is None and not CHANGES.search(each) for each in new)
+
+
+def says_on_what_it_depends(formula: Parsed) -> bool:
+    """Whether an equation says of which letters another one is a function, and no more, as ``f = f(x, y)``."""
+    if formula.relations != ("=",) or not (letter := lone(formula.sides[0])):
+        return False
+    right = formula.sides[1]
+    if right.data == "call":
+        return right.children[0] == letter and all(map(lone, trees_in(trees_in(right)[0])))
+    factors = trees_in(right) if right.data == "run" else []
+    return [each.data for each in factors] == ["symbol", "bracket"] and lone(factors[0]) == letter
+
+
+def split_again(vocabulary: Vocabulary, formula: Parsed) -> None:
+    r"""Let ``S = s + p I`` give s where the next equation gives p by S, as ``p = \frac13 \mathrm{tr}(S)`` does."""
+    symbol = defined_by(formula.sides[0])[0] if formula.relations[:1] == ("=",) else ""
+    if not symbol or symbol in vocabulary.definitions:
+        return
+    for known in (vocabulary.definitions.get(each) for each in symbols_in(formula.sides[1])):
+        if known is None or known.parameters or not known.usable or symbol not in known.symbols:
+            continue
+        terms = terms_of(known.tree)
+        alone = [each for each in map(lone, terms) if each and each not in vocabulary.definitions and each != symbol]
+        rest = put_in(known.tree, {letter_of(alone[0]): ZERO}) if len(alone) == 1 else None
+        if rest is not None and alone[0] not in symbols_in(rest) and _has_plus(known.tree, alone[0]):
+            del vocabulary.definitions[known.symbol]
+            vocabulary.forget()
+            signed: list[Any] = [Token("SIGN", "+"), letter_of(known.symbol), Token("SIGN", "-"), Tree("group", [rest])]
+            vocabulary.define(replace(known, symbol=alone[0], tree=Tree("sum", signed)))
+            return
+
+
+def _has_plus(tree: Formula, letter: str) -> bool:
+    """Whether a letter is added in a sum that has no other sums within."""
+    parts = [*tree.children]
+    place = next((place for place, each in enumerate(parts) if isinstance(each, Tree) and lone(each) == letter), -1)
+    return place == 0 or (place > 0 and str(parts[place - 1]) == "+")
+
+
+def is_condition_on(left: Formula, right: Formula) -> bool:
+    """Whether what a letter has just been said to be is zero, as in ``r = y - a x = 0``: that is a condition."""
+    zero = re.fullmatch(r"(?:\\math[a-z]+\{)?0\}?", " ".join(tokens_in(right))) is not None
+    return zero and bool(symbols_in(left))
 
 
 def _bound_in(tree: Formula) -> set[str]:

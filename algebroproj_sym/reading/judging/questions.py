@@ -5,7 +5,6 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import islice
 from typing import Any
 
 import sympy
@@ -404,13 +403,11 @@ def _text(value: Any) -> str:
 def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[Question, ...], Outcome]]:
     """Return the questions of each way with the outcome; one that cannot be asked is open."""
     asked = [asked_under(each) for each in ways]
-    every = [question for group in asked if isinstance(group, list) for question in group]
-    once = {repr(question): question for question in every}
-    told = outcomes([*once.values()], seconds=seconds, jobs=min(jobs, len(once))) if once else ()
-    found = dict(zip(once, told, strict=True))
-    decided = iter([found[repr(question)] for question in every])
+    questions = {repr(question): question for group in asked if isinstance(group, list) for question in group}
+    found = outcomes([*questions.values()], seconds=seconds, jobs=min(jobs, len(questions))) if questions else ()
+    decided = dict(zip(questions, found, strict=True))
     return [
-        (tuple(each), _with_letters(each, _without_opposite_roots(_of_entries([*islice(decided, len(each))]))))
+        (tuple(each), _with_letters(each, _without_opposite_roots(_of_entries([decided[repr(one)] for one in each]))))
         if isinstance(each, list)
         else ((), Outcome("open", "none", 0.0, each))
         for each in asked

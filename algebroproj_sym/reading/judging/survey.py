@@ -22,6 +22,7 @@ from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, l
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.defining.tensors import speaks_of_tensors, with_traces
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments
 from algebroproj_sym.reading.deriving.crossed import crossed_in
@@ -32,6 +33,7 @@ from algebroproj_sym.reading.deriving.summation import indices_in, is_in_index_n
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.documents.naming import named
 from algebroproj_sym.reading.documents.statements import Statement, inline_statements, statements
+from algebroproj_sym.reading.documents.underlining import are_tensors, in_bold
 from algebroproj_sym.reading.lexing.commands import MARKS, RELATIONS
 from algebroproj_sym.reading.lexing.names import OF_CHANCE, OFTEN_FUNCTION, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_pieces
@@ -79,6 +81,8 @@ class Survey:
         """All statements in the order of the document, also those within the text."""
         order = {id(each): place for place, each in enumerate(self.document.formulas)}
         every = named([*statements(self.document), *inline_statements(self.document)])
+        if speaks_of_tensors(prose_of(every)) and are_tensors(every):
+            every = [replace(each, pieces=in_bold(each.pieces)) for each in every]
         return tuple(sorted(every, key=lambda each: order[id(each.display)]))
 
     @cached_property
@@ -242,6 +246,7 @@ class Survey:
         named = self._has_superscripts
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
+        found = with_traces(found) if self.has_tensors_of_three_rows else found
         found = found if plain or not self._has_transposes else with_transposes(found)
         if not plain and self._operators:
             found = with_operators(found, self._operators)

@@ -113,11 +113,13 @@ def along_directions_in(way: Way) -> Iterator[Way]:
     given = [side for each in way.under for side in (each.left, each.right)]
     for known, reads in readings:
         if known is not None and (found := along_directions(known, *way.sides, *given)) is not None:
-            (left, right, *others), changed = found
+            (left, right, *others), meanings = found
             under = [
                 replace(each, left=a, right=b) for each, a, b in zip(way.under, others[::2], others[1::2], strict=True)
             ]
-            yield Way(left, right, changed, A_VALUE, reads, tuple(under))
+            if not any(True for side in (left, right) for _ in side.find_data("direction")):
+                reads = reads.replace("along every direction", "where what a letter gives changes with it")
+            yield from (Way(left, right, each, A_VALUE, reads, tuple(under)) for each in meanings)
 
 
 def _others(standing: Standing, statement: Statement, formula: Parsed, index: int) -> Iterator[Sides]:

@@ -61,10 +61,13 @@ def _derivative(above: str, below: str) -> str | None:
     return f"{above}/{below}" if rest else ""
 
 
+_UNSEEN = (r"\displaystyle", r"\,")
+
+
 def _derivative_at(cursor: Cursor) -> str | None:
     """Return the text of the derivative that the next fraction is; None if it is none."""
     ahead = replace(cursor, index=cursor.index + 1)
-    above, below = bare(ahead.group()), bare(ahead.group())
+    above, below = (bare([each for each in ahead.group() if each.text not in _UNSEEN]) for _ in range(2))
     is_plain = cursor.functions is None or (above.startswith("d") and cursor.known("d"))
     return None if is_plain else _derivative(above, below)
 

@@ -173,7 +173,11 @@ def read_symbol(cursor: Cursor) -> None:
 def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
     """Read the scripts behind a letter: what is part of its name, and what is a power."""
     differs = cursor.functions is not None and letter in DIFFERENTIALS and not cursor.known(letter)
-    if differs and _at_factor(cursor):
+    ahead = replace(cursor)
+    while differs and letter == r"\Delta" and ahead.text in ("\\,", "\\!", " "):
+        ahead.index += 1
+    if differs and _at_factor(ahead):
+        cursor.index = ahead.index
         _read_differential(cursor, letter, start)
         return
     primes, below, above = take_scripts(cursor)
@@ -188,6 +192,7 @@ def read_scripted(cursor: Cursor, letter: str, start: int) -> None:
         PART_OF_NAME.fullmatch(above)
         or any(each.text == "," for each in cursor.raised)
         or is_axis(cursor, letter, above)
+        or _is_label(cursor, above)
     ):
         emit_name(cursor, whole, start)
     elif cursor.functions is not None and _has_indices(cursor, letter, below, above):
@@ -262,6 +267,12 @@ def _without_primes(raised: Sequence[Piece]) -> list[Piece]:
     return kept
 
 
+def _is_label(cursor: Cursor, above: str) -> bool:
+    r"""Whether what stands above a letter is an upright capital, as in ``\varepsilon^\mathrm{V}``, and no mark."""
+    upright = next((each.text for each in cursor.raised if not each.text.isspace()), "") in UPRIGHT
+    return cursor.functions is not None and upright and re.fullmatch("[A-Z]", above) is not None and above not in MARKS
+
+
 def is_axis(cursor: Cursor, letter: str, above: str) -> bool:
     r"""Whether what stands above a vector is an axis or a frame, as in ``\mathbf{e}^z``, and no power."""
     return cursor.functions is not None and letter.startswith(r"\mathbf{") and bool(re.fullmatch(AXIS, above))
@@ -318,7 +329,9 @@ def _read_differential(cursor: Cursor, letter: str, start: int) -> None:
     own, under, _ = take_scripts(inside) if inside is not cursor else (0, "", "")
     primes, below, above = take_scripts(cursor)
     primes, below = primes + own, under + below
-    is_named = PART_OF_NAME.fullmatch(above) is not None
+    label = inner.startswith(r"\mathbf{") and re.fullmatch(r"\\?[a-z]+|[A-Z]", above) and above not in MARKS
+    label = label or _has_indices(cursor, inner, below, above)
+    is_named = bool(label) or PART_OF_NAME.fullmatch(above) is not None or _is_label(cursor, above)
     emit_name(cursor, f"{letter} {written(inner, primes, below, above if is_named else '')}", start)
     if above and not is_named:
         emit_power(cursor, above, cursor.raised)

@@ -150,7 +150,8 @@ def split_again(vocabulary: Vocabulary, formula: Parsed) -> None:
         if known is None or known.parameters or not known.usable or symbol not in known.symbols:
             continue
         terms = terms_of(known.tree)
-        alone = [each for each in map(lone, terms) if each and each not in vocabulary.definitions and each != symbol]
+        known_here = {"", symbol, *vocabulary.definitions}
+        alone = [each for each in map(lone, terms) if not (each in known_here or vocabulary.is_like_identity(each))]
         rest = put_in(known.tree, {letter_of(alone[0]): ZERO}) if len(alone) == 1 else None
         if rest is not None and alone[0] not in symbols_in(rest) and _has_plus(known.tree, alone[0]):
             del vocabulary.definitions[known.symbol]

@@ -30,6 +30,8 @@ def texts(latex: str) -> list[str | None]:
         (r"v = \overset{.}{x} + \overset{\sim}{y}", r"v = \dot{x} + \tilde{y}"),
         (r"P = \overset{a \rightarrow b}{\mathbf M} x", r"P = \mathbf{M}^{(a \rightarrow b)} x"),
         (r"a = \frac{b}{2 (c - d). }", r"a = \frac{b}{2 (c - d)}"),
+        (r"\mathllap{a}^{\land} = \mathrlap{b} + S’", r"a^{\wedge} = b + S'"),
+        (r"a = b + 1 => b = a - 1", r"a = b + 1 \Rightarrow b = a - 1"),
         (
             r"A = \begin{bmatrix} | & | \\ a & b \end{bmatrix}",
             r"A = \begin{bmatrix} \vdots & \vdots \\ a & b \end{bmatrix}",
@@ -330,3 +332,10 @@ def test_a_tensor_applied_to_a_number_is_told_in_words():
     stress = r"The stress of tensors is \[ \dot s = C : \dot e = C : (a - b) \] "
     first, _ = read_document(document_of(rf"{stress} \[ C = \lambda I \otimes I + 2 \mu \mathbf{{I}} \]"))
     assert "reduce()" not in first.links[1].reason
+
+
+def test_what_states_nothing_within_a_line_of_markdown_is_no_display():
+    text = "The matrix $$A$$ of $$\\phi$$ is\n\n$$ A = \\phi I $$\n\nIn short, $$a = b$$ holds.\n\n$$A \\phi$$\n"
+    found = document_of(text, latex=False).formulas
+    environments = ["inline", "inline", "display", "display", "display"]
+    assert [each.environment for each in found] == environments

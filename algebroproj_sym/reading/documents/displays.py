@@ -333,7 +333,7 @@ def _formulas(
             place = options.end()
         endings = [rf"\end{{{name}{star}}}", *closers.get(name, ())] if name else [_PARTNERS[mark]]
         end, ending = min((following(ending, place), ending) for ending in endings)
-        inline = mark in ("$", r"\(")
+        inline = mark in ("$", r"\(") or (written is not str and mark == "$$" and _is_mention(text, place, end))
         environment = "inline" if inline else name or "display"
         apart = inline and _PARAGRAPH.search(text, place, end) is not None
         if end - place > MAX_DISPLAY or end == len(text) or apart:
@@ -354,6 +354,14 @@ def _formulas(
         place = end + len(ending)
 
 
+def _is_mention(text: str, start: int, end: int) -> bool:
+    """Whether a formula of Markdown between double dollars states nothing, and stands in a line with words."""
+    line = text[text.rfind("\n", 0, start) + 1 : start - 2] + text[end + 2 :].partition("\n")[0]
+    return "\n" not in text[start:end] and _STATES.search(text, start, end) is None and bool(_WORD.search(line))
+
+
+_STATES = re.compile(r"[=<>≈≤≥∈→]|\\(?:n?eq|[lg]eq?|ll|gg|approx|sim|equiv|propto|in|to|begin)(?![a-zA-Z])")
+_WORD = re.compile(r"[a-zA-Z]{2,}")
 _TITLE = re.compile(r"\*?\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{[^{}]*\})*\}|(?<=# ).*")
 """The title of a section, which ends a sentence."""
 

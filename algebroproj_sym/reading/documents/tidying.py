@@ -308,6 +308,14 @@ def _unequal(page: Page, piece: Piece) -> bool:
     return found
 
 
+def _arrow(page: Page, piece: Piece) -> bool:
+    """Write ``=>`` as the arrow that it is typed for."""
+    if found := page.waiting.follows(">"):
+        page.waiting.pop()
+        page.out.append(renamed(piece, r"\Rightarrow"))
+    return found
+
+
 def _not(page: Page, piece: Piece) -> bool:
     r"""Write ``\not\in`` and ``\not=`` as one relation."""
     if (relation := _NEGATED.get(page.waiting.next)) is not None:
@@ -419,7 +427,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[Page, Piece], bool]], ...] = (
     ((r"\scalebox",), _framed(1, braces=False)),
     ((r"\textcolor", r"\colorbox", r"\raisebox"), _framed(1)),
     ((r"\makebox", r"\framebox"), _boxed),
-    ((r"\smash", r"\mathclap", r"\fbox", r"\mathsmaller", r"\mathlarger"), _framed(0)),
+    ((r"\smash", r"\mathclap", r"\mathllap", r"\mathrlap", r"\fbox", r"\mathsmaller", r"\mathlarger"), _framed(0)),
     (BRACES, braced_below),
     ((r"\mathbin",), _binary),
     ((r"\mathop",), _colon),
@@ -443,6 +451,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[Page, Piece], bool]], ...] = (
     (INFIX, infix),
     (_ROOM, _room),
     (("!",), _unequal),
+    (("=",), _arrow),
     ((r"\not",), _not),
     (("'",), _prime_behind_nothing),
     ((r"\partial",), _slope),

@@ -25,7 +25,15 @@ _ACCENTS = {
     "\u20d7": r"\vec",
 }
 """The marks that Unicode writes above the letter before them."""
-SIGNS_OF_UNICODE |= {"°": r"^\circ", "′": "'", "″": "''", "½": r"\frac{1}{2}", "¼": r"\frac{1}{4}", "¾": r"\frac{3}{4}"}
+SIGNS_OF_UNICODE |= {
+    "°": r"^\circ",
+    "′": "'",
+    "’": "'",
+    "″": "''",
+    "½": r"\frac{1}{2}",
+    "¼": r"\frac{1}{4}",
+    "¾": r"\frac{3}{4}",
+}
 SIGNS_OF_UNICODE |= {sign: f"^{number}" for number, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}
 SIGNS_OF_UNICODE |= {sign: f"_{number}" for number, sign in enumerate("₀₁₂₃₄₅₆₇₈₉")}
 

@@ -92,7 +92,7 @@ MAPS = tuple(command for command, sign in RELATIONS.items() if sign in ("→", "
 OF_ANGLES = ("sin", "cos", "tan", "cot", "sec", "csc")
 VECTOR_STYLE = r"\\(?:mathbf|vec|overrightarrow)"
 TRANSPOSED = _words(r"T t \top \intercal \mathsf{T} \mathsfT \sfT \mathtt{T} \trans")
-MARKS = {**dict.fromkeys(TRANSPOSED, "T"), r"\wedge": "hat", r"\times": "hat", r"\vee": "vee"}
+MARKS = {**dict.fromkeys(TRANSPOSED, "T"), **dict.fromkeys((r"\wedge", r"\land", r"\times"), "hat"), r"\vee": "vee"}
 PART_OF_NAME = re.compile(
     r"\(.*\)|(?:\*|\\ast)+|\\math(?:cal|scr|frak|bb)\W.*|(?:[a-zA-Z0-9,]|\\[a-zA-Z]+(?![a-zA-Z]))*[-+*]"
     r"|\\(?:pm|mp|star|dagger|circ|perp|parallel|prime|(?:up|down|left|right)arrow)|\[.*\]"

@@ -495,7 +495,7 @@ def read_after(cursor: Cursor) -> None:
         inside = bare(raised)
         if mark == "^":
             emit_power(cursor, inside, raised)
-        elif inside in (r"\times", r"\wedge"):
+        elif MARKS.get(inside) == "hat":
             cursor.emit("MARK", "hat")
         elif not (SIZE.fullmatch(inside) or (cursor.out[-1].type == "NORM_CLOSE" and inside in ("2", "F"))):
             cursor.emit("MARK", f"_{inside}")

@@ -21,7 +21,8 @@ def _form(thing: str, says: str, rest: str) -> str:
     said = rf"(?:{thing}\s+{says}|(?:(?:it|this|they|there|where|which|and|with)\s+)?<asserting>)"
     said = rf"{said}(?:\s+<how>)*(?:\s+(?:at|by|of)\s+{thing})?"
     ours = rf"(?:we|one)\s+(?:(?:<leads-in>|can|may|thus)\s+)*<we-assert>\b{rest}|<commands>\b{rest}"
-    return rf"{lead}(?:{said}|{ours}|of)?\W*"
+    placed = rf"{_DETERMINER}\s+[a-z]+\s+(?:is|are)\s+at\s+{thing}"
+    return rf"{lead}(?:{said}|{placed}|{ours}|of)?\W*"
 
 
 _ASSERTS = heard(_form(_THING, "<asserting>", "[^,;:]*"))

@@ -36,7 +36,23 @@ ELLIPSOID = r"""The coordinates are \[ X = (N + h) \cos\varphi \cos\lambda \] \[
 \sin\lambda. \] Hence
 |>\[ \sqrt{X^2 + Y^2} = (N + h) \cos\varphi \] |>\[ \tan\lambda = \frac{Y}{X} \] |>\[ N = \frac{X}{\cos\varphi
 \cos\lambda} - h. \]"""
+THIN = r"""The observation equations are \[ v = A x - l \] with the symmetric weight matrix $P$. Inserting gives
+|>\[ v^T P v = x^T A^T P A x - 2 x^T A^T P l + l^T P l. \] With $N = A^T P A$ and $n = A^T P l$ the
+normal equations are \[ N x = n \] with the solution |>\[ x = N^{-1} n. \] Then |>\[ v^T P v = l^T P l -
+n^T x. \]"""
+LEAST_SQUARES = r"""The cost is |>\[ \|A x - b\|^2 = x^\top A^\top A x - 2 b^\top A x + b^\top b. \]"""
+CAMERA = r"""The rotation matrix is \[ R = \begin{pmatrix} \cos\varphi \cos\kappa & -\cos\varphi \sin\kappa &
+\sin\varphi \\ \cos\omega\sin\kappa + \sin\omega\sin\varphi\cos\kappa & \cos\omega\cos\kappa -
+\sin\omega\sin\varphi\sin\kappa & -\sin\omega\cos\varphi \\ \sin\omega\sin\kappa -
+\cos\omega\sin\varphi\cos\kappa & \sin\omega\cos\kappa + \cos\omega\sin\varphi\sin\kappa &
+\cos\omega\cos\varphi \end{pmatrix}. \] Its elements satisfy |>\[ r_{11} r_{12} + r_{21} r_{22} + r_{31}
+r_{32} = 0 \] and |>\[ r_{11} r_{22} - r_{12} r_{21} = r_{33}. \] The angles are |>\[ \varphi = \arcsin
+r_{13} \] |>\[ \omega = \arctan\frac{-r_{23}}{r_{33}} \] |>\[ \kappa =
+\arctan\left(-\frac{r_{12}}{r_{11}}\right). \]"""
 TEXTS = {
+    "thin": THIN,
+    "least squares": LEAST_SQUARES,
+    "camera": CAMERA,
     "depth": DEPTH,
     "collinearity": COLLINEARITY,
     "essential": ESSENTIAL,
@@ -44,6 +60,13 @@ TEXTS = {
     "ellipsoid": ELLIPSOID,
 }
 MISPRINTS = [
+    ("thin", r"- 2 x^T A^T P l", r"- x^T A^T P l"),
+    ("thin", r"l^T P l - n^T x", r"l^T P l + n^T x"),
+    ("thin", r"x = N^{-1} n", r"x = N n"),
+    ("least squares", r"- 2 b^\top A x", r"- 2 b A x"),
+    ("camera", r"= r_{33}", r"= r_{31}"),
+    ("camera", r"\arcsin r_{13}", r"\arccos r_{13}"),
+    ("camera", r"\frac{-r_{23}}{r_{33}}", r"\frac{r_{23}}{r_{33}}"),
     ("depth", r"= -\frac{Z^2}{c B}", r"= \frac{Z^2}{c B}"),
     ("depth", r"X = \frac{B x'}{p}", r"X = \frac{B x''}{p}"),
     ("collinearity", "r_{13} U - r_{11} W)", "r_{13} U + r_{11} W)"),

@@ -109,7 +109,7 @@ def kinds_of(
     columns |= {*_derived_in(equations)} & {*occurring}
     known = {*said, *columns, *_marked_in(sides, occurring, said | columns), *_tables_in(equations)}
     numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
-    columns |= frozenset(_stretched_in(equations)) - numbers
+    columns |= frozenset((*_stretched_in(equations), *_measured_in(sides), *_of_forms_in(sides))) - numbers
     known |= vectors_in(sides, words) - numbers | columns
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
     known |= {each for each in occurring if _BOLD.search(before_condition(each))}
@@ -344,6 +344,23 @@ def _stretched_in(equations: Iterable[Sides]) -> Iterator[str]:
                 and lone(trees_in(other)[-1]) == letter
             ):
                 yield from () if lone(trees_in(other)[0]) == capital else (letter,)
+
+
+def _measured_in(sides: Iterable[Formula]) -> Iterator[str]:
+    r"""Yield the small letters of a vector of which there is a length, as x and b in ``\|A x - b\|``."""
+    for norm in (norm for side in sides for norm in side.find_data("norm")):
+        terms = [trees_in(each) if each.data == "run" else [each] for each in terms_of(trees_in(norm)[0])]
+        if any(_THIN_CAPITAL.fullmatch(lone(factors[0])) and len(factors) > 1 for factors in terms):
+            yield from (letter for letter in (lone(factors[-1]) for factors in terms) if _SMALL.fullmatch(letter))
+
+
+def _of_forms_in(sides: Iterable[Formula]) -> Iterator[str]:
+    """Yield the small letters at both ends of a product of capitals, as l and v in ``l^T P v``: columns."""
+    for first, *inner, last in (trees_in(run) for side in sides for run in side.find_data("run")):
+        row = lone(first.children[0]) if first.data == "marked" and first.children[1] == "T" else ""
+        ends = row, lone(last)
+        if inner and all(map(_SMALL.fullmatch, ends)) and all(_THIN_CAPITAL.fullmatch(base_of(each)) for each in inner):
+            yield from ends
 
 
 def _summed_with(columns: frozenset[str], known: Collection[str], equations: Sequence[Sides]) -> Iterator[str]:

@@ -343,7 +343,8 @@ class Memory:
 
     def ties(self, definition: Definition) -> bool:
         """Whether a definition may follow from what is above it: words say so, or an equation has its letter."""
-        has = any(definition.symbol in each.symbols for each in self.premises)
+        above: list[Premise | Definition] = [*self.premises, *self.vocabulary.definitions.values()]
+        has = any(definition.symbol in each.symbols for each in above)
         return self.beside.follows or (has and not definition.explicit)
 
     def leave_open(self, formula: Parsed, part: int) -> None:

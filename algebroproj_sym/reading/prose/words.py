@@ -327,11 +327,12 @@ def denies(words: str) -> bool:
 
     Examples
     --------
-    >>> denies("A myth"), denies("Which is right?"), denies("Sums")
-    (True, True, False)
+    >>> [denies(each) for each in ("A myth", "Which is right?", "What if it is longer?", "Sums", "How long is it?")]
+    [True, True, True, False, False]
     """
     said = last_sentence(words.rstrip(" \n{}.:"))
-    return words.rstrip(" \n{}.").endswith("?") or says(r"\b<untrue>\b", said)
+    asks = words.rstrip(" \n{}.").endswith("?") and not says(r"\b<answered>\b", words)
+    return asks or says(r"\b<untrue>\b", said)
 
 
 def has_ended(display: Display) -> bool:

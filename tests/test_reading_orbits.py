@@ -108,11 +108,22 @@ def test_no_misprint_of_a_specification_follows(name, printed, wrong):
         r"\[ r_{12} = a \]",
         r"\[ R = \begin{pmatrix} 1 & a \\ b & 1 \end{pmatrix} \] If it is small, \[ R = \begin{pmatrix} 1 & c \\ d & 1 "
         r"\end{pmatrix}. \] Hence \[ R_{12} = c \]",
+        r"The angle lies in $\pi/2 < a < 3\pi/2$. \[ x = r \cos a \] \[ y = r \sin a \] Hence "
+        r"\[ a = \arctan\frac{y}{x}. \]",
+        r"Let $v$ be negative. \[ v^2 = 2 g h \] Hence \[ v = \sqrt{2 g h}. \]",
+        r"Let $v < 0$. \[ v^2 = 2 g h \] Hence \[ v = \sqrt{2 g h}. \]",
         r"Consider a vector $(a, b)$, for instance with $a^2 + b^2 = 1$. \[ (a + b)^2 = 1 + 2 a b \]",
     ],
 )
 def test_what_only_looks_so_does_not_follow(latex):
     assert readings(latex)[-1].verdict != "follows"
+
+
+def test_an_angle_in_a_narrower_range_follows():
+    latex = (
+        r"The angle lies in $0 < a < \pi/2$. \[ x = r \cos a \] \[ y = r \sin a \] Hence \[ a = \arctan\frac{y}{x}. \]"
+    )
+    assert readings(latex)[-1].verdict == "follows"
 
 
 def test_hypotheses_say_where_an_angle_and_a_root_lie():

@@ -1,12 +1,13 @@
 r"""Equations that give an angle by an inverse function, as ``\psi = \arctan(a/b)``, and what they say of the angle."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.parsing.factors import is_inverse
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, parsed, put_in, symbols_in, trees_in
 
 
 @dataclass(frozen=True)
@@ -18,16 +19,17 @@ class OfAngle:
     """Its sides."""
     angle: Formula
     """The angle."""
-    between: tuple[str, str]
-    """Where the inverse function has its values: what stands before the angle and behind it."""
+    between: Parsed
+    """Where the inverse function has its values."""
     positive: Formula | None = None
     """What is positive, where the function has two arguments."""
 
 
 _BETWEEN = {
-    "sin": ("-pi/2 <= ", " <= pi/2"),
-    "cos": ("0 <= ", " <= pi"),
-    "tan": ("-pi/2 < ", " < pi/2"),
+    "sin": r"-\pi/2 \le a \le \pi/2",
+    "cos": r"0 \le a \le \pi",
+    "tan": r"-\pi/2 < a < \pi/2",
+    "atan2": r"-\pi < a \le \pi",
 }
 """Where the inverse of a function has its values."""
 
@@ -39,10 +41,10 @@ def of_angle(left: Formula, right: Formula) -> OfAngle | None:
 
     Examples
     --------
-    >>> from algebroproj_sym.reading.parsing.grammar import parsed, printed
+    >>> from algebroproj_sym.reading.parsing.grammar import printed
     >>> found = of_angle(*parsed(r"a = -2 \arccos w").sides)
-    >>> printed(found.left), printed(found.right), found.between
-    ('function [cos fraction [sum [- a] 2]]', 'w', ('0 <= ', ' <= pi'))
+    >>> printed(found.left), printed(found.right), found.between.relations
+    ('function [cos fraction [sum [- a] 2]]', 'w', ('<=', '<='))
     >>> printed(of_angle(*parsed(r"a = \operatorname{atan2}(y, x)").sides).positive)
     'sum [run [y function [sin a]] + run [x function [cos a]]]'
     """
@@ -59,8 +61,13 @@ def of_angle(left: Formula, right: Formula) -> OfAngle | None:
         y, x = inside
         crossed = [_run(y, _of("cos", angle)), _run(x, _of("sin", angle))]
         along: Formula = Tree("sum", [_run(y, _of("sin", angle)), Token("SIGN", "+"), _run(x, _of("cos", angle))])
-        return OfAngle(crossed[0], crossed[1], angle, ("-pi < ", " <= pi"), along)
-    return OfAngle(_of(name, angle), inside[0], angle, _BETWEEN[name])
+        return OfAngle(crossed[0], crossed[1], angle, _between(name, angle), along)
+    return OfAngle(_of(name, angle), inside[0], angle, _between(name, angle))
+
+
+def _between(name: str, angle: Formula) -> Parsed:
+    found = parsed(_BETWEEN[name])
+    return replace(found, sides=tuple(put_in(each, {letter_of("a"): angle}) for each in found.sides))
 
 
 def _inverted(tree: Formula) -> tuple[str, Sequence[Formula]]:

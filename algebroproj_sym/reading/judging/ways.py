@@ -8,6 +8,7 @@ from dataclasses import replace
 from lark import Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.domains import is_outside, range_in
 from algebroproj_sym.reading.defining.maps import DIMENSIONS
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, MOST_TOGETHER, extended, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
@@ -32,6 +33,7 @@ from algebroproj_sym.reading.judging.sampling import is_somewhere_positive
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import from_derivatives, from_integrals, with_premises
 from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
+from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in, with_divided_angles
 
@@ -188,14 +190,19 @@ def _raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
 def _of_angle(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     """Yield what an equation with an inverse function says of its angle, which lies where such a function has values.
 
-    Nothing above it gives the letters of the angle: it might be another one.
+    Nothing above it gives the letters of the angle, and no range that is said of it is another one: it might differ by
+    half a turn.
     """
     found, known = of_angle(*formula.sides[index : index + 2]), standing.vocabulary
     if found is None:
         return
-    shown, angle = known.equation(*formula.sides[index : index + 2]), known.text(found.angle)
-    where = [angle.join(found.between), *([f"{known.text(found.positive)} > 0"] if found.positive else [])]
-    reads = f"{shown}, as {known.equation(found.left, found.right)}"
+    letters = lambda symbol: known.value(letter_of(symbol))  # noqa: E731
+    if is_outside([*_ranges_of(standing.survey, found.angle), found.between], letters, letters):
+        return
+    low, angle, high = map(known.text, found.between.sides)
+    between = f"{low} {found.between.relations[0]} {angle} {found.between.relations[1]} {high}"
+    where = [between, *([f"{known.text(found.positive)} > 0"] if found.positive else [])]
+    reads = f"{known.equation(*formula.sides[index : index + 2])}, as {known.equation(found.left, found.right)}"
     plain = Way(found.left, found.right, known)
     of_function = replace(formula, sides=plain.sides, relations=("=",))
     for way in (
@@ -206,6 +213,16 @@ def _of_angle(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     ):
         if not used_by(way.vocabulary, found.angle):
             yield replace(way, reads=reads, doubt=A_VALUE, supposes=(*where, *way.supposes))
+
+
+def _ranges_of(survey: Survey, angle: Formula) -> Iterator[Parsed]:
+    """Yield the ranges in which a document says that an angle is."""
+    for each in survey.statements:
+        found = range_in(each, survey.formulas[id(each)])
+        if found is not None and {*symbols_in(angle)} == {
+            symbol for side in found.sides for symbol in symbols_in(side)
+        } - {r"\pi"}:
+            yield found
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

@@ -28,20 +28,9 @@ MOST_SOLVED = 4
 
 _CHANGES = frozenset(
     {
-        *(
-            "loses",
-            "gains",
-            "burns",
-            "ejects",
-            "gathers",
-            "hardens",
-            "softens",
-            "melts",
-            "evaporates",
-            "leaks",
-            "grows",
-        ),
+        *("loses", "gains", "burns", "ejects", "gathers", "hardens", "softens", "melts", "evaporates", "leaks"),
         *("empties", "drains", "shrinks", "draws", "apart", "faster", "slower", "accelerates", "decelerates"),
+        "grows",
     }
 )
 """Words of things whose masses, lengths or stiffnesses change, so that no letter is taken to be fixed."""

@@ -3,9 +3,8 @@ r"""Texts of rigid-body dynamics as textbooks have them: what they derive follow
 The mark ``@`` stands before a bold letter, and ``|>`` before an equation that follows.
 """
 
-import re
-
 import pytest
+from textbooks import follow, plain, with_misprint
 
 from algebroproj_sym.reading import document_of, read_document
 
@@ -138,16 +137,8 @@ MISPRINTS = [
 ]
 
 
-def plain(text: str) -> str:
-    return re.sub(r"@(\\[a-z]+|\w)", r"\\mathbf{\1}", text.replace("|>", ""))
-
-
 def verdicts(text: str) -> list[str]:
     return [each.verdict for each in read_document(document_of(plain(text)))]
-
-
-def follow(text: str) -> list[bool]:
-    return [mark == "|>" for mark in re.findall(r"(\|>|)\\\[", text)]
 
 
 @pytest.mark.parametrize("name", TEXTS)
@@ -159,11 +150,8 @@ def test_what_a_textbook_derives_follows(name):
 
 @pytest.mark.parametrize(("name", "printed", "wrong"), MISPRINTS)
 def test_no_misprint_of_a_textbook_follows(name, printed, wrong):
-    text = " ".join(TEXTS[name].split())
-    assert text.count(printed) == 1
-    found = verdicts(text.replace(printed, wrong))
-    place = text[: text.index(printed)].count(r"\[") - 1
-    assert found[place] != "follows"
+    text, place = with_misprint(TEXTS[name], printed, wrong)
+    assert verdicts(text)[place] != "follows"
 
 
 @pytest.mark.parametrize(

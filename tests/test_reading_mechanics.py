@@ -6,6 +6,7 @@ The mark ``@`` stands before the letter of a tensor, and ``|>`` before an equati
 import re
 
 import pytest
+from textbooks import follow, with_misprint
 
 from algebroproj_sym.reading import document_of, read_document
 
@@ -73,11 +74,6 @@ def verdicts(text: str, style: str = r"\boldsymbol") -> list[str]:
     return [each.verdict for each in read_document(document_of(bold.replace(r"\tr", r"\mathrm{tr}")))]
 
 
-def follow(text: str) -> list[bool]:
-    marks = re.findall(r"(\|>|)\\\[(.*?)\\\]", text, re.DOTALL)
-    return [mark == "|>" for mark, inside in marks for _ in inside.split(r"\qquad")]
-
-
 @pytest.mark.parametrize("name", TEXTS)
 def test_what_a_text_on_constitutive_models_derives_follows(name):
     found = verdicts(TEXTS[name])
@@ -92,13 +88,9 @@ def test_lines_below_letters_are_read_as_bold_ones(name):
 
 @pytest.mark.parametrize(("name", "printed", "wrong"), MISPRINTS)
 def test_no_misprint_of_a_constitutive_model_follows(name, printed, wrong):
-    text = " ".join(TEXTS[name].split())
-    assert text.count(printed) == 1
-    found = verdicts(text.replace(printed, wrong))
-    marks = [mark.end() for mark in re.finditer(r"\\\[|\\qquad", text)]
-    place = sum(mark <= text.index(printed) + len(printed) for mark in marks) - 1
-    ahead = printed.count(r"\[") + printed.count(r"\qquad")
-    assert found[place - ahead] != "follows", found
+    text, place = with_misprint(TEXTS[name], printed, wrong)
+    found = verdicts(text)
+    assert found[place] != "follows", found
 
 
 DEFINING = [

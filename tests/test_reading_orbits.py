@@ -3,9 +3,8 @@ r"""Texts on orbits, attitudes and motions as specifications have them: what the
 The mark ``@`` stands before a bold letter, and ``|>`` before an equation that follows.
 """
 
-import re
-
 import pytest
+from textbooks import follow, plain, with_misprint
 
 from algebroproj_sym.reading import document_of, read_document
 
@@ -73,24 +72,19 @@ MISPRINTS = [
 
 
 def readings(text):
-    plain = re.sub(r"@(\w)", r"\\mathbf{\1}", text.replace("|>", ""))
-    return read_document(document_of(plain))
+    return read_document(document_of(plain(text)))
 
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_what_a_specification_derives_follows(name):
     found = [each.verdict for each in readings(TEXTS[name])]
-    assert [each == "follows" for each in found] == [mark == "|>" for mark in re.findall(r"(\|>|)\\\[", TEXTS[name])], (
-        found
-    )
+    assert [each == "follows" for each in found] == follow(TEXTS[name]), found
 
 
 @pytest.mark.parametrize(("name", "printed", "wrong"), MISPRINTS)
 def test_no_misprint_of_a_specification_follows(name, printed, wrong):
-    text = " ".join(TEXTS[name].split())
-    assert text.count(printed) == 1
-    found = readings(text.replace(printed, wrong))
-    assert found[text[: text.index(printed)].count(r"\[") - 1].verdict != "follows"
+    text, place = with_misprint(TEXTS[name], printed, wrong)
+    assert readings(text)[place].verdict != "follows"
 
 
 @pytest.mark.parametrize(

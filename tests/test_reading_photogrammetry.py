@@ -3,9 +3,8 @@ r"""Texts of photogrammetry as textbooks have them: what they derive follows, an
 The mark ``@`` stands before a bold letter, and ``|>`` before an equation that follows.
 """
 
-import re
-
 import pytest
+from textbooks import follow, plain, with_misprint
 
 from algebroproj_sym.reading import document_of, read_document
 
@@ -81,12 +80,7 @@ MISPRINTS = [
 
 
 def verdicts(text: str) -> list[str]:
-    plain = re.sub(r"@(\w)", r"\\mathbf{\1}", text.replace("|>", ""))
-    return [each.verdict for each in read_document(document_of(plain))]
-
-
-def follow(text: str) -> list[bool]:
-    return [mark == "|>" for mark in re.findall(r"(\|>|)\\\[", text)]
+    return [each.verdict for each in read_document(document_of(plain(text)))]
 
 
 @pytest.mark.parametrize("name", TEXTS)
@@ -97,11 +91,8 @@ def test_what_a_textbook_derives_follows(name):
 
 @pytest.mark.parametrize(("name", "printed", "wrong"), MISPRINTS)
 def test_no_misprint_of_a_textbook_follows(name, printed, wrong):
-    text = " ".join(TEXTS[name].split())
-    assert text.count(printed) == 1
-    found = verdicts(text.replace(printed, wrong))
-    place = text[: text.index(printed)].count(r"\[") - 1
-    assert found[place] != "follows"
+    text, place = with_misprint(TEXTS[name], printed, wrong)
+    assert verdicts(text)[place] != "follows"
 
 
 @pytest.mark.parametrize(

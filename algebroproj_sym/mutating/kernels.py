@@ -1,6 +1,5 @@
 """Mutation of generated functions: each changed source must be caught, by the proof of the source and by numbers."""
 
-from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from types import ModuleType
@@ -8,11 +7,10 @@ from types import ModuleType
 import numpy as np
 
 from algebroproj_sym.generating.lowering import Lowered
-from algebroproj_sym.generating.samples import Sample
 from algebroproj_sym.mutating.forms import sampled
 from algebroproj_sym.mutating.sources import SourceMutant, recompiled, source_mutants
 from algebroproj_sym.proving import seed_of
-from algebroproj_sym.verifying.accuracy import is_within_bound, results_of, samples_of, truths
+from algebroproj_sym.verifying.accuracy import measured, results_of, samples_of, truths
 from algebroproj_sym.verifying.proof_of_source import Expectation, at_points, in_general
 from algebroproj_sym.verifying.shipped import Function, function_of
 
@@ -67,10 +65,10 @@ def mutate_kernel(lowered: Lowered, package: ModuleType, limit: int = 0, size: i
     found = source_mutants(function)
     chosen = sampled(found, limit, seed_of(kernel.qualified_name))
     points, general = at_points(kernel, POINTS), in_general(kernel)
-    samples = _strata_in_turn(samples_of(lowered, size))
+    samples = samples_of(lowered, size)
     known = truths(lowered, samples)
     unchanged = recompiled(function)
-    if not general.is_met_by(unchanged) or not is_within_bound(lowered, unchanged, samples, known):
+    if not general.is_met_by(unchanged) or not measured(lowered, unchanged, samples, known).within_bound:
         raise ValueError(f"{kernel.qualified_name}: the source fails already before it is changed")
 
     before = results_of(lowered, unchanged, samples)
@@ -78,21 +76,12 @@ def mutate_kernel(lowered: Lowered, package: ModuleType, limit: int = 0, size: i
     def fate(mutant: SourceMutant) -> SourceFate:
         changed = mutant.compiled()
         by_proof = _is_refuted(changed, points) or _notices(lambda: general.is_met_by(changed))
-        by_numbers = _notices(lambda: is_within_bound(lowered, changed, samples, known))
+        by_numbers = _notices(lambda: measured(lowered, changed, samples, known).within_bound)
         same_bits = not by_numbers and np.array_equal(results_of(lowered, changed, samples), before, equal_nan=True)
         return SourceFate(mutant.change, mutant.line, by_proof, by_numbers, same_bits)
 
     fates = tuple(map(fate, chosen))
     return MutatedKernel(kernel.qualified_name, len(found), fates)
-
-
-def _strata_in_turn(samples: Sequence[Sample]) -> list[Sample]:
-    """Return samples in another order: the first of each stratum, then the second of each, and so on."""
-    strata: dict[str, list[Sample]] = defaultdict(list)
-    for sample in samples:
-        strata[sample.stratum].append(sample)
-    places = [(place, sample) for stratum in strata.values() for place, sample in enumerate(stratum)]
-    return [sample for _, sample in sorted(places, key=lambda entry: entry[0])]
 
 
 def _is_refuted(function: Function, points: Sequence[Expectation]) -> bool:

@@ -110,16 +110,6 @@ def measured(
     return _accuracy(lowered, list(_errors_of(lowered, function, samples, exact)))
 
 
-def is_within_bound(lowered: Lowered, function: Function, samples: Sequence[Sample], known: Sequence[Truth]) -> bool:
-    """Whether `measured` finds the errors of a function as small as they must be; a large one ends the search."""
-    found = []
-    for errors in _errors_of(lowered, function, samples, known):
-        if not _accuracy(lowered, [errors]).within_bound:
-            return False
-        found.append(errors)
-    return _accuracy(lowered, found).within_bound
-
-
 def _accuracy(lowered: Lowered, errors: Sequence[_Errors]) -> Accuracy:
     names = dict.fromkeys(error.stratum for error in errors)
     strata = tuple(_summary(name, [error for error in errors if error.stratum == name]) for name in names)

@@ -34,7 +34,7 @@ import re
 import tomllib
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal, get_args
@@ -254,21 +254,7 @@ def _quote(entry: Mapping[str, Any], path: Path) -> Quote:
     latex = entry.get("latex")
     pieces = (latex,) if isinstance(latex, str) else tuple(latex or ())
     unparsed = entry.get("unparsed", "")
-    known = {
-        *(
-            "claims",
-            "line",
-            "latex",
-            "sides",
-            "equation",
-            "coefficients",
-            "indices",
-            "beside",
-            "unparsed",
-            "why",
-            "edits",
-        )
-    }
+    known = {"latex", *(part.name for part in fields(Quote) if part.name != "pieces")}
     where = f"{path}, quote of {', '.join(entry.get('claims', ['?']))}"
     if not pieces or not all(isinstance(piece, str) and piece.strip() for piece in pieces):
         raise DeclarationError(f"{where}: expected latex, a text or a list of texts, got {latex!r}")

@@ -1276,11 +1276,6 @@ Qed.
 
 (** *** Every step keeps what is known true *)
 
-Ltac open_match H :=
-  repeat match type of H with
-  | match ?y with _ => _ end = Some _ => let E := fresh "E" in destruct y eqn:E; try discriminate H
-  end.
-
 Lemma step_sound s k s' : sound s -> step s k = Some s' -> sound s'.
 Proof.
   intros S H. destruct k; simpl in H.

@@ -3,7 +3,7 @@
 import ast
 import importlib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -69,6 +69,41 @@ def modules_in(folder: Path) -> tuple[Path, ...]:
 def is_package(folder: Path) -> bool:
     """Whether a folder has an ``__init__.py``."""
     return (folder / "__init__.py").is_file()
+
+
+def may_name(source: str, *parts: str) -> bool:
+    """Whether the text of a module has a string that is a number, or begins with it and ``#``, or names its section.
+
+    One of several numbers is enough.
+
+    Examples
+    --------
+    >>> may_name('section.identity(f"1.3.4#{row}", ...)', "1.3.4"), may_name('"1.3.41"', "1.3.4")
+    (True, False)
+    >>> may_name('section = Section("mypaper", "1.3", "Lines")', "1")
+    True
+    """
+    names, stems = map(_one_of, (parts, {part.partition("#")[0] for part in parts}))
+    written = rf"""["']({names}["'#]|{stems}#[^"'{{]*\{{)|Section\([^)]*["']{names}\."""
+    return re.search(written, source) is not None
+
+
+def may_make(source: str, functions: Iterable[str]) -> bool:
+    """Whether the text of a module has a string that begins with the module of a function, or a name that is computed.
+
+    Examples
+    --------
+    >>> may_make('section.kernel("optics.scale", ...)', ["optics"]), may_make('"optics.scale"', ["optic.scale"])
+    (True, False)
+    >>> may_make('section.kernel(f"{module}.scale", ...)', ["optics"])
+    True
+    """
+    modules = _one_of({function.partition(".")[0] for function in functions})
+    return re.search(rf"""["']{modules}\.|\.kernel\(\s*[^"'\s]""", source) is not None
+
+
+def _one_of(texts: Iterable[str]) -> str:
+    return f"(?:{'|'.join(map(re.escape, sorted(texts)))})"
 
 
 def names_in(path: Path) -> Iterator[str]:

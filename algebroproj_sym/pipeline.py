@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from algebroproj_sym.declaring import Claim, Judgement, Kernel, numbered_with
+from algebroproj_sym.declaring import Claim, Judgement, Kernel, derivations_with, numbered_with
 from algebroproj_sym.declaring.claim import CORRECTED
 from algebroproj_sym.generating.choosing import lower
 from algebroproj_sym.generating.lowering import Lowered
@@ -41,10 +41,10 @@ def claims_of(chosen: Sequence[Kernel], sources: Sequence[str] = ()) -> tuple[Cl
     chosen : sequence of Kernel
         As selected.
     sources : sequence of str
-        Where the kernels are declared; without one, in the installed papers that they are from.
+        Where the kernels are declared; without one, in all installed papers.
     """
     wanted = {(kernel.paper, number) for kernel in chosen for number in kernel.claims}
-    found = numbered_with(sources or sorted({kernel.paper for kernel in chosen}))
+    found = numbered_with(sources) if sources else derivations_with(wanted)
     declared = [claim for derivation in found for claim in derivation.section.claims]
     return tuple(claim for claim in declared if (claim.paper, claim.number) in wanted)
 

@@ -1,6 +1,7 @@
 """Selectors name the claims of the contract, and derivations that refer to nothing are refused."""
 
 import itertools
+import subprocess
 import sys
 from pathlib import Path
 
@@ -13,6 +14,8 @@ from algebroproj_sym.declaring import (
     UnknownSelectorError,
     derivation_at,
     derivations,
+    derivations_of,
+    discovery,
     installed_papers,
     kernels,
     kernels_on,
@@ -190,15 +193,19 @@ def test_kernels_are_sorted_by_module_and_keep_their_order(installed):
     assert [kernel.qualified_name for kernel in kernels()] == ["a.last", "a.early", "b.second", "b.first"]
 
 
-def test_the_functions_that_rest_on_a_claim_are_found():
-    for kernel in kernels():
-        assert kernel in kernels_on(claims_of([kernel]))
+def test_the_functions_that_rest_on_a_claim_are_named_in_the_text_of_a_module_with_its_number():
+    """So importing the modules that name a number finds them."""
+    for derivation in derivations_of():
+        text = derivation.path.read_text("utf-8")
+        for kernel in derivation.section.kernels:
+            assert all(papers.may_name(text, number) for number in kernel.claims), kernel.qualified_name
+            assert kernel in kernels_on(claims_of([kernel]))
 
 
 def test_a_function_is_found_whose_name_is_computed(installed):
     computed = KERNEL.format(name="a.first", claim="1.1").replace('"a.first"', 'chr(97) + ".first"')
     last = KERNEL.format(name="a.last", claim="2.1")
-    installed(s1=module_text("1", more=computed), s2=module_text("2", more=last))
+    installed(s1=module_text("1", more=computed), s2=module_text("2", more=last), s3="section = Section(1/0)")
     assert [kernel.name for kernel in kernels(["a"])] == ["first", "last"]
     assert [claim.number for claim in claims_of(kernels(["a"]))] == ["1.1", "2.1"]
 
@@ -232,6 +239,50 @@ def test_every_derivation_module_of_the_papers_declares_a_section(repository):
     found = {derivation.module.rpartition(".")[2] for derivation in derivations(PAPER)}
     files = {path.stem for path in Path(repository / "derivations" / PAPER).glob("s[0-9]*.py")}
     assert found == files - {"s4_example"}
+
+
+@pytest.mark.parametrize("step", [20, pytest.param(4, marks=pytest.mark.whole)])
+@pytest.mark.parametrize("paper", installed_papers())
+def test_what_a_selector_names_is_found_in_the_modules_that_name_it(paper, step):
+    """Importing the modules whose text may declare it finds all or nothing; after nothing, all modules are imported."""
+    texts = {derivation.path: derivation.path.read_text("utf-8") for derivation in derivations(paper)}
+    claims = [(d.path, claim) for d in derivations(paper) for claim in d.section.claims]
+    parts = {claim.number for _, claim in claims} | {claim.number.partition("#")[0] for _, claim in claims}
+    parts |= {claim.section[:end] for _, claim in claims for end in range(1, len(claim.section) + 1)}
+    tried, found_at_once = sorted(parts)[::step], 0
+    for part in tried:
+        declaring = {path for path, claim in claims if discovery._names(part, claim)}
+        imported = {path for path, text in texts.items() if papers.may_name(text, part)}
+        assert declaring <= imported or not declaring & imported, part
+        found_at_once += declaring <= imported
+    assert found_at_once > 0.3 * len(tried), found_at_once
+
+
+def found_alone(asked):
+    """What a new process finds, and which modules of the papers it imports."""
+    script = (
+        "import sys; from algebroproj_sym import pipeline; from algebroproj_sym.declaring import kernels, select\n"
+        f"{asked}\nprint(*(n for n in sys.modules if n.startswith('algebroproj_derivations.') and '.s' in n))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    *found, modules = map(str.split, done.stdout.splitlines())
+    return *found, [module.removeprefix("algebroproj_derivations.") for module in modules]
+
+
+def test_a_number_is_found_without_importing_the_other_modules():
+    found, modules = found_alone(f"print(*(c.number for c in select(['{PAPER}:2.1.9'])))")
+    assert found == numbers(f"{PAPER}:2.1.9")
+    assert len(found) > 3
+    assert modules == ["fundamentals1996.s2_1_spatial_intersection"]
+
+
+def test_functions_and_their_claims_are_found_without_importing_the_other_modules():
+    asked = "found = kernels(['optics']); print(*(k.name for k in found))"
+    functions, claims, modules = found_alone(f"{asked}; print(*(c.number for c in pipeline.claims_of(found)))")
+    found = [kernel for kernel in kernels() if kernel.module == "optics"]
+    assert functions == [kernel.name for kernel in found]
+    assert {*claims} == {number for kernel in found for number in kernel.claims}
+    assert modules == ["fundamentals1996.s1_6_optical_projection", "fundamentals1996.s1_6_functions"]
 
 
 def test_the_functions_of_a_module_and_their_claims_are_those_of_all_modules():

@@ -6,7 +6,7 @@ numbered together, an installed paper or the modules of one folder, is imported 
 
 import importlib
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -47,10 +47,14 @@ def derivations(paper: str) -> tuple[Derivation, ...]:
     It raises `DeclarationError` if a number is declared twice, or a claim or kernel refers to a number that is not
     declared.
     """
-    modules = [importlib.import_module(f"{papers.PAPERS}.{paper}.{file.stem}") for file in papers.module_files(paper)]
-    found = tuple(derivation for module in modules for derivation in _declared_by(module))
+    found = _imported(paper, papers.module_files(paper))
     _require_consistent(found)
     return found
+
+
+def _imported(paper: str, files: Sequence[Path]) -> tuple[Derivation, ...]:
+    modules = [importlib.import_module(f"{papers.PAPERS}.{paper}.{file.stem}") for file in files]
+    return tuple(derivation for module in modules for derivation in _declared_by(module))
 
 
 def derivation_at(path: Path, *, alone: bool = False) -> tuple[Derivation, ...]:
@@ -99,7 +103,11 @@ def select(selectors: Sequence[str] = ()) -> tuple[Claim, ...]:
 
 
 def located(selectors: Sequence[str] = ()) -> tuple[tuple[Derivation, Claim], ...]:
-    """Return the claims that some selectors name, as `select` does, each with the derivation that declares it."""
+    """Return the claims that some selectors name, as `select` does, each with the derivation that declares it.
+
+    For a section or number of an installed paper, only the modules that name it are imported.  The others are imported
+    if that finds nothing.
+    """
     chosen = [found for selector in selectors or installed_papers() for found in _located(selector)]
     sources = [split(selector)[0] for selector in selectors]
     if not {*sources} <= {*installed_papers()}:
@@ -137,11 +145,13 @@ def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together:
     """Return the kernels of some sources, sorted by module, in the order of their declaration.
 
     Modules or qualified names choose some of them.  With `together`, the modules that are numbered together with the
-    sources are searched, too.
+    sources are searched, too.  For names in the installed papers, only the modules whose text may declare them are
+    imported.  The others are imported if those do not declare all.
 
     It raises `UnknownSelectorError` if a name names nothing, and `DeclarationError` if two kernels have the same name.
     """
-    modules_found = numbered_with(sources) if together else derivations_of(sources)
+    at_once = _making(names) if names and not sources else ()
+    modules_found = at_once or (numbered_with(sources) if together else derivations_of(sources))
     found = [kernel for derivation in modules_found for kernel in derivation.section.kernels]
     twice = [name for name, count in Counter(kernel.qualified_name for kernel in found).items() if count > 1]
     if twice:
@@ -157,11 +167,22 @@ def kernels(names: Sequence[str] = (), sources: Sequence[str] = (), *, together:
     return tuple(sorted(chosen, key=lambda kernel: kernel.module))
 
 
+def derivations_with(wanted: Collection[tuple[str, str]]) -> tuple[Derivation, ...]:
+    """Import the modules of installed papers whose text names claims, given by paper and number.
+
+    All modules are imported if those do not declare each claim.
+    """
+    papers_of = dict.fromkeys(paper for paper, _ in sorted(wanted))
+    found = [d for paper in papers_of for d in _naming(paper, *(number for of, number in wanted if of == paper))]
+    known = {(claim.paper, claim.number) for derivation in found for claim in derivation.section.claims}
+    return _united(found) if {*wanted} <= known else numbered_with()
+
+
 def kernels_on(claims: Iterable[Claim], sources: Sequence[str] = ()) -> list[Kernel]:
-    """Return the kernels of some sources that rest on claims; without one, those of the papers of the claims."""
+    """Return the kernels that rest on claims; of installed papers, only modules whose text names one are imported."""
     wanted = {(claim.paper, claim.number) for claim in claims}
-    own = sorted({paper for paper, _ in wanted}.intersection(installed_papers()))
-    declared = [kernel for derivation in numbered_with(sources or own) for kernel in derivation.section.kernels]
+    found = derivations_with(wanted) if {*sources} <= {*installed_papers()} else numbered_with(sources)
+    declared = [kernel for derivation in found for kernel in derivation.section.kernels]
     return [kernel for kernel in declared if wanted & {(kernel.paper, number) for number in kernel.claims}]
 
 
@@ -302,6 +323,8 @@ def _derivations_in(files: tuple[Path, ...], stamps: tuple[tuple[Path, int, int]
 
 def _located(selector: str) -> list[tuple[Derivation, Claim]]:
     source, part = split(selector)
+    if part and source in installed_papers() and (named := _named(part, _naming(source, part))):
+        return named
     found = _modules_of(source, selector)
     named = _named(part, found)
     if part and not named:
@@ -310,6 +333,22 @@ def _located(selector: str) -> list[tuple[Derivation, Claim]]:
             f"selector: expected a section or number of {source}, got {part!r}{suggestion(part, known)}"
         )
     return named
+
+
+def _naming(paper: str, *parts: str) -> tuple[Derivation, ...]:
+    """Import the modules of an installed paper whose text may declare sections or numbers."""
+    files = papers.module_files(paper)
+    return _imported(paper, [file for file in files if papers.may_name(file.read_text("utf-8"), *parts)])
+
+
+def _making(functions: Sequence[str]) -> tuple[Derivation, ...]:
+    """Import the modules of the installed papers whose text may declare functions; none if not all are found."""
+    found: list[Derivation] = []
+    for paper in installed_papers():
+        files = papers.module_files(paper)
+        found += _imported(paper, [file for file in files if papers.may_make(file.read_text("utf-8"), functions)])
+    known = {name for d in found for kernel in d.section.kernels for name in (kernel.module, kernel.qualified_name)}
+    return _united(found) if {*functions} <= known else ()
 
 
 def _named(part: str, found: Sequence[Derivation]) -> list[tuple[Derivation, Claim]]:

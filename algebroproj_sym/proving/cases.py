@@ -1,7 +1,7 @@
 """Case distinctions: an expression is zero or not zero, and the claim holds in both cases.
 
-A system that is affine in a variable is solved where the slope does not vanish.  Where it does, it is one more
-constraint.
+A system that is affine in a variable, or two equations in two variables, are solved where slope or determinant do not
+vanish; where they do, they are a further constraint.
 """
 
 from collections.abc import Iterator, Sequence
@@ -116,8 +116,8 @@ class _Branch(Elimination):
         return found
 
     def _choices(self) -> Iterator[_Choice]:
-        """Yield what may be distinguished: factors of a zero, then those of slopes, the shortest first."""
-        for candidates in (self._factors(), self._slopes()):
+        """Yield what may be distinguished: factors of a zero, then determinants, then slopes, the shortest first."""
+        for candidates in (self._factors(), self._determinants(), self._slopes()):
             yield from sorted(candidates, key=lambda choice: len(choice.polynomial))
 
     def _factors(self) -> Iterator[_Choice]:
@@ -126,10 +126,30 @@ class _Branch(Elimination):
             if len(factors) > 1 or factors[0][1] > 1:
                 yield from (_Choice(factor) for factor, _ in factors)
 
+    def _determinants(self) -> Iterator[_Choice]:
+        gens = self.context.gens()
+        for pair in self.pairs():
+            (first, second), (x, y), matrix, determinant = pair.places, pair.variables, pair.matrix, pair.determinant
+            solved = ((matrix[3], -matrix[1], x), (-matrix[2], matrix[0], y))
+            for factor in self._unknown_factors(determinant):
+                cofactor = divmod(determinant, factor)[0]
+                consequences = [
+                    (
+                        a * self.zeros[first] + b * self.zeros[second] - determinant * gens[variable],
+                        {first: a, second: b},
+                        -cofactor * gens[variable],
+                    )
+                    for a, b, variable in solved
+                ]
+                yield _Choice(factor, consequences)
+
     def _slopes(self) -> Iterator[_Choice]:
         gens = self.context.gens()
         for place, variable, slope in self.affine():
-            for factor in (factor for factor, _ in slope.factor()[1] if factor not in self.units):
+            for factor in self._unknown_factors(slope):
                 cofactor = -divmod(slope, factor)[0] * gens[variable]
                 consequence = self.zeros[place] - slope * gens[variable]
                 yield _Choice(factor, [(consequence, {place: self.one}, cofactor)])
+
+    def _unknown_factors(self, polynomial: Any) -> list[Any]:
+        return [factor for factor, _ in polynomial.factor()[1] if factor not in self.units]

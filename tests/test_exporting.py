@@ -316,8 +316,9 @@ def test_the_files_do_not_depend_on_the_number_of_jobs(records):
 
 def test_the_files_name_each_other(records):
     files = render(export(records))
-    assert {"Formulas.v", "s_demo_1.v", "assumptions.v", "_CoqProject", "not_exported.txt"} <= {*files}
+    assert {"Formulas.v", "s_demo_1.v", "assumptions.v", "_CoqProject", "Makefile", "not_exported.txt"} <= {*files}
     assert files["_CoqProject"].split() == ["-R", ".", "Algebroproj", *(name for name in files if name.endswith(".v"))]
+    assert "Linear.vo: Formulas.vo\nFunctions.vo: Linear.vo\n\ns_demo_1.vo: Functions.vo\n" in files["Makefile"]
     assert {line.split()[0] for line in files["not_exported.txt"].splitlines()} == {
         f"demo:{n}" for n in WITHOUT_THEOREM
     }
@@ -541,7 +542,7 @@ def assert_harmless(files):
         assert text.isascii() or called == "Formulas.v"
         if called.endswith(".v"):
             assert is_harmless(text), called
-    assert "evil" not in re.sub(r"s_\w+", "", files["_CoqProject"])
+    assert "evil" not in re.sub(r"s_\w+", "", files["_CoqProject"] + files["Makefile"])
     listed = files["not_exported.txt"].splitlines()
     assert all(line.isprintable() and ":" in line for line in listed)
 

@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from algebroproj_sym.exporting.files import ASSUMPTIONS, LIBRARY
+from algebroproj_sym.exporting.files import ASSUMPTIONS, CHECKING, LIBRARY
 
 ALLOWED = frozenset(
     {
@@ -30,8 +30,6 @@ LOADED = re.compile(
 """What coqchk lists of the standard library when the real numbers are loaded, whether a theorem rests on it or not:
 axioms, and constants whose definitions a module hides."""
 
-CHECKING = ("-silent", "-o", "-bytecode-compiler", "yes")
-"""What coqchk is asked for: a list of axioms, and to compute as fast as coqc."""
 CLOSED = "Closed under the global context"
 _SOUND = ("relying on type-in-type", "relying on unsafe (co)fixpoints", "whose positivity is assumed")
 

@@ -22,6 +22,8 @@ ASSUMPTIONS = "assumptions"
 LIBRARY = "Algebroproj"
 UNEXPORTED = "not_exported.txt"
 CONVENTIONS = "conventions.txt"
+CHECKING = ("-silent", "-o", "-bytecode-compiler", "yes")
+"""What coqchk is asked for: a list of axioms, and to compute as fast as coqc."""
 
 ABOUT = ("paper", "number", "section", "title", "kind", "verdict")
 NO_STEPS = "no steps are written for claims of this kind"
@@ -191,11 +193,13 @@ def render(claims: Iterable[Exported]) -> dict[str, str]:
         if claim.theorems:
             sections.setdefault(_file_name(claim.paper, claim.section), []).append(claim)
     texts = {section: _section(found) for section, found in sections.items()}
+    names = [*lemmas(), *texts]
     return {
         **{f"{name}.v": text for name, text in lemmas().items()},
         **{f"{section}.v": text for section, (text, _) in texts.items()},
         f"{ASSUMPTIONS}.v": assumptions_of({section: called for section, (_, called) in texts.items()}),
-        "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*lemmas(), *texts, ASSUMPTIONS))]),
+        "_CoqProject": "".join([f"-R . {LIBRARY}\n", *(f"{name}.v\n" for name in (*names, ASSUMPTIONS))]),
+        "Makefile": _makefile([*texts]),
         UNEXPORTED: "".join(_reason(claim) for claim in claims if claim.reason),
         CONVENTIONS: "".join(_convention(claim) for claim in claims if claim.trivial),
     }
@@ -266,3 +270,22 @@ def plain(text: str) -> str:
     '\\u0394\\n'
     """
     return "".join(c if c.isascii() and c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
+def _makefile(sections: Sequence[str]) -> str:
+    needed = [*lemmas()]
+    names = [*needed, *sections, ASSUMPTIONS]
+    targets = " ".join(f"{name}.vo" for name in names)
+    theorems = " ".join(f"{name}.vo" for name in sections)
+    rules = [
+        f"all: {targets}\n",
+        "".join(f"{name}.vo: {needed[place]}.vo\n" for place, name in enumerate(needed[1:])),
+        f"{theorems}: {needed[-1]}.vo\n" if sections else "",
+        f"{ASSUMPTIONS}.vo: {theorems}\n",
+        f"%.vo: %.v\n\tcoqc -q -R . {LIBRARY} $<\n",
+        f"check: all\n\tcoqchk {' '.join(CHECKING)} -R . {LIBRARY} "
+        + " ".join(f"-norec {LIBRARY}.{name}" for name in names)
+        + "\n",
+    ]
+    cleaning = "clean:\n\trm -f *.vo *.vok *.vos *.glob .*.aux\n"
+    return "\n".join([*filter(None, rules), cleaning, ".PHONY: all check clean\n"])

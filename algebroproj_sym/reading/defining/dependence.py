@@ -138,8 +138,9 @@ def _hiding(sides: Sequence[Formula], symbols: frozenset[str]) -> frozenset[str]
 
 
 def _rates(tree: Formula) -> bool:
-    """Whether a derivative stands in a formula."""
-    return any("/" in each for each in symbols_in(tree)) or any(True for _ in tree.find_data("big"))
+    """Whether a derivative stands in a formula: one with two dots makes an equation of motion of it."""
+    rates = any("/" in each or each.startswith(r"\ddot") for each in symbols_in(tree))
+    return rates or any(True for _ in tree.find_data("big"))
 
 
 def free_symbols(tree: Formula) -> frozenset[str]:

@@ -375,6 +375,8 @@ def joined(kind: str, left: Part, right: Part) -> Part:
         return found
     if kind == "CROSS":
         column(left, 3)
+        if right.shape[1].value not in (None, 1):
+            return times(Part((Size(3), Size(3)), lambda: f"skew({left.text()})", left), right)
         column(right, 3)
         return Part((Size(3), Size(1)), lambda: f"cross({left.text()}, {right.text()})", left, right)
     ends = (left.shape[1].value, right.shape[1].value)

@@ -142,7 +142,7 @@ class Vocabulary:
     def is_like_identity(self, symbol: str) -> bool:
         r"""Whether a symbol is written as the identity, also of matrices, as ``\mathbb{I}^{sym}`` may be."""
         written = LIKE_IDENTITY.match if symbol in self.kinds.fourth else LIKE_IDENTITY.fullmatch
-        return written(symbol) is not None
+        return written(symbol) is not None and symbol not in self.kinds.columns
 
     def with_complex_numbers(self, numbers: Numbers) -> Vocabulary:
         """Return the vocabulary in which i is the imaginary unit, and other letters stand for complex numbers."""

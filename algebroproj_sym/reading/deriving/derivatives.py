@@ -389,6 +389,7 @@ def _of_quotient(
         if sign != "d" and not order and _bare(below) in known:
             return _as_if_not_given(symbol, definition, known[_bare(below)], vocabulary)
         other = _of_others(_bare(below), letters, vocabulary, occurring) if sign != "d" else ""
+        other = other or (_of_rate(above, _bare(below), letters, vocabulary, occurring) if sign != "d" else "")
         is_zero = other and not _change(letters, other, occurring, sign)
         return _made(symbol, ZERO, definition, sorted(letters), vocabulary) if is_zero else None
     if any(variable in vocabulary.letters_of(each.tree) for each in used):
@@ -449,6 +450,13 @@ def _of_others(below: str, letters: frozenset[str], vocabulary: Vocabulary, occu
     used = frozenset().union(*map(vocabulary.letters_of, trees))
     variable = _by_bare(sorted(used - {*vocabulary.definitions})).get(below, "")
     return "" if vocabulary.moves_with(letters, variable) else variable
+
+
+def _of_rate(above: str, below: str, letters: frozenset[str], vocabulary: Vocabulary, occurring: frozenset[str]) -> str:
+    r"""Return a letter of which a function has the rate alone, and by which the document derives it: ``\dot x``."""
+    rate = _by_bare(sorted(letters)).get(_with_dot(below), "")
+    derived = rf"\partial{above}/\partial{_bare(rate)}" in map(_bare, occurring)
+    return below if derived and _PLAIN.fullmatch(below) and not vocabulary.moves_with(letters - {rate}, below) else ""
 
 
 def _of_two(symbol: str, mixed: re.Match[str], vocabulary: Vocabulary) -> Definition | None:

@@ -100,10 +100,12 @@ class _Gradients:
 
     def _varied(self, slope: _Written) -> str:
         """Return the letter by which a derivative is, if the document gives its function."""
-        names = dict(self._written)
+        names, numbers = dict(self._written), False
         if (definition := self._given(slope)) is not None:
             used = [definition, *self._vocabulary.used_in(definition.tree)]
-            names |= {bare_name(each): each for one in used for each in (*one.symbols, *one.parameters)}
+            letters = {each for one in used for each in (*one.symbols, *one.parameters)}
+            names |= {bare_name(each): each for each in letters}
+            numbers = any(map(self._vocabulary.is_matrix, letters))
             if not slope.below and len(definition.parameters) == 1:
                 return definition.parameters[0]
         elif lone(slope.value):
@@ -111,7 +113,7 @@ class _Gradients:
         else:
             names |= {bare_name(each): each for each in symbols_in(slope.value)}
         variable = names.get(bare_name(slope.below), "")
-        numbers = slope.partial and bool(self._vocabulary.kinds.second)
+        numbers = slope.partial and (numbers or bool(self._vocabulary.kinds.second))
         return variable if variable and (numbers or self._vocabulary.is_matrix(variable)) else ""
 
     def _given(self, slope: _Written) -> Definition | None:

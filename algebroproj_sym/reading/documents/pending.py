@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Sequence
 
-from algebroproj_sym.reading.lexing.commands import LETTERS, RELATIONS, SIGNS
+from algebroproj_sym.reading.lexing.commands import LETTERS, MATRIX, RELATIONS, SIGNS
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, first_text, pieces_of, split_pieces
 
 _ARRAY = re.compile(r"\\begin\{(?:array|matrix|aligned|split|gathered|cases)\}")
@@ -13,6 +13,7 @@ _IN_BRACES = re.compile(
     r"(?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{[a-zA-Z]+\})?))\s*\}(?=\s*[(_])|\s*\}(?=\s*[&=])"
 )
 """What stands in braces for its looks alone, and their end."""
+_END = re.compile(MATRIX.pattern.replace("begin", "end"))
 _SKIP = re.compile(r"\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
 
 
@@ -147,6 +148,13 @@ class Pending(list[Piece]):
         if following[sized : sized + 1] not in (["]"], [")"], [r"\rfloor"]):
             return []
         return [Piece(self.next, self.pop().place) for _ in range(1 + sized)]
+
+    def ends_entry(self, out: Sequence[Piece]) -> bool:
+        """Whether an entry of a matrix ends here, or a side of an equation outside of matrices."""
+        within = sum(bool(MATRIX.match(each.text)) - bool(_END.match(each.text)) for each in out)
+        if not within:
+            return self.next == "="
+        return self.next in ("&", r"\\") or _END.match(self.next) is not None
 
     def until(self, opening: str, closing: str) -> list[Piece]:
         """Take all up to the partner of the piece that is next."""

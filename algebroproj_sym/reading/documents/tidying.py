@@ -271,9 +271,28 @@ def _prime(page: Page, piece: Piece) -> bool:
 
 
 def _cross(page: Page, piece: Piece) -> bool:
-    closing = [] if is_raised(page.out) else page.waiting.closing()
-    page.waiting.put([*closing, renamed(piece, "_"), *braced(piece, [piece])] if closing else [])
+    r"""Read ``[a\times]``, and ``a \times`` at the end of an entry or a side, as the matrix of a cross product."""
+    if is_raised(page.out):
+        return False
+    if closing := page.waiting.closing():
+        page.waiting.put([*_squared(page.out, closing), renamed(piece, "_"), *braced(piece, [piece])])
+    elif found := ends_value(page.out) and page.waiting.ends_entry(page.out):
+        page.out.extend([renamed(piece, "^"), *braced(piece, [renamed(piece, r"\wedge")])])
+        return bool(found)
     return bool(closing)
+
+
+def _squared(out: list[Piece], closing: list[Piece]) -> list[Piece]:
+    """Write the round bracket that closes here as a square one: it is no argument of what stands before it."""
+    if closing[-1].text != ")":
+        return closing
+    depth = 0
+    for place in range(len(out) - 1, -1, -1):
+        depth += (out[place].text == ")") - (out[place].text == "(")
+        if depth < 0:
+            out[place] = renamed(out[place], "[")
+            return [*closing[:-1], renamed(closing[-1], "]")]
+    return closing
 
 
 def _box(page: Page, piece: Piece) -> bool:

@@ -1,6 +1,7 @@
 """A document read once from its beginning to its end, and each relation judged."""
 
 import re
+from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
@@ -125,20 +126,33 @@ def read_document(
 def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
     """Return readings in which nothing follows from an equation that contradicts.
 
-    Nor does it, within its display, from a chain with a link that one change would mend.
+    Nor does it from an equation that one change would mend, within its display, or together with what that one rests
+    on: both would give what neither says.
     """
     found = list[Reading]()
     refuted = set[str]()
+    mended: dict[str, set[str]] = {}
+    places = Counter(where_of(each.statement) for each in readings)
     doubted = {id(each.statement.display) for each in readings if any(link.suggestion for link in each.links)}
     for each in readings:
         own = {where_of(each.statement)} if id(each.statement.display) in doubted else set()
         links = tuple(
             replace(link, verdict="independent", reason=f"it follows only from {wrong[0]}, which does not hold")
-            if link.verdict == "follows" and (wrong := [where for where in link.rests_on if where in refuted | own])
+            if link.verdict == "follows"
+            and (
+                wrong := [
+                    where
+                    for where in link.rests_on
+                    if where in refuted | own or not mended.get(where, set()).isdisjoint(link.rests_on)
+                ]
+            )
             else link
             for link in each.links
         )
         found.append(replace(each, links=links))
+        where = where_of(each.statement)
+        if places[where] == 1 and (rests := {one for link in links if link.suggestion for one in link.rests_on}):
+            mended[where] = rests
         if found[-1].verdict == "contradicts":
             refuted.add(where_of(each.statement))
     return found

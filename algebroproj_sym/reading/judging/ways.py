@@ -79,7 +79,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
             way,
             vocabulary=other,
             reads=way.reads or other.equation(*way.sides),
-            supposes=(*way.supposes, "I is the identity"),
+            supposes=(*way.supposes, f"{_identity_of(way)} is the identity"),
         )
         for way in ways
         if (way.supposes or not way.reads) and (other := way.vocabulary.with_identity(*way.sides)) is not None
@@ -88,6 +88,13 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
     if standing.survey.has_tensors_of_three_rows:
         ways += [_with_three_rows(way) for way in ways if _depends_on_size(way)]
     return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+
+
+def _identity_of(way: Way) -> str:
+    """Return the name of what is like an identity in a way: I, or a bold 1."""
+    letters = frozenset().union(*map(way.vocabulary.letters_of, way.sides))
+    like = {way.vocabulary.name(each) for each in letters if way.vocabulary.is_like_identity(each) and "1" in each}
+    return min(like, default="I")
 
 
 def _depends_on_size(way: Way) -> bool:

@@ -416,6 +416,8 @@ def _at_argument(cursor: Cursor) -> bool:
         return True
     if not body or any(piece.text in "+-*/()=|" for piece in body):
         return False
+    if body[0].text == r"\Delta" and len(body) > 1 and _gives_a_value(cursor, len(inside)):
+        body = body[1:]
     inner = Cursor(body, cursor.known)
     return (
         [piece.text for piece in body] == ["0"]
@@ -427,6 +429,12 @@ def _at_argument(cursor: Cursor) -> bool:
             and inner.index == len(body)
         )
     )
+
+
+def _gives_a_value(cursor: Cursor, length: int) -> bool:
+    r"""Whether a bracket of so many pieces, behind the first letter, is all that stands before ``=``."""
+    behind = (piece.text for piece in cursor.pieces[cursor.index + length :] if piece.text not in DROPPED)
+    return not cursor.out and next((text for text in behind if not text.isspace()), "") in ("=", "&", ":=")
 
 
 _OF_MATRIX = re.compile(r"\\mathbf\{|[A-Z]$|[)\]]")

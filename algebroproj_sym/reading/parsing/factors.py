@@ -12,7 +12,7 @@ CAPITAL = re.compile(
     r"(?:\\(?:bar|hat|tilde|overline|widehat|widetilde|mathcal|mathbf|mathsf)\{)*"
     r"(?:[A-Z]|\\(?:Gamma|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega))(?![a-zA-Z])"
 )
-LIKE_IDENTITY = re.compile(r"(?:I|\\math(?:bf|bb|rm)\{I\})(?:_[2-9n])?")
+LIKE_IDENTITY = re.compile(r"(?:I|\\math(?:bf|bb|rm)\{I\}|\\math(?:bf|bb)\{1\})(?:_[2-9n])?")
 MEAN = re.compile(r"E|\\math(?:bb|ds|rm|sf)\{E\}")
 
 

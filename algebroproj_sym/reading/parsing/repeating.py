@@ -11,6 +11,9 @@ from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Sides,
 
 _INDEX = re.compile(r"(?<![a-zA-Z\\])(?:[i-n]|\\(?:mu|nu|rho|sigma|alpha|beta|lambda|kappa))(?![a-zA-Z])")
 
+_STEPS = re.compile(r"(?<!\w)([a-z])(?:[+-]\d+)?\|\1(?:[+-]\d+)?(?!\w)")
+"""Two steps that name an estimate, as ``k+1|k``: they are no indices of components."""
+
 
 def paired_in(equations: Iterable[Sides]) -> frozenset[str]:
     """Return the indices that a product has twice and no other side has, as in ``a = u_i v_i``.
@@ -98,7 +101,7 @@ def _scripts_of(symbol: str) -> list[str]:
     if not symbol or " " in symbol or "/" in symbol:
         return []
     _, _, below, above = split_symbol(symbol)
-    scripts = f"{below} {above}"
+    scripts = _STEPS.sub("", f"{below} {above}")
     return _INDEX.findall(scripts if "\\" in below + above else re.sub(r"(?<=[a-z])(?=[a-z])", " ", scripts))
 
 

@@ -209,7 +209,7 @@ _CONSTANT_BEFORE = re.compile(
     re.IGNORECASE,
 )
 _CONSTANT_BEHIND = re.compile(
-    r"(?:(?:, ?and|,|and) ?\$[^$]*\$ ?)*"
+    r"(?:(?:, ?and|,|and) ?(?:the (?:[a-z]+ ){1,2})?\$[^$]*\$ ?)*"
     r"(?:(?:is|are|being|stays?|remains?|be) (?:(?:both|all|taken|assumed|kept|held|to be|as|a) )*(?:constants?|fixed)"
     r"|(?:does|do) not change)(?: (?:in|with) time\b)?(?:\s*[.,;:)]| (?:and|so)\b|$)",
     re.IGNORECASE,

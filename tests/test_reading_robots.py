@@ -114,3 +114,36 @@ def test_what_rests_on_a_misprint_and_on_what_it_is_a_misprint_of_does_not_follo
     assert "follows" not in verdicts(BENEATH)
     right = BENEATH.replace("- @u + @g s)", "- @u - @g s)").replace(r"- @g s^2)", r"- \frac12 @g s^2)")
     assert verdicts(right)[-2:] == ["follows", "follows"]
+
+
+PROJECTOR = r"""The inertia is \[ @L = (@J @M^{-1} @J^\top)^{-1} \] and the inverse \[ @G = @M^{-1} @J^\top @L. \] It
+satisfies \[ @J @G = @I. \] The projector is \[ @N = @I - @G @J \] and it holds that \[ @N @N = 2 @N. \]"""
+
+
+@pytest.mark.usefixtures("verdicts_alone")
+@pytest.mark.parametrize(
+    "words",
+    [
+        "",
+        "Since $@M$ is invertible, we proceed.",
+        "The matrices $@M$ and $@W$ are square.",
+        "The square root of $d$ is the scale.",
+        "The square matrix $@M$ has full rank.",
+        "$@J$ has full rank.",
+        "Since $@J$ is not square, we proceed.",
+        "$@J$ is invertible only if it is square.",
+        "Let $@J$ be a matrix. The non-singular matrix $@M$ weights.",
+        "The square of $@J$ is large.",
+    ],
+)
+def test_a_letter_that_words_call_invertible_is_that_letter_alone(words):
+    assert verdicts(f"{words} {PROJECTOR}")[-1] != "follows"
+
+
+@pytest.mark.usefixtures("verdicts_alone")
+@pytest.mark.parametrize(
+    "words",
+    ["The matrix $@J$ is invertible.", "Let $@M$ and $@J$ be square.", "For a square matrix $@J$ all is simple."],
+)
+def test_what_words_call_invertible_is_square(words):
+    assert verdicts(f"{words} {PROJECTOR.replace('@N @N = 2 @N', '@N = @0')}")[-1] == "follows"

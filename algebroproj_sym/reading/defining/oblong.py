@@ -11,7 +11,15 @@ from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, head_of, is_inverse, terms_of
 from algebroproj_sym.reading.parsing.grammar import Sides, lone, trees_in
 
-_SQUARE = re.compile(r"\b(?:square|invertible|non-?singular|full[- ]rank)\b", re.IGNORECASE)
+_SQUARE = r"(?:square|invertible|non-?singular)"
+_LETTERS = r"(\$[^$]+\$(?:(?:,? and |, ?)\$[^$]+\$)*)"
+_ARE_SQUARE = re.compile(
+    rf"{_LETTERS} (?:(?:is|are|be|being) )?(?:(?:an?|the|both|all|also|therefore|assumed|to|be) )*{_SQUARE}\b"
+    r"(?!,? (?:if|when|where|only|unless|root|for|or)\b)"
+    rf"|(?<!not )\b(?:an?|the|two|all|for|of|with) {_SQUARE} (?:[a-z]+ )?matri(?:x|ces) {_LETTERS}",
+    re.IGNORECASE,
+)
+"""Words that call letters square: what they say of one letter they say of no other one."""
 _HAS_NO_INVERSE = (
     r"(?:(?<!non)(?<!non-)singular(?! values?| vectors?)|not (?:be )?(?:square|invertible)|non-?(?:square|invertible)"
     r"|rank[- ]deficient|rectangular|wide|tall|fat|skinny|project(?:ion|or)|idempotent|nilpotent)"
@@ -41,10 +49,11 @@ _ARE_OF_SIZE = re.compile(r"\$([^$]+)\$ (?:is|be|are|denotes?) (?:an? |the )?\$(
 
 def oblong_in(equations: Sequence[Sides], occurring: Iterable[str], words: str) -> frozenset[str]:
     """Return the letters of matrices that may not be square."""
-    found = set[str]()
-    if not _SQUARE.search(words):
-        found |= {*_inverted_squares_in(equations), *_normal_in(equations)}
-        found |= {*_mapping_in(equations)} if _UNEVEN.search(words) else set()
+    found = {*_inverted_squares_in(equations), *_normal_in(equations)}
+    found |= {*_mapping_in(equations)} if _UNEVEN.search(words) else set()
+    named = (re.findall(r"\$([^$]+)\$", letters) for said in _ARE_SQUARE.findall(words) for letters in said)
+    square = {bare_name(each) for letters in named for each in letters}
+    found = {each for each in found if bare_name(each) not in square}
     declared = {letter for letter, rows, width in _DECLARED.findall(words) if rows != width}
     declared |= {letter or other for letter, other in _SINGULAR.findall(words)}
     declared |= {letter for rows, width, letter in _OF_SIZE.findall(words) if rows != width}

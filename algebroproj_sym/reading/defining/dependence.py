@@ -55,7 +55,7 @@ class Dependence:
     """The functions that are taken at the same letters in the whole document, with these."""
     axes_turn: bool = False
     """Whether words speak of axes that turn or move."""
-    _related: dict[str, frozenset[str]] = field(default_factory=dict, compare=False)
+    _related: dict[tuple[str, str], frozenset[str]] = field(default_factory=dict, compare=False)
 
     @cached_property
     def equated(self) -> dict[str, frozenset[str]]:
@@ -82,18 +82,21 @@ class Dependence:
                 found.setdefault(symbol, []).append(place)
         return found
 
-    def related(self, index: str) -> frozenset[str]:
-        """Return the symbols that may depend on an index, as far as equations in which it stands alone say so."""
-        if index not in self._related:
-            self._related[index] = self._closure(index)
-        return self._related[index]
+    def related(self, index: str, last: str = "") -> frozenset[str]:
+        """Return the symbols that may depend on an index, as far as equations in which it stands alone say so.
 
-    def _closure(self, index: str) -> frozenset[str]:
+        The last value of the index depends on no value of it.
+        """
+        if (index, last) not in self._related:
+            self._related[index, last] = self._closure(index, last)
+        return self._related[index, last]
+
+    def _closure(self, index: str, last: str) -> frozenset[str]:
         reasons: dict[str, set[int]] = {index: {_BEGINNING}}
         waiting = [index]
         while waiting:
             for place in self._places.get(waiting.pop(), ()):
-                for symbol in self._reached(self.ties[place], place, index, reasons):
+                for symbol in self._reached(self.ties[place], place, index, reasons) - {last}:
                     known = reasons.setdefault(symbol, set())
                     if place not in known and len(known) < 2:
                         known.add(place)

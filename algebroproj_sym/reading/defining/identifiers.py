@@ -59,7 +59,7 @@ def is_accented(symbol: str) -> bool:
 
 
 _VALUE = re.compile(r"\b(?:whole|free)_\w+")
-_OF_FUNCTION = re.compile(r"(?:whole|free) (?:root\((.*), 2\)|([a-z]+\(.*\)))")
+_OF_FUNCTION = re.compile(r"(?:whole|free) (?:root\((.*), 2\)|((?:1/)?[a-z]+\(.*\)))")
 _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
 
 

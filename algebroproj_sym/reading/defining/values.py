@@ -21,6 +21,7 @@ from algebroproj_sym.reading.defining.dependence import (
     letters_of_symbol,
     require_no_value,
 )
+from algebroproj_sym.reading.defining.factorials import binomial, factorial, inverse_factorial, sum_of_binomials
 from algebroproj_sym.reading.defining.parts import MOST_TERMS
 from algebroproj_sym.reading.defining.sizing import FREE, WHOLE, base_of
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
@@ -41,6 +42,7 @@ class Uncomputed:
         self._apart = apart
         self._angles = set[Any]()
         self._roots: dict[Any, tuple[Any, Any]] = {}
+        self._inverses: dict[Any, Any] = {}
         self._letters: dict[str, frozenset[str]] = {}
         self._keys: dict[str, str] = {}
         self._first: dict[str, str] = {}
@@ -83,6 +85,8 @@ class Uncomputed:
             return self._average(name, arguments[0])
         if self._vocabulary.is_matrix(name):
             raise UnreadableError(f"the function {name} is not defined")
+        if name == r"\Gamma" and self._vocabulary.gamma and len(arguments) == 1 and not shape(arguments[0]):
+            return factorial(arguments[0] - 1, self._inverse)
         key = f"{name}({', '.join(map(text, arguments))})"
         is_free = name not in self._vocabulary.definitions and self._first.setdefault(base_of(name), key) == key
         return self._value(name, arguments, FREE if is_free else WHOLE)
@@ -102,9 +106,22 @@ class Uncomputed:
                 if name == "cos":
                     return cosines[0] * cosines[1] - sines[0] * sines[1]
                 return sines[0] * cosines[1] + cosines[0] * sines[1]
+        if name == "factorial" and not shape(arguments[0]):
+            return factorial(arguments[0], self._inverse)
+        if name == "binom" and not any(map(shape, arguments)):
+            above, below = arguments
+            found = binomial(above, below, self._inverse)
+            if found is not None:
+                return found
         found = self._value(name, arguments, WHOLE)
         if name == "root":
             self._roots[found] = arguments[0], arguments[1]
+        return found
+
+    def _inverse(self, value: Any) -> Any:
+        """Return the letter of an inverse factorial."""
+        found = self._letter(f"1/factorial({text(value)})", WHOLE, self._on(value))
+        self._inverses[found] = value
         return found
 
     @property
@@ -217,10 +234,16 @@ class Uncomputed:
 
     def _summed(self, name: str, index: str, term: Any) -> Any:
         """Return the sum of a product: what does not depend on the index stands before it."""
-        varying = self._vocabulary.dependence.related(index) | {index, ANY}
+        counted = COUNTED.fullmatch(name)
+        varying = self._vocabulary.dependence.related(index, counted[2] if counted else "") | {index, ANY}
         dependent = self._dependent(term, varying)
         outside, inside = term.as_independent(*dependent, as_Add=False) if dependent else (term, sympy.S.One)
-        counted = COUNTED.fullmatch(name)
+        if counted and counted[1] == "0" and not counted[3]:
+            first, last = (self._vocabulary.plain(each) for each in (index, counted[2]))
+            is_fixed = lambda value: not self._dependent(value, varying)  # noqa: E731
+            found = sum_of_binomials(inside, first, last, self._inverses, is_fixed)
+            if found is not None:
+                return outside * found * inverse_factorial(last, self._inverse)
         if inside == 1 and counted and is_number(counted[2], varying, self._vocabulary.definitions):
             more = (counted[1] == "0") - bool(counted[3])
             return outside * (self._vocabulary.plain(counted[2]) + more)

@@ -73,8 +73,13 @@ class Vocabulary:
         complexes: frozenset[str] = frozenset(),
         imaginary: str = "",
         reals: frozenset[str] = frozenset(),
+        wholes: frozenset[str] = frozenset(),
+        gamma: bool = False,
     ) -> None:
         self.given = given
+        self.wholes = wholes
+        self.gamma = gamma
+        self.parities = False
         self.reals = reals
         self.complexes = complexes
         self.imaginary = imaginary
@@ -149,6 +154,12 @@ class Vocabulary:
         found = self.copied()
         found.numbers = numbers
         found.forget()
+        return found
+
+    def with_parities(self) -> Vocabulary:
+        """Return the vocabulary in which whole numbers are even or odd in the exponent of -1, and times pi."""
+        found = self.copied()
+        found.parities = True
         return found
 
     def with_rows(self, rows: int) -> Vocabulary:

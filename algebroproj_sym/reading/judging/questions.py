@@ -23,6 +23,7 @@ from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.values import Uncomputed, values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import UnsizedError, Vocabulary
 from algebroproj_sym.reading.deriving.components import multiplies_columns
+from algebroproj_sym.reading.deriving.parities import parities
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
@@ -120,8 +121,12 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
         require_bounded(value, "the equation")
         if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
             raise UnreadableError("a value is not a number")
+    pairs = [*zip(*map(entries, values), strict=True)]
+    if vocabulary.parities:
+        wholes = [sympy.Symbol(vocabulary.name(each)) for each in vocabulary.wholes]
+        pairs = [one for pair in pairs for one in parities(pair, wholes)]
     if vocabulary.numbers != "real":
-        return [_of_complex(vocabulary, *pair) for pair in zip(*map(entries, values), strict=True)]
+        return [_of_complex(vocabulary, *pair) for pair in pairs]
     if any(value.has(sympy.I) for value in values):
         raise UnreadableError("a value is not a real number")
     is_elementary = any(map(has_functions, values))
@@ -131,8 +136,8 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
         )
     if is_elementary and (name := _assumed_real(vocabulary, values)):
         raise UnreadableError(f"{name} may be complex or a vector, because its absolute value is taken")
-    if shape(values[0]) and (is_elementary or by_entries):
-        return [Question(_text(one), _text(other)) for one, other in zip(*map(entries, values), strict=True)]
+    if (shape(values[0]) and (is_elementary or by_entries)) or vocabulary.parities:
+        return [Question(_text(one), _text(other)) for one, other in pairs]
     return [Question(_text(values[0]), _text(values[1]))]
 
 

@@ -63,6 +63,7 @@ from algebroproj_sym.reading.prose.phrases import (
     reals_in,
     sizes_in,
     vectors_in,
+    wholes_in,
 )
 from algebroproj_sym.reading.prose.words import beside
 
@@ -401,7 +402,9 @@ class Survey:
 
         It is said to be a root of -1, or a document that speaks of complex numbers has it in an exponent of e.
         """
-        spoken = any(says(r"\b<complex-numbers>\b", f"{each.before} {each.after}") for each in self.document.formulas)
+        spoken = bool(complexes_in(self.statements)) or any(
+            says(r"\b<complex-numbers>\b", f"{each.before} {each.after}") for each in self.document.formulas
+        )
         return next((each for each in sorted(self._units) if spoken or self._is_root(each)), "")
 
     @cached_property
@@ -423,6 +426,12 @@ class Survey:
         for formula in self._read if self._units else ():
             if self._units & {x for side in formula.sides for x in symbols_in(side)}:
                 yield from (symbol for side in formula.sides if (symbol := defined_by(side)[0]))
+
+    @property
+    def _ends(self) -> frozenset[str]:
+        """The letters at which sums begin or end, and those that count their terms."""
+        names = (str(each.children[0]) for side in self._sides for each in side.find_data("big"))
+        return frozenset(letter for name in names for letter in _COUNTING.findall(name) if letter)
 
     @property
     def _compared(self) -> Iterator[str]:
@@ -448,6 +457,8 @@ class Survey:
             complexes=complexes_in(self.statements) | self._units | {*self._equated_with_units},
             imaginary=self.imaginary,
             reals=reals_in(self.statements) | {*self._compared},
+            wholes=wholes_in(self.statements) | self._ends,
+            gamma=self._says(r"\b<gamma>\b"),
         )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
@@ -465,6 +476,7 @@ class Survey:
 
 
 _LESS = frozenset(("<", ">", "<=", ">=", "≪", "≫", "≲", "≳"))
+_COUNTING = re.compile(r"(?:(?<=\\sum_\{)|(?<=\\prod_\{)|(?<=\}\^)|(?<=\}\^\{))([a-z])(?=[=}]|$)")
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 
 

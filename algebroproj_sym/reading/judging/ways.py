@@ -8,6 +8,7 @@ from dataclasses import replace
 from lark import Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.dependence import ANY, letters_of_symbol
 from algebroproj_sym.reading.defining.domains import is_outside, range_in
 from algebroproj_sym.reading.defining.maps import DIMENSIONS
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, MOST_TOGETHER, extended, letter_of
@@ -20,6 +21,7 @@ from algebroproj_sym.reading.deriving.ends import with_same_ends
 from algebroproj_sym.reading.deriving.gradients import along_directions
 from algebroproj_sym.reading.deriving.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.deriving.indices import excludes
+from algebroproj_sym.reading.deriving.induction import steps_of
 from algebroproj_sym.reading.deriving.instances import powers_of
 from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.documents.statements import Statement
@@ -35,7 +37,15 @@ from algebroproj_sym.reading.judging.substituting import from_derivatives, from_
 from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
 from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, symbols_in, with_divided_angles
+from algebroproj_sym.reading.parsing.grammar import (
+    Formula,
+    Parsed,
+    regrouped,
+    symbols_in,
+    with_divided_angles,
+    without_brackets,
+)
+from algebroproj_sym.reading.parsing.writing import text_of
 
 _SEVERAL = re.compile(r"(.+)_\{?(?:12|1,2|1/2|\\pm)\}?")
 """A letter for both roots of an equation."""
@@ -73,6 +83,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *with_printed_components(standing, left, right),
         *as_multiples(standing, left, right),
         *by_components(standing, left, right),
+        *_by_induction(standing, left, right),
     ]
     ways += [
         replace(
@@ -87,7 +98,8 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
     ways += [each for way in ways if not way.reads for each in along_directions_in(way)]
     if standing.survey.has_tensors_of_three_rows:
         ways += [_with_three_rows(way) for way in ways if _depends_on_size(way)]
-    return ways + [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+    ways += [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
+    return ways + [each for way in ways if not way.under for each in _with_parities(way)]
 
 
 def _identity_of(way: Way) -> str:
@@ -232,6 +244,22 @@ def _ranges_of(survey: Survey, angle: Formula) -> Iterator[Parsed]:
             yield found
 
 
+def _by_induction(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield the first value and the step to the next one of a sum or a product that is given up to a letter."""
+    known = standing.vocabulary
+
+    def is_fixed(symbol: str, *letters: str) -> bool:
+        behind = {symbol, *known.behind(symbol)}
+        return ANY not in behind and not {*letters} & frozenset().union(*map(letters_of_symbol, behind))
+
+    for sides in ((left, right), (right, left)):
+        found = steps_of(*sides, is_fixed)
+        if found is not None and found.last not in known.definitions:
+            shown = f"{known.equation(left, right)}, by induction"
+            supposes = (f"{known.name(found.last)} is a whole number >= {found.first}",)
+            yield Way(found.left, found.right, known, A_VALUE, shown, supposes=supposes)
+
+
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     """Yield a relation as one that stands above it in no case, or in its section: no letter of it was given since."""
     for each in standing.premises[-MOST_PREMISES:] if left != right else ():
@@ -276,6 +304,23 @@ def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> b
     )
     found = instances(given, standing.vocabulary, standing.survey.indices, (left,))
     return any({*each.symbols} & {*symbols_in(right)} for each, _ in found)
+
+
+def _with_parities(way: Way) -> Iterator[Way]:
+    """Yield a way in which whole numbers are even or odd, where -1 has an exponent or pi a factor."""
+    known = way.vocabulary
+    letters = sorted((known.letters_of(way.left) | known.letters_of(way.right)) & known.wholes - {*known.definitions})
+    trees = [*way.sides, *(each.tree for each in used_by(known, *way.sides))]
+    if letters and any(
+        r"\pi" in symbols_in(each) or any(map(_is_of_minus_one, each.find_data("power"))) for each in trees
+    ):
+        shown = way.reads or known.equation(*way.sides)
+        supposes = (*way.supposes, *(f"{known.name(each)} is a whole number" for each in letters))
+        yield replace(way, vocabulary=known.with_parities(), doubt=A_VALUE, reads=shown, supposes=supposes)
+
+
+def _is_of_minus_one(power: Formula) -> bool:
+    return text_of(without_brackets(power.children[0]), str) == "-1"
 
 
 def _with_complex_numbers(way: Way) -> Iterator[Way]:

@@ -353,15 +353,10 @@ def _short(number: Any) -> str:
     return text
 
 
-_SMOOTH = (sympy.sin, sympy.cos, sympy.tan, sympy.exp, sympy.log, sympy.sinh, sympy.cosh, sympy.atan, sympy.atan2, over)
-
-
 def slope_of(value: Any, variable: Any) -> Any:
-    """Return a derivative; every function in it has one wherever it is defined, a root wherever it is not zero."""
+    """Return a derivative; every function in it has one wherever this is defined, a root wherever it is not zero."""
     for entry in entries(value):
-        functions = all(isinstance(part, _SMOOTH) for part in entry.atoms(sympy.Function))
-        powers = all(isinstance(part.exp, sympy.Rational) for part in entry.atoms(sympy.Pow))
-        if not functions or not powers:
+        if not all(isinstance(part, _SMOOTH) for part in entry.atoms(sympy.Function)):
             raise UnreadableError("the derivative of a function in it is not computed")
     return diff(value, variable)
 
@@ -395,6 +390,7 @@ FUNCTIONS: dict[str, Any] = {
     **{"sech": sympy.sech, "csch": sympy.csch},
     **{"ln": sympy.log, "sgn": sympy.sign, "atan2": sympy.atan2, "arctan2": sympy.atan2},
 }
+_SMOOTH = (*(each for name, each in FUNCTIONS.items() if name not in ("sign", "sgn", "sinc")), over)
 _OF_MATRICES: dict[str, Any] = {
     "det": lambda matrix: _determinant(matrix),
     "adj": lambda matrix: adjugate(_small(matrix)),

@@ -80,6 +80,9 @@ ENEMIES = [
     r"\[ \sum_{k=1}^n \frac{1}{(k - 3) (k - 4)} = \frac{n}{3 (3 - n)} \]",
     r"\[ c = n^2 \] \[ \sum_{k=1}^n c = c n \] \[ \sum_{k=1}^n 2 k = c \]",
     r"\[ \sum_{k=1}^n k = \frac{k (k + 1)}{2} \]",
+    r"\[ c - k = 1 \] \[ \sum_{k=1}^n c = n c \]",
+    r"\[ c_0 - c_1 = k \] \[ \sum_{k=1}^n c_0 = n c_0 \]",
+    r"\[ \binom{999999999}{3} = 999999999! \]",
     r"\[ \frac{d}{dx} |x| = 1 \]",
     r"\[ \frac{d}{dx} \operatorname{sign} x = 0 \]",
 ]

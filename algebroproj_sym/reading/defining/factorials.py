@@ -12,6 +12,7 @@ import sympy
 
 from algebroproj_sym.expressions import over
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.evaluating import MOST_FACTORIAL
 
 MOST_SHIFTS = 20
 """By how much numbers may differ whose factorials are multiples of one letter."""
@@ -91,7 +92,7 @@ def _parts(value: Any, letter: Letter) -> tuple[Any, Any, int]:
     value = value.replace(over, lambda above, below: above / below if below.is_Rational else over(above, below))
     number, rest = sympy.expand(value).as_coeff_Add()
     shift = int(sympy.floor(number)) if number.is_Rational else 0
-    if abs(shift) > MOST_SHIFTS and rest != 0:
+    if (abs(shift) > MOST_SHIFTS and rest + number != shift) or shift > MOST_FACTORIAL:
         shift = 0
     base = rest + number - shift
     first = sympy.S.One if base == 0 else _OF_HALF if base == sympy.S.Half else letter(base)

@@ -248,9 +248,10 @@ def _by_induction(standing: Standing, left: Formula, right: Formula) -> Iterator
     """Yield the first value and the step to the next one of a sum or a product that is given up to a letter."""
     known = standing.vocabulary
 
-    def is_fixed(symbol: str, *letters: str) -> bool:
+    def is_fixed(symbol: str, index: str, last: str) -> bool:
         behind = {symbol, *known.behind(symbol)}
-        return ANY not in behind and not {*letters} & frozenset().union(*map(letters_of_symbol, behind))
+        varying = {index, last, ANY} | known.dependence.related(index, last)
+        return varying.isdisjoint(behind.union(*map(letters_of_symbol, behind)))
 
     for sides in ((left, right), (right, left)):
         found = steps_of(*sides, is_fixed)

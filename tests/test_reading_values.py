@@ -33,6 +33,7 @@ FOLLOWING = [
     r"The mean is $\bar x$. \[ \sum_i x_i y_i z_i u_i v_i w_i \bar x_i \bar y_i \bar z_i \bar u_i \bar v_i \bar w_i "
     r"\hat x_i \hat y_i \hat z_i a = a \sum_i x_i y_i z_i u_i v_i w_i \bar x_i \bar y_i \bar z_i \bar u_i \bar v_i "
     r"\bar w_i \hat x_i \hat y_i \hat z_i \]",
+    r"\[ n - k = 2 \] \[ \sum_{k=1}^n c = n c \]",
 ]
 
 NOT_FOLLOWING = [
@@ -73,7 +74,6 @@ NOT_FOLLOWING = [
     r"\[ \sum_i \sum_j \mathbf{a}_{ij} y_i = \sum_j \mathbf{a}_{ij} \sum_i y_i \]",
     r"\[ \sum_{k=1}^{n_k} c = n_k c \]",
     r"\[ \sum_{k=1}^{n-1} c = n c - c \]",
-    r"\[ n - k = 2 \] \[ \sum_{k=1}^n c = n c \]",
     r"Let $\mathbf{c} := k \mathbf{a}$. Then \[ \sum_{k=1}^n \mathbf{c} = \mathbf{c} \sum_{k=1}^n 1 \]",
     r"\begin{equation} \sum_{i=1}^n \int x_i \, dt = n \int x_i \, dt \end{equation}",
     r"\begin{equation} \sum_{i=1}^n f(i) = n f(i) \end{equation}",

@@ -27,6 +27,7 @@ from algebroproj_sym.reading import (
 from algebroproj_sym.reading.documents.displays import MAX_FORMULAS
 from algebroproj_sym.reading.documents.statements import statements
 from algebroproj_sym.reading.lexing.names import split_symbol
+from algebroproj_sym.reading.lexing.pieces import pieces_of
 from algebroproj_sym.reading.parsing.grammar import parsed
 from algebroproj_sym.reading.parsing.writing import text_of
 from algebroproj_sym.replaying import replay_claim
@@ -209,6 +210,26 @@ $$ d = 2 \tag{X} $$
         (11, "", "n = 2"),
         (12, "6", "p = 1  + 2"),
     ]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\mathbf{a} = b \times \mathbf{c} \times d",
+        r"a = \left\lVert u - v \right\rVert",
+        r"a = \left| u \right| + \left\| v \right\|",
+        r"a = \bar x",
+        r"a = \alpha\beta c",
+    ],
+)
+def test_the_latex_of_a_statement_is_read_as_the_statement_is(latex):
+    (printed,) = statements(document_of(rf"\[ {latex} \]"))
+    again = pieces_of(printed.latex)
+    assert [each.text for each in printed.pieces if each.text.strip()] == [
+        each.text for each in again if each.text.strip()
+    ]
+    assert parsed(again) == parsed(printed.pieces)
+    assert printed.latex.count(r"\left") == printed.latex.count(r"\right")
 
 
 def test_rows_that_go_on_are_one_chain_and_equations_side_by_side_are_several():

@@ -40,7 +40,7 @@ class Pairs:
             return
         bars = _BAR.get(opening, ())
         if bars and bars == _BAR.get(closing) and start < len(out) and out[start].text == opening:
-            out[start] = renamed(out[start], bars[0])
+            out[start - 1 : start + 1] = [renamed(out[start], bars[0])]
             out.append(renamed(waiting.pop(), bars[1]))
         elif opening == "." and closing in CLOSING and self._hanging:
             self._hanging -= 1

@@ -12,6 +12,7 @@ from algebroproj_sym.reading.lexing.pieces import (
     ends_with_relation,
     first_text,
     has_relation,
+    latex_of,
     split_pieces,
 )
 
@@ -93,7 +94,7 @@ def statements(document: Document) -> list[Statement]:
                     arrow = True
                     continue
                 for place, part in enumerate(_implied(pieces)):
-                    text = "".join(piece.text for piece in part).strip()
+                    text = latex_of(part)
                     implied = place > 0 or arrow or (bool(pieces) and pieces[0].text in _STEPS)
                     arrow = False
                     if found and not place and _goes_on_behind(part, found[-1], display):
@@ -123,7 +124,7 @@ def _last_side(pieces: Sequence[Piece]) -> list[Piece]:
 def inline_statements(document: Document) -> list[Statement]:
     """Return the inline formulas as statements."""
     return [
-        Statement(each, "", "", each.pieces, "".join(piece.text for piece in each.pieces).strip(), "", each.reason)
+        Statement(each, "", "", each.pieces, latex_of(each.pieces), "", each.reason)
         for each in document.formulas
         if each.environment == "inline"
     ]

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 from algebroproj_sym.reading.lexing.commands import BOLD, CLOSING, OPENING, PIECE, RELATIONS
 
+_CONTROL_WORD = re.compile(r"\\[a-zA-Z]+")
+
 
 class Piece(NamedTuple):
     """A control sequence or a character, and where it stands in the source."""
@@ -39,6 +41,22 @@ def pieces_of(latex: str, place: int = 0) -> list[Piece]:
     """
     found = [Piece(each.group(), place + each.start()) for each in PIECE.finditer(latex)]
     return _with_environments(found)
+
+
+def latex_of(pieces: Iterable[Piece]) -> str:
+    r"""Return the text of pieces: a letter behind a control word stands apart from it.
+
+    Examples
+    --------
+    >>> latex_of([Piece(r"\times", 0), Piece("c", 7)])
+    '\\times c'
+    """
+    text, before = list[str](), ""
+    for each in pieces:
+        apart = each.text[:1].isalpha() and _CONTROL_WORD.fullmatch(before)
+        text.append(f" {each.text}" if apart else each.text)
+        before = each.text
+    return "".join(text).strip()
 
 
 def _with_environments(pieces: Sequence[Piece]) -> list[Piece]:

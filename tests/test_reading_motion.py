@@ -103,3 +103,21 @@ def test_a_new_letter_within_a_chain_is_what_stands_before_it():
     assert [link.verdict for link in found.links] == ["definition", "follows"]
     false = last(TURN + r"\[ R^T \dot R = W = \begin{bmatrix} 0 & \dot\theta \\ -\dot\theta & 0 \end{bmatrix} \]")
     assert false.verdict not in ("definition", "follows")
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\[ \frac{dx}{dt} = v. \]", "definition"),
+        (r"\[ \frac{d\vec r_i}{dt} = \vec v_i. \]", "definition"),
+        (r"\[ \frac{dx}{dt} = v \] and \[ \frac{d^2x}{dt^2} = \frac{dv}{dt}. \]", "follows"),
+        (r"\[ \frac{dx}{dt} = \infty. \]", "not decided"),
+        (r"\[ \frac{dx}{dt} = x. \]", "independent"),
+        (r"\[ y = v + 1 \] \[ \frac{dx}{dt} = v. \]", "independent"),
+        (r"At the turning point \[ \frac{dx}{dt} = v. \] If \[ \frac{dy}{dt} = w \] we stop.", "independent"),
+        (r"The velocity is $v$. \[ \frac{dx}{dt} = v. \]", "definition"),
+        (r"It is not true that \[ \frac{dx}{dt} = v. \]", "independent"),
+    ],
+)
+def test_an_equation_of_a_rate_and_a_new_letter_names_the_rate(latex, verdict):
+    assert last(latex).verdict == verdict

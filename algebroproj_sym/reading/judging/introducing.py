@@ -108,6 +108,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         or (index == 0 and _is_told(memory, left, right))
         or any(_is_instance(memory, each, right) for each in others)
         or (index == 0 and _brings(memory, statement, left, right))
+        or (index == 0 and _names_a_rate(memory, statement, left, right))
         or tells_hat(left, right)
     )
 
@@ -427,6 +428,21 @@ def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula)
         and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
         and not (memory.beside.case_of_sentence or memory.beside.is_denied or memory.beside.exchanged)
         and not (given and memory.beside.follows)
+        and not memory.is_named(statement, memory.given.statements)
+    )
+
+
+def _names_a_rate(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+    r"""Whether a derivative is equal to a letter of which nothing was said, as v in ``\frac{dx}{dt} = v``: its name."""
+    letter = lone(right)
+    return (
+        left.data == "opaque"
+        and "/" in str(left.children[0])
+        and letter not in {"", r"\infty", *memory.seen, *memory.given.whole.symbols}
+        and letter not in str(left.children[0])
+        and memory.vocabulary.constant(letter) is None
+        and not memory.said_before((letter,), statement.display.place)
+        and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)
         and not memory.is_named(statement, memory.given.statements)
     )
 

@@ -240,8 +240,7 @@ class Uncomputed:
         outside, inside = term.as_independent(*dependent, as_Add=False) if dependent else (term, sympy.S.One)
         if counted and counted[1] == "0" and not counted[3]:
             first, last = (self._vocabulary.plain(each) for each in (index, counted[2]))
-            is_fixed = lambda value: not self._dependent(value, varying)  # noqa: E731
-            found = sum_of_binomials(inside, first, last, self._inverses, is_fixed)
+            found = sum_of_binomials(inside, first, last, self._inverses, lambda one: not self._dependent(one, varying))
             if found is not None:
                 return outside * found * inverse_factorial(last, self._inverse)
         if inside == 1 and counted and is_number(counted[2], varying, self._vocabulary.definitions):

@@ -138,3 +138,18 @@ WEIGHTS = r"\[ w_i = \frac{p_i}{\sum_{j=1}^n p_j} \] Hence "
 )
 def test_a_sum_with_printed_limits_is_the_same_for_every_index(latex, follows):
     assert (verdicts(latex)[-1] == "follows") == follows
+
+
+@pytest.mark.parametrize(
+    ("text", "hypothesis"),
+    [
+        (
+            r"\[ S = \sum_{i=1}^n w_i \] \[ m = \frac{a}{S} \] Hence \[ m \sum_{j=1}^n w_j = a. \]",
+            r"[\sum_{i=1}^{n}](w_i)",
+        ),
+        (r"\[ z = b \int_0^1 g(t) dt \] Hence \[ \frac{z}{\int_0^1 g(t) dt} = b. \]", r"[\int_{0}^{1}](d_t*g(t))"),
+        (r"\[ q = \frac{\Phi(x)}{\Phi(y)} \] Hence \[ q \Phi(y) = \Phi(x). \]", "Phi(y)"),
+    ],
+)
+def test_hypotheses_have_sums_and_values_of_functions_as_they_are_read(text, hypothesis):
+    assert read_document(document_of(text))[-1].links[0].hypotheses == (hypothesis,)

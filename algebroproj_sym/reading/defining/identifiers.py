@@ -25,6 +25,7 @@ class Identifiers:
         self._given = given
         self._names: dict[str, str] = {}
         self._taken: dict[str, str] = {}
+        self._shown: dict[str, str] = {}
 
     def name(self, symbol: str) -> str:
         """Return the name of a symbol: one of its own for each, that a Python program could use."""
@@ -43,13 +44,16 @@ class Identifiers:
         """Return the symbol that has a name; the name itself if it is that of no symbol alone."""
         return self._taken.get(name, name)
 
+    def show(self, name: str, value: str) -> None:
+        """Say what a letter stands for that no document has, such as a sum."""
+        self._shown.setdefault(name, value)
+
     def spelled(self, text: str) -> str:
-        """Return a text with the values of elementary functions that are letters in it, as ``cos(x)``."""
+        """Return a text with the sums and values of functions that are letters in it, as ``cos(x)``."""
         return _VALUE.sub(lambda found: self._spelled(found[0]), text)
 
     def _spelled(self, name: str) -> str:
-        value = _OF_FUNCTION.fullmatch(self.symbol_of(name))
-        return self.spelled(f"sqrt({value[1]})" if value[1] else value[2]) if value else name
+        return self.spelled(self._shown[name]) if name in self._shown else name
 
 
 def is_accented(symbol: str) -> bool:
@@ -59,7 +63,6 @@ def is_accented(symbol: str) -> bool:
 
 
 _VALUE = re.compile(r"\b(?:whole|free)_\w+")
-_OF_FUNCTION = re.compile(r"(?:whole|free) (?:root\((.*), 2\)|((?:1/)?[a-z]+\(.*\)))")
 _ACCENTS = re.compile(r"\\(tilde|bar|hat|dot|ddot|vec|overline|widehat|widetilde|check|breve|underline)(?![a-z])")
 
 

@@ -89,7 +89,7 @@ class Uncomputed:
             return factorial(arguments[0] - 1, self._inverse)
         key = f"{name}({', '.join(map(text, arguments))})"
         is_free = name not in self._vocabulary.definitions and self._first.setdefault(base_of(name), key) == key
-        return self._value(name, arguments, FREE if is_free else WHOLE)
+        return self._value(name, arguments, FREE if is_free else WHOLE, self._vocabulary.name(name))
 
     def known(self, name: str, arguments: Sequence[Any]) -> Any:
         """Return the value of a function that is known, and not computed, or of a wave that is taken apart."""
@@ -140,9 +140,11 @@ class Uncomputed:
         roots = [f"{root}^{degree} = {text(inside)}" for root, (inside, degree) in self._roots.items()]
         return [*(f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine), *roots]
 
-    def _value(self, name: str, arguments: Sequence[Any], kind: str) -> Any:
-        key = f"{name}({', '.join(map(text, arguments))})"
-        return self._letter(key, kind, self._on(*arguments) | letters_in(name) | letters_of_symbol(name))
+    def _value(self, name: str, arguments: Sequence[Any], kind: str, called: str = "") -> Any:
+        listed = ", ".join(map(text, arguments))
+        shown = f"sqrt({text(arguments[0])})" if name == "root" and arguments[1] == 2 else f"{called or name}({listed})"
+        letters = self._on(*arguments) | letters_in(name) | letters_of_symbol(name)
+        return self._letter(f"{name}({listed})", kind, letters, shown)
 
     def _average(self, name: str, value: Any) -> Any:
         """Return the expected value of a number."""
@@ -264,7 +266,8 @@ class Uncomputed:
 
     def _whole(self, name: str, body: Any) -> Any:
         letters = (self._on(body) | letters_in(name)) - {index_of(name)}
-        found = self._letter(self._renamed(name, body) or f"{name} {text(body)}", WHOLE, letters)
+        shown = f"[{name}]({text(body)})"
+        found = self._letter(self._renamed(name, body) or f"{name} {text(body)}", WHOLE, letters, shown)
         if index_of(name):
             self._sums[found.name] = name, body
         return found
@@ -286,8 +289,9 @@ class Uncomputed:
                 return ""
         return f"\\sum_{{•={limits[1]}}}^{limits[2]} {text(body.xreplace(names))}"
 
-    def _letter(self, key: str, kind: str, letters: frozenset[str]) -> Any:
+    def _letter(self, key: str, kind: str, letters: frozenset[str], shown: str = "") -> Any:
         name = self._vocabulary.name(f"{kind} {key}")
+        self._vocabulary.names.show(name, shown or key)
         self._letters[name], self._keys[name] = letters, key
         return sympy.Symbol(name)
 

@@ -173,3 +173,37 @@ def test_words_that_find_something_deny_nothing():
 @pytest.mark.parametrize("number", [r"\mathbb{I}_{x \in A}", r"\mathbb{I}(x \in A)", r"\mathbb{P}(x \mid A)"])
 def test_a_number_of_what_happens_is_no_matrix(number):
     assert last(rf"We have \[ q = \frac{{{number}}}{{m}} \] Hence \[ m q = {number} \]").verdict == "follows"
+
+
+PARTITION = r"""The partition function is \[ Z = \sum_{i=1}^N e^{-\beta E_i} \] and the probabilities are
+\[ p_i = \frac1Z e^{-\beta E_i}. \] The mean energy is \[ U = \sum_{i=1}^N E_i p_i. \] Hence
+\[ U = -\frac1Z \frac{\partial Z}{\partial \beta} \] and \[ U = -\frac{\partial}{\partial\beta} \ln Z. \] With the entropy
+\[ S = -\sum_{i=1}^N p_i \ln p_i \] we have \[ S = \beta U + \ln Z. \]"""
+NORMALIZED = r"""We have \[ \sum_{i=1}^N p_i = 1 \] and \[ p_i = e^{-1-\lambda} e^{-\mu i}. \] Hence
+\[ \sum_{i=1}^N e^{-1-\lambda} e^{-\mu i} = 1 \] and \[ e^{-1-\lambda} = \frac{1}{\sum_{i=1}^N e^{-\mu i}}. \] Therefore
+\[ p_i = \frac{e^{-\mu i}}{\sum_{i=1}^N e^{-\mu i}}. \]"""
+
+
+@pytest.mark.parametrize(
+    ("latex", "following"),
+    [
+        (PARTITION, [3, 4, 6]),
+        (PARTITION.replace(r"= -\frac1Z \frac", r"= \frac1Z \frac"), [4, 6]),
+        (
+            PARTITION.replace("-\\frac{\\partial}{\\partial\\beta} \\ln", "\\frac{\\partial}{\\partial\\beta} \\ln"),
+            [3, 6],
+        ),
+        (PARTITION.replace(r"\beta U + \ln Z", r"\beta U - \ln Z"), [3, 4]),
+        (NORMALIZED, [2, 3, 4]),
+        (NORMALIZED.replace(r"= \frac{1}{\sum_{i=1}^N e", r"= \frac{1}{\sum_{i=1}^N -e"), [2, 4]),
+        (r"We have \[ a e^{-\lambda} = 1. \] Hence \[ a^2 = e^{2\lambda}. \]", [1]),
+        (r"We have \[ a e^{-\lambda} = 1. \] Hence \[ a e^{\mu-\lambda} = e^\mu. \]", [1]),
+        (r"We have \[ a e^{-\lambda} = 1. \] Hence \[ a^2 = e^\lambda. \]", []),
+        (r"We have \[ a e^{-\lambda} = 1. \] Hence \[ a = e^{-\lambda}. \]", []),
+        (r"We have \[ c = p_i - i. \] Hence \[ \sum_{i=1}^N c = N c. \]", []),
+        (r"We have \[ \sum_{i=1}^N p_i = 1 \] and \[ p_i = e^{-\mu i}. \] Hence \[ N e^{-\mu i} = 1. \]", []),
+    ],
+)
+def test_probabilities_are_normalized_and_their_partition_function_is_derived(latex, following):
+    found = [each.verdict for each in read_document(document_of(latex))]
+    assert [place for place, each in enumerate(found) if each == "follows"] == following

@@ -106,6 +106,8 @@ class Uncomputed:
                 if name == "cos":
                     return cosines[0] * cosines[1] - sines[0] * sines[1]
                 return sines[0] * cosines[1] + cosines[0] * sines[1]
+        if name == "exp" and self.takes(name) and not any(map(shape, arguments)):
+            return self._exponential(arguments[0])
         if name == "factorial" and not shape(arguments[0]):
             return factorial(arguments[0], self._inverse)
         if name == "binom" and not any(map(shape, arguments)):
@@ -117,6 +119,15 @@ class Uncomputed:
         if name == "root":
             self._roots[found] = arguments[0], arguments[1]
         return found
+
+    def _exponential(self, value: Any) -> Any:
+        """Return the product of a letter for each term of an exponent: ``e^{2a + b}`` is one squared times another."""
+        powers: list[Any] = []
+        for term in filter(None, sympy.Add.make_args(sympy.expand(value.replace(over, _divided)))):
+            number, rest = term.as_coeff_Mul()
+            count = abs(number) if number.is_Integer and rest != 1 else sympy.S.One
+            powers.append(self._value("exp", [term / count], WHOLE) ** count)
+        return sympy.Mul(*powers)
 
     def _inverse(self, value: Any) -> Any:
         """Return the letter of an inverse factorial."""
@@ -138,7 +149,12 @@ class Uncomputed:
         calls = {key: name for name, key in self._keys.items()}
         pairs = [(name, calls.get(f"cos{key[3:]}")) for key, name in calls.items() if key.startswith("sin(")]
         roots = [f"{root}^{degree} = {text(inside)}" for root, (inside, degree) in self._roots.items()]
-        return [*(f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine), *roots]
+        inverses = [(name, calls.get(f"exp(-{key[4:]}")) for key, name in calls.items() if key.startswith("exp(")]
+        return [
+            *(f"{sine}^2 + {cosine}^2 = 1" for sine, cosine in pairs if cosine),
+            *(f"{one}*{other} = 1" for one, other in inverses if other),
+            *roots,
+        ]
 
     def _value(self, name: str, arguments: Sequence[Any], kind: str, called: str = "") -> Any:
         listed = ", ".join(map(text, arguments))

@@ -22,7 +22,7 @@ from algebroproj_sym.reading.deriving.rates import ONE, UNCHANGED, ZERO, copies_
 from algebroproj_sym.reading.deriving.through import nested, through_arguments
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
 
 _DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
 _LOGARITHM = re.compile(r"(\\(?:ln|log)(?![a-z]))?(.*)")
@@ -94,6 +94,8 @@ def computed(
         rate = rate or _of_formula(whole, formula, variable, vocabulary, occurring)
         if rate is not None:
             return letter_of(rate.symbol), [*made, rate]
+    if found := _of_operator(sign, order, body, variable, vocabulary, occurring):
+        return letter_of(found.symbol), [*made, found]
     letters = vocabulary.letters_of(body) - {each.symbol for each in made}
     others = sorted(letters - {variable})
     changing = _change(others, variable, occurring)
@@ -108,6 +110,19 @@ def computed(
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"
     made.append(Definition(symbol, (), slope_of(body, variable, order), where, -1, True))
     return letter_of(symbol), made
+
+
+def _of_operator(
+    sign: str, order: str | None, body: Any, variable: str, vocabulary: Vocabulary, occurring: frozenset[str]
+) -> Definition | None:
+    r"""Return the derivative of a letter, or of its logarithm, that is printed behind ``\frac{d}{dx}``."""
+    inside = without_brackets(body)
+    is_logarithm = inside.data == "function" and inside.children[0] in ("ln", "log")
+    function = lone(without_brackets(trees_in(inside.children[1])[0] if is_logarithm else inside))
+    if not function or order:
+        return None
+    above = rf"\ln{_bare(function)}" if is_logarithm else _bare(function)
+    return _derivative(f"{sign}{above}/{sign}{_bare(variable)}", vocabulary, occurring)
 
 
 def _integrated(

@@ -156,6 +156,8 @@ class _Expressions(_Gathering):
         return function(*arguments)
 
     def power(self, base: Any, exponent: Any) -> Any:
+        if base == sympy.E and self.values is not None and self.values.takes("exp") and not shape(exponent):
+            return self.values.known("exp", [exponent])
         if self.values is not None and self.values.takes("root") and not shape(exponent):
             power = exponent if exponent.free_symbols else exponent.doit()
             if isinstance(power, sympy.Rational) and power.q > 1:

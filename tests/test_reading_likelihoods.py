@@ -177,8 +177,8 @@ def test_a_number_of_what_happens_is_no_matrix(number):
 
 PARTITION = r"""The partition function is \[ Z = \sum_{i=1}^N e^{-\beta E_i} \] and the probabilities are
 \[ p_i = \frac1Z e^{-\beta E_i}. \] The mean energy is \[ U = \sum_{i=1}^N E_i p_i. \] Hence
-\[ U = -\frac1Z \frac{\partial Z}{\partial \beta} \] and \[ U = -\frac{\partial}{\partial\beta} \ln Z. \] With the entropy
-\[ S = -\sum_{i=1}^N p_i \ln p_i \] we have \[ S = \beta U + \ln Z. \]"""
+\[ U = -\frac1Z \frac{\partial Z}{\partial \beta} \] and \[ U = -\frac{\partial}{\partial\beta} \ln Z. \] With the
+entropy \[ S = -\sum_{i=1}^N p_i \ln p_i \] we have \[ S = \beta U + \ln Z. \]"""
 NORMALIZED = r"""We have \[ \sum_{i=1}^N p_i = 1 \] and \[ p_i = e^{-1-\lambda} e^{-\mu i}. \] Hence
 \[ \sum_{i=1}^N e^{-1-\lambda} e^{-\mu i} = 1 \] and \[ e^{-1-\lambda} = \frac{1}{\sum_{i=1}^N e^{-\mu i}}. \] Therefore
 \[ p_i = \frac{e^{-\mu i}}{\sum_{i=1}^N e^{-\mu i}}. \]"""

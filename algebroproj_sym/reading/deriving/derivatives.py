@@ -94,8 +94,8 @@ def computed(
         rate = rate or _of_formula(whole, formula, variable, vocabulary, occurring)
         if rate is not None:
             return letter_of(rate.symbol), [*made, rate]
-    if found := _of_operator(sign, order, body, variable, vocabulary, occurring):
-        return letter_of(found.symbol), [*made, found]
+    if of_letter := _of_operator(sign, order, body, variable, vocabulary, occurring):
+        return letter_of(of_letter.symbol), [*made, of_letter]
     letters = vocabulary.letters_of(body) - {each.symbol for each in made}
     others = sorted(letters - {variable})
     changing = _change(others, variable, occurring)

@@ -79,7 +79,7 @@ class Vocabulary:
         self.given = given
         self.wholes = wholes
         self.gamma = gamma
-        self.parities = False
+        self.parities: frozenset[str] = frozenset()
         self.reals = reals
         self.complexes = complexes
         self.imaginary = imaginary
@@ -156,10 +156,10 @@ class Vocabulary:
         found.forget()
         return found
 
-    def with_parities(self) -> Vocabulary:
+    def with_parities(self, wholes: frozenset[str]) -> Vocabulary:
         """Return the vocabulary in which whole numbers are even or odd in the exponent of -1, and times pi."""
         found = self.copied()
-        found.parities = True
+        found.parities = wholes
         return found
 
     def with_rows(self, rows: int) -> Vocabulary:

@@ -12,6 +12,7 @@ from algebroproj_sym.reading.deriving.rates import ONE
 from algebroproj_sym.reading.parsing.grammar import Formula, put_in, symbols_in, trees_in, without_brackets
 
 _TOTAL = re.compile(r"\\(sum|prod)_\{([a-z])=(\d)\}\^\{([a-zA-Z])\}")
+_END = re.compile(r"\\(?:sum|prod)_\{[a-z]=\d\}\^\{?([a-zA-Z])\}?")
 _EVERYWHERE = ("sin", "cos", "sinh", "cosh", "exp")
 """The functions that are finite everywhere."""
 _SAME = ("sum", "run", "product", "items", "bracket", "group", "factorial")
@@ -40,7 +41,7 @@ def steps_of(left: Formula, right: Formula, is_fixed: Callable[[str, str, str], 
     if match is None:
         return None
     (body,), (kind, index, first, last) = trees_in(total), match.groups()
-    letters = {*symbols_in(body), *symbols_in(right)} - {r"\pi", "e", index, last}
+    letters = {*symbols_in(body), *symbols_in(right)} - {index, last}
     alone = last not in symbols_in(body) and index not in symbols_in(right)
     if not alone or not _is_finite(right, last, int(first)) or not all(is_fixed(each, index, last) for each in letters):
         return None
@@ -54,6 +55,12 @@ def steps_of(left: Formula, right: Formula, is_fixed: Callable[[str, str, str], 
         last,
         int(first),
     )
+
+
+def ends_in(*trees: Formula) -> frozenset[str]:
+    """Return the letters up to which sums and products go: they are whole numbers."""
+    names = (str(each.children[0]) for tree in trees for each in tree.find_data("big"))
+    return frozenset(match[1] for name in names if (match := _END.fullmatch(name)))
 
 
 def _at(tree: Formula, letter: str, value: Formula) -> Formula:

@@ -123,7 +123,7 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
             raise UnreadableError("a value is not a number")
     pairs = [*zip(*map(entries, values), strict=True)]
     if vocabulary.parities:
-        wholes = [sympy.Symbol(vocabulary.name(each)) for each in vocabulary.wholes]
+        wholes = [sympy.Symbol(vocabulary.name(each)) for each in vocabulary.parities]
         pairs = [one for pair in pairs for one in parities(pair, wholes)]
     if vocabulary.numbers != "real":
         return [_of_complex(vocabulary, *pair) for pair in pairs]

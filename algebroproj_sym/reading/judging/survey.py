@@ -52,6 +52,7 @@ from algebroproj_sym.reading.prose.meanings import (
     has_superscripts,
     prose_of,
 )
+from algebroproj_sym.reading.prose.numbers import has_gamma_function, wholes_in
 from algebroproj_sym.reading.prose.phrases import (
     called,
     columns_in,
@@ -63,7 +64,6 @@ from algebroproj_sym.reading.prose.phrases import (
     reals_in,
     sizes_in,
     vectors_in,
-    wholes_in,
 )
 from algebroproj_sym.reading.prose.words import beside
 
@@ -428,12 +428,6 @@ class Survey:
                 yield from (symbol for side in formula.sides if (symbol := defined_by(side)[0]))
 
     @property
-    def _ends(self) -> frozenset[str]:
-        """The letters at which sums begin or end, and those that count their terms."""
-        names = (str(each.children[0]) for side in self._sides for each in side.find_data("big"))
-        return frozenset(letter for name in names for letter in _COUNTING.findall(name) if letter)
-
-    @property
     def _compared(self) -> Iterator[str]:
         """Yield the letters that are a side of an inequality: they are real."""
         for formula in self._read:
@@ -457,8 +451,8 @@ class Survey:
             complexes=complexes_in(self.statements) | self._units | {*self._equated_with_units},
             imaginary=self.imaginary,
             reals=reals_in(self.statements) | {*self._compared},
-            wholes=wholes_in(self.statements) | self._ends,
-            gamma=self._says(r"\b<gamma>\b"),
+            wholes=wholes_in(self._prose),
+            gamma=has_gamma_function(self._prose),
         )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
         for definition in crosses_in(sorted(self.occurring), words):
@@ -476,7 +470,6 @@ class Survey:
 
 
 _LESS = frozenset(("<", ">", "<=", ">=", "≪", "≫", "≲", "≳"))
-_COUNTING = re.compile(r"(?:(?<=\\sum_\{)|(?<=\\prod_\{)|(?<=\}\^)|(?<=\}\^\{))([a-z])(?=[=}]|$)")
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 
 

@@ -21,7 +21,7 @@ from algebroproj_sym.reading.deriving.ends import with_same_ends
 from algebroproj_sym.reading.deriving.gradients import along_directions
 from algebroproj_sym.reading.deriving.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.deriving.indices import excludes
-from algebroproj_sym.reading.deriving.induction import steps_of
+from algebroproj_sym.reading.deriving.induction import ends_in, steps_of
 from algebroproj_sym.reading.deriving.instances import powers_of
 from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.documents.statements import Statement
@@ -99,7 +99,8 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
     if standing.survey.has_tensors_of_three_rows:
         ways += [_with_three_rows(way) for way in ways if _depends_on_size(way)]
     ways += [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
-    return ways + [each for way in ways if not way.under for each in _with_parities(way)]
+    ends = ends_in(left, right, *(each.tree for each in used_by(known, left, right)))
+    return ways + [each for way in ways if not way.under for each in _with_parities(way, ends)]
 
 
 def _identity_of(way: Way) -> str:
@@ -307,17 +308,21 @@ def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> b
     return any({*each.symbols} & {*symbols_in(right)} for each, _ in found)
 
 
-def _with_parities(way: Way) -> Iterator[Way]:
-    """Yield a way in which whole numbers are even or odd, where -1 has an exponent or pi a factor."""
+def _with_parities(way: Way, ends: frozenset[str]) -> Iterator[Way]:
+    """Yield a way in which whole numbers are even or odd, where -1 has an exponent or pi a factor.
+
+    So are the letters at which its sums end.
+    """
     known = way.vocabulary
-    letters = sorted((known.letters_of(way.left) | known.letters_of(way.right)) & known.wholes - {*known.definitions})
+    wholes = (known.wholes | ends) - {*known.definitions}
+    letters = (known.letters_of(way.left) | known.letters_of(way.right)) & wholes
     trees = [*way.sides, *(each.tree for each in used_by(known, *way.sides))]
     if letters and any(
         r"\pi" in symbols_in(each) or any(map(_is_of_minus_one, each.find_data("power"))) for each in trees
     ):
         shown = way.reads or known.equation(*way.sides)
-        supposes = (*way.supposes, *(f"{known.name(each)} is a whole number" for each in letters))
-        yield replace(way, vocabulary=known.with_parities(), doubt=A_VALUE, reads=shown, supposes=supposes)
+        supposes = (*way.supposes, *(f"{known.name(each)} is a whole number" for each in sorted(letters)))
+        yield replace(way, vocabulary=known.with_parities(letters), doubt=A_VALUE, reads=shown, supposes=supposes)
 
 
 def _is_of_minus_one(power: Formula) -> bool:

@@ -78,7 +78,6 @@ _COMPLEX = re.compile(r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*C\b")
 _REAL = re.compile(
     r"^\s*(.+?)\s*\\in\s*(?:\\(?:mathbb|mathbf|Bbb)\s*\{?\s*[RZNQ]\b|(?:\\left\s*)?[\[(]|\\R(?![a-zA-Z]))(?!\s*\}?\s*\^)"
 )
-_WHOLE = re.compile(r"^\s*(.+?)\s*\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*[ZN]\b(?!\s*\}?\s*\^)")
 _OF_SUMS = ("symmetric", "positive definite", "diagonal")
 """The properties that covariances may have."""
 _IS_CALLED = re.compile(
@@ -183,11 +182,6 @@ def columns_in(statements: Iterable[Statement]) -> frozenset[str]:
 def complexes_in(statements: Sequence[Statement]) -> frozenset[str]:
     r"""Return the symbols that are said to be complex, in words or as in ``z \in \mathbb{C}``."""
     return called(statements, r"complex(?: (?:[a-z-]+|number|variable)s?)?") | _members(statements, _COMPLEX)
-
-
-def wholes_in(statements: Sequence[Statement]) -> frozenset[str]:
-    r"""Return the symbols that are said to be whole numbers, in words or as in ``n \in \mathbb{Z}``."""
-    return called(statements, r"(?:[a-z-]+ )?(?:integers?|(?:natural|whole) numbers?)") | _members(statements, _WHOLE)
 
 
 def reals_in(statements: Sequence[Statement]) -> frozenset[str]:

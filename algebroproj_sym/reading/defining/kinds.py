@@ -315,9 +315,10 @@ def _angles_in(side: Formula) -> Iterator[Formula]:
 
 
 def _ones_in(side: Formula) -> Iterator[str]:
-    r"""Yield what is a column of ones: a bold 1 that is transposed somewhere, unlike the identity."""
+    r"""Yield what is a column of ones: a bold 1 that is transposed or stands behind a matrix, unlike the identity."""
     turned = (each.children[0] for each in side.find_data("marked") if each.children[1] == "T")
-    yield from (letter for letter in map(lone, turned) if _ONES.fullmatch(letter))
+    mapped = (run.children[-1] for run in side.find_data("run") if CAPITAL.match(lone(run.children[-2])))
+    yield from (letter for letter in map(lone, (*turned, *mapped)) if _ONES.fullmatch(letter))
 
 
 def _derived_in(equations: Sequence[Sides]) -> Iterator[str]:

@@ -22,6 +22,7 @@ from algebroproj_sym.reading.deriving.rates import ONE, UNCHANGED, ZERO, copies_
 from algebroproj_sym.reading.deriving.through import nested, through_arguments
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
 
 _DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
@@ -404,7 +405,7 @@ def _of_quotient(
         if sign != "d" and not order and _bare(below) in known:
             return _as_if_not_given(symbol, definition, known[_bare(below)], vocabulary)
         other = _of_others(_bare(below), letters, vocabulary, occurring) if sign != "d" else ""
-        other = other or (_of_rate(above, _bare(below), letters, vocabulary, occurring) if sign != "d" else "")
+        other = other or (_of_rate(above, _bare(below), definition.tree, vocabulary, occurring) if sign != "d" else "")
         is_zero = other and not _change(letters, other, occurring, sign)
         return _made(symbol, ZERO, definition, sorted(letters), vocabulary) if is_zero else None
     if any(variable in vocabulary.letters_of(each.tree) for each in used):
@@ -467,11 +468,19 @@ def _of_others(below: str, letters: frozenset[str], vocabulary: Vocabulary, occu
     return "" if vocabulary.moves_with(letters, variable) else variable
 
 
-def _of_rate(above: str, below: str, letters: frozenset[str], vocabulary: Vocabulary, occurring: frozenset[str]) -> str:
-    r"""Return a letter of which a function has the rate alone, and by which the document derives it: ``\dot x``."""
+def _of_rate(above: str, below: str, tree: Formula, vocabulary: Vocabulary, occurring: frozenset[str]) -> str:
+    r"""Return a letter of which a function has the rate alone, and by which the document derives it: ``\dot x``.
+
+    No other letter moves with it, also none of the other rates, and none is a term of its own, as a potential is.
+    """
+    letters = vocabulary.letters_of(tree)
     rate = _by_bare(sorted(letters)).get(_with_dot(below), "")
     derived = rf"\partial{above}/\partial{_bare(rate)}" in map(_bare, occurring)
-    return below if derived and _PLAIN.fullmatch(below) and not vocabulary.moves_with(letters - {rate}, below) else ""
+    moving = {other for other in occurring if _with_dot(other) in map(_bare, letters)} - {below}
+    trees = [tree, *(each.tree for each in vocabulary.used_in(tree))]
+    alone = letters & {lone(term) for each in trees for term in terms_of(each)}
+    is_apart = not (alone or vocabulary.moves_with(letters - {rate} | moving, below))
+    return below if derived and _PLAIN.fullmatch(below) and is_apart else ""
 
 
 def _of_two(symbol: str, mixed: re.Match[str], vocabulary: Vocabulary) -> Definition | None:

@@ -32,6 +32,7 @@ def last(latex):
         r"Here $i^2 = -1$. \[ (1 + i)^2 = 2 i \]",
         r"\[ e^{i t} e^{-i t} = 1 \]",
         r"Let $z$ be a complex number. \[ |z|^2 = |z^2| \]",
+        r"Let $z \in \mathbb{C}$, where $i$ is the square root of $-1$. \[ e^{i z} = \cos z + i \sin z \]",
         r"\[ |e^x| = e^x \]",
     ],
 )
@@ -77,6 +78,10 @@ def test_what_holds_of_complex_numbers_follows(latex):
         r"It is complex. The rate is $i = r + s$. \[ e^{i t} = \cos t + i \sin t \]",
         r"It is complex. The angle has $\cos i$. \[ e^{i t} = \cos t + i \sin t \]",
         r"The rate $i$ gives \[ c = e^{i t}. \] \[ c^2 = \cos (2t) + i \sin (2t) \]",
+        r"Let $z \in \mathbb{C}$. The current is $i$. \[ e^{i z} = \cos z + i \sin z \]",
+        r"Let $z$ be complex. \[ \sqrt{-z} = i \sqrt{z} \]",
+        r"Let $z \in \mathbb{C}$. \[ \sqrt{z^2 - 1} = i \sqrt{1 - z^2} \]",
+        r"Let $u$ and $v$ be complex. \[ u^2 + v^2 = 0 \] Hence \[ u = 2 v \]",
         SPOKEN + r"The current is $I$. \[ I = a + b. \] \[ I^2 = -1 \]",
     ],
 )

@@ -15,7 +15,8 @@ COMPLEX = r"""For all $z \in \mathbb{C}$ |>\[ e^{z + 2 \pi i} = e^z \] |>\[ e^{i
 WHOLE = r"""Let $n \in \mathbb{Z}$. |>\[ \sin(x + n \pi) = (-1)^n \sin x \] |>\[ \cos(n \pi) = (-1)^n \] |>\[
 \cos(2 n \pi - x) = \cos x. \]"""
 SLOPES = r"""The derivatives are |>\[ \frac{d}{dx} \tanh x = 1 - \tanh^2 x \] |>\[ \frac{d}{dx} \arcsin x =
-\frac{1}{\sqrt{1 - x^2}} \] |>\[ \frac{d}{dx} x^a = a x^{a-1} \] |>\[ \frac{d}{dx} \cot x = -\csc^2 x \] |>\[
+\frac{1}{\sqrt{1 - x^2}} \] |>\[ \frac{d}{dx} x^a = a x^{a-1} \] |>\[ \frac{d}{dx} x^x = x^x (1 + \ln x) \]
+|>\[ \frac{d}{dx} 2^x = 2^x \ln 2 \] |>\[ \frac{d}{dx} \cot x = -\csc^2 x \] |>\[
 \frac{d}{dx} \operatorname{artanh} x = \frac{1}{1 - x^2}. \]"""
 FACTORIALS = r"""For whole numbers |>\[ (n + 1)! = (n + 1) \, n! \] |>\[ \binom{n}{k} = \frac{n!}{k! \, (n - k)!} \]
 |>\[ \binom{n}{k} = \binom{n}{n - k} \] |>\[ \binom{n + 1}{k + 1} = \binom{n}{k} + \binom{n}{k + 1} \] |>\[ k
@@ -84,6 +85,12 @@ ENEMIES = [
     r"\[ c_0 - c_1 = k \] \[ \sum_{k=1}^n c_0 = n c_0 \]",
     r"\[ \binom{999999999}{3} = 999999999! \]",
     r"\[ \frac{d}{dx} |x| = 1 \]",
+    r"\[ \frac{d}{dx} x^x = x x^{x-1} \]",
+    r"\[ y = x^x \] \[ \frac{dy}{dx} = x x^{x-1} \]",
+    r"\[ a = 2 x \] \[ \frac{d}{dx} x^a = a x^{a-1} \]",
+    r"\[ \frac{d}{dx} (-1)^x = 0 \]",
+    r"\[ \frac{d}{dx} 2^x = 0 \]",
+    r"The logarithm has base ten. \[ \frac{d}{dx} \log x = \frac{1}{x} \]",
     r"The number $n$ is not an integer. \[ \cos(2 n \pi) = 1 \]",
     r"The phase $n$ is an integer multiple of $1/2$. \[ \cos(2 n \pi) = 1 \]",
     r"Let $s$ be a half integer. \[ \cos(2 \pi s) = 1 \]",

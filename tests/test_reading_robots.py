@@ -102,8 +102,8 @@ def test_no_misprint_of_a_textbook_follows(name, printed, wrong):
         r"Let $@a$ be an axis. \[ @C = @a @a^\top \] Hence \[ @C @a = @a. \]",
         r"\[ @M = \begin{bmatrix} @a\times & @b \end{bmatrix} \] Hence \[ @M = \begin{bmatrix} @b & @a\times "
         r"\end{bmatrix}. \]",
-        r"\[ L = \frac12 m \dot x^2 - V \] where $V$ is the potential. \[ \frac{\partial L}{\partial \dot x} = m \dot x \] "
-        r"Hence \[ \frac{\partial L}{\partial x} = 0. \]",
+        r"\[ L = \frac12 m \dot x^2 - V \] where $V$ is the potential. "
+        r"\[ \frac{\partial L}{\partial \dot x} = m \dot x \] Hence \[ \frac{\partial L}{\partial x} = 0. \]",
         r"\[ y = x^2 \] \[ T = \frac12 m (\dot x^2 + \dot y^2) \] \[ \frac{\partial T}{\partial \dot x} = m \dot x \] "
         r"Hence \[ \frac{\partial T}{\partial x} = 0. \]",
         r"A stochastic matrix has \[ P @1 = @1 \] Hence \[ P = @1. \]",

@@ -1,7 +1,7 @@
 """What is asked of the prover: whether two sides are equal, with all definitions put in."""
 
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
@@ -412,11 +412,28 @@ def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[
     found = outcomes([*questions.values()], seconds=seconds, jobs=min(jobs, len(questions))) if questions else ()
     decided = dict(zip(questions, found, strict=True))
     return [
-        (tuple(each), _with_letters(each, _without_opposite_roots(_of_entries([decided[repr(one)] for one in each]))))
+        (tuple(each), _with_letters(each, _without_opposite_roots(_of_entries(_of_way(way, each, decided)))))
         if isinstance(each, list)
         else ((), Outcome("open", "none", 0.0, each))
-        for each in asked
+        for way, each in zip(ways, asked, strict=True)
     ]
+
+
+def _of_way(way: Way, questions: Sequence[Question], decided: Mapping[str, Outcome]) -> list[Outcome]:
+    """Return the outcomes of a way: a sum of squares that is zero proves nothing of complex numbers."""
+    found = [decided[repr(each)] for each in questions]
+    given = [side for each in way.under for side in (each.left, each.right)]
+    if not any(map(_is_of_squares, found)) or not complex_letters_in(way.vocabulary, *way.sides, *given):
+        return found
+    return [
+        Outcome("open", "none", each.seconds, "it is shown for real numbers only") if _is_of_squares(each) else each
+        for each in found
+    ]
+
+
+def _is_of_squares(outcome: Outcome) -> bool:
+    certificate = outcome.certificate or {}
+    return "sums of squares" in (certificate.get("method"), certificate.get("proof", {}).get("method"))
 
 
 def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:

@@ -42,6 +42,7 @@ from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, pars
 from algebroproj_sym.reading.parsing.operators import Operators, operators_in, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
 from algebroproj_sym.reading.prose.acting import acted_on
+from algebroproj_sym.reading.prose.describing import described
 from algebroproj_sym.reading.prose.devices import heard, says
 from algebroproj_sym.reading.prose.inner import is_given
 from algebroproj_sym.reading.prose.meanings import (
@@ -418,7 +419,10 @@ class Survey:
         indices = frozenset().union(*map(letters_in, names), *map(letters_of_symbol, self.occurring - {"i", "j"}))
         named = called(self.statements, "imaginary unit")
         found = {each for each in ("i", "j") if each in raised or each in named or self._is_root(each)}
-        return frozenset(found - alone - given - indices)
+        otherwise = {
+            symbol for symbol, nouns in described(self._prose) if nouns and nouns.isdisjoint(("imaginary", "root"))
+        }
+        return frozenset(found - alone - given - indices - (otherwise - named))
 
     @property
     def _equated_with_units(self) -> Iterator[str]:

@@ -360,7 +360,14 @@ def slope_of(value: Any, variable: Any) -> Any:
     for entry in entries(value):
         if not all(isinstance(part, _SMOOTH) for part in entry.atoms(sympy.Function)):
             raise UnreadableError("the derivative of a function in it is not computed")
-    return diff(value, variable)
+    return diff(value.replace(lambda part: part.is_Pow and part.exp.has(variable), _as_exponential), variable)
+
+
+def _as_exponential(power: Any) -> Any:
+    """Return a power whose exponent changes; its base is positive."""
+    if power.base.is_number and not power.base > 0:
+        raise UnreadableError("the derivative of a power of a negative number is not computed")
+    return sympy.exp(power.exp * sympy.log(power.base))
 
 
 def _marked(base: Any, mark: str) -> Any:

@@ -111,6 +111,7 @@ ENEMIES = [
     r"\section{A} Let $x \in \mathbb{N}$. \section{B} The depth is $x$. \[ \cos(2 \pi x) = 1 \]",
     r"\[ e = k \] \[ \sum_{k=1}^n e = n e \]",
     r"The weight $e$ depends on $k$. \[ \sum_{k=1}^n e k = e n (n+1)/2 \]",
+    r"The policy is $\pi$, which depends on $k$. \[ \sum_{k=1}^n \pi k = \pi n (n+1)/2 \]",
     r"The circulation is $\Gamma$. Unlike the gamma function, \[ \Gamma(z+1) = z\Gamma(z) \]",
     r"The gamma function is rare. The circulation $\Gamma(r)$ depends on $r$. \[ \Gamma(r+1) = r \Gamma(r) \]",
     r"The $q$-gamma function: \[ \Gamma(z+1) = z \Gamma(z) \]",
@@ -147,6 +148,7 @@ def test_what_only_looks_so_does_not_follow(latex):
         (r"Let $n \in \mathbb{Z}$. \[ \cos(n \pi) = (-1)^n \]", "n is a whole number"),
         (r"\[ \sum_{k=2}^n k = \frac{(n - 1) (n + 2)}{2} \]", "n is a whole number >= 2"),
         (r"\[ \binom{n}{k} = \binom{n}{n - k} \]", "1/factorial(n)"),
+        (r"\[ \sum_{k=1}^n \frac{k - 3}{k - 3} = n \]", "n - 2, also for each smaller n"),
         (r"The gamma function: \[ \Gamma(z + 1) = z \Gamma(z) \]", "z"),
     ],
 )

@@ -53,6 +53,8 @@ class Way:
     """The equations under which it is to hold."""
     supposes: tuple[str, ...] = ()
     """What is taken to hold so: it becomes a hypothesis."""
+    last: str = ""
+    """The letter up to which it holds, if it goes from each whole number to the next one."""
 
     @property
     def sides(self) -> Sides:
@@ -412,7 +414,10 @@ def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[
     found = outcomes([*questions.values()], seconds=seconds, jobs=min(jobs, len(questions))) if questions else ()
     decided = dict(zip(questions, found, strict=True))
     return [
-        (tuple(each), _with_letters(each, _without_opposite_roots(_of_entries(_of_way(way, each, decided)))))
+        (
+            tuple(each),
+            _at_each_step(way, _with_letters(each, _without_opposite_roots(_of_entries(_of_way(way, each, decided))))),
+        )
         if isinstance(each, list)
         else ((), Outcome("open", "none", 0.0, each))
         for way, each in zip(ways, asked, strict=True)
@@ -429,6 +434,17 @@ def _of_way(way: Way, questions: Sequence[Question], decided: Mapping[str, Outco
         Outcome("open", "none", each.seconds, "it is shown for real numbers only") if _is_of_squares(each) else each
         for each in found
     ]
+
+
+def _at_each_step(way: Way, outcome: Outcome) -> Outcome:
+    """Return an outcome; what is to hold at the last step of an induction is to hold at each one."""
+    if not way.last:
+        return outcome
+    letter = re.compile(rf"(?<![a-zA-Z_]){re.escape(way.vocabulary.name(way.last))}(?![a-zA-Z_])")
+    smaller = f", also for each smaller {way.vocabulary.name(way.last)}"
+    return replace(
+        outcome, hypotheses=tuple(f"{each}{smaller}" if letter.search(each) else each for each in outcome.hypotheses)
+    )
 
 
 def _is_of_squares(outcome: Outcome) -> bool:

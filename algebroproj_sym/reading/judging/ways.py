@@ -259,7 +259,7 @@ def _by_induction(standing: Standing, left: Formula, right: Formula) -> Iterator
         if found is not None and found.last not in known.definitions:
             shown = f"{known.equation(left, right)}, by induction"
             supposes = (f"{known.name(found.last)} is a whole number >= {found.first}",)
-            yield Way(found.left, found.right, known, A_VALUE, shown, supposes=supposes)
+            yield Way(found.left, found.right, known, A_VALUE, shown, supposes=supposes, last=found.last)
 
 
 def _said_before(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

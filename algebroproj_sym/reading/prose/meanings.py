@@ -180,7 +180,7 @@ _AT_A_TIME = re.compile(
 )
 """Words by which a letter before a bracket may be a function of what stands within it."""
 _DEPENDS = re.compile(
-    r"\$([^$]+)\$ (?:(?:is|are|be|being|as) (?:an? |the )?(?:\w+ ){0,2}functions? of"
+    r"\$([^$]+)\$(?:,? (?:which|that))? (?:(?:is|are|be|being|as) (?:an? |the )?(?:\w+ ){0,2}functions? of"
     r"|(?:depends?|varies|changes) (?:\w+ )?(?:on|with)) (?:the \w+ )?\$([^$]+)\$"
 )
 

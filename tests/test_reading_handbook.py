@@ -105,6 +105,7 @@ ENEMIES = [
     r"Let $n \in \mathbb{Z}/5\mathbb{Z}$. \[ \cos(\pi n) = (-1)^n \]",
     r"Let $n \in \mathbb{Z}[\sqrt 2]$. \[ \cos(\pi n) = (-1)^n \]",
     r"Let $n \in \mathbb{Z}_p$. \[ \cos(\pi n) = (-1)^n \]",
+    r"Let $n \in \mathbb{N}$. The same letter denotes a real number below. \[ \cos(2 \pi n) = 1 \]",
     r"Unless $n \in \mathbb{Z}$, \[ \cos(2 \pi n) = 1 \]",
     r"We do not assume $n \in \mathbb{Z}$. \[ \cos(2 \pi n) = 1 \]",
     r"\section{A} Let $x \in \mathbb{N}$. \section{B} Let $x \in \mathbb{R}$. \[ \cos(2 \pi x) = 1 \]",
@@ -146,6 +147,7 @@ def test_what_only_looks_so_does_not_follow(latex):
     "latex, hypothesis",
     [
         (r"Let $n \in \mathbb{Z}$. \[ \cos(n \pi) = (-1)^n \]", "n is a whole number"),
+        (r"Let $n \in \mathbb{Z}$. \[ \int_0^\pi \cos(n x) dx = 0 \]", "n"),
         (r"\[ \sum_{k=2}^n k = \frac{(n - 1) (n + 2)}{2} \]", "n is a whole number >= 2"),
         (r"\[ \binom{n}{k} = \binom{n}{n - k} \]", "1/factorial(n)"),
         (r"\[ \sum_{k=1}^n \frac{k - 3}{k - 3} = n \]", "n - 2, also for each smaller n"),

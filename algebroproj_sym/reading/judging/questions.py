@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 from lark import Token, Tree
 
-from algebroproj_sym.expressions import TooLargeError, entries, require_bounded, shape, text
+from algebroproj_sym.expressions import TooLargeError, entries, over, require_bounded, shape, text
 from algebroproj_sym.proving import Outcome, Question, outcomes
 from algebroproj_sym.proving.reals.matrices import real_text
 from algebroproj_sym.proving.reals.reading import term_of
@@ -124,11 +124,15 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
         if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
             raise UnreadableError("a value is not a number")
     pairs = [*zip(*map(entries, values), strict=True)]
+    below: tuple[str, ...] = ()
     if vocabulary.parities:
         wholes = [sympy.Symbol(vocabulary.name(each)) for each in vocabulary.parities]
+        below = tuple(
+            sorted({text(each.args[1]) for value in values for each in value.atoms(over) if each.args[1].free_symbols})
+        )
         pairs = [one for pair in pairs for one in parities(pair, wholes)]
     if vocabulary.numbers != "real":
-        return [_of_complex(vocabulary, *pair) for pair in pairs]
+        return [replace(_of_complex(vocabulary, *pair), nonzero=below) for pair in pairs]
     if any(value.has(sympy.I) for value in values):
         raise UnreadableError("a value is not a real number")
     is_elementary = any(map(has_functions, values))
@@ -139,7 +143,7 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
     if is_elementary and (name := _assumed_real(vocabulary, values)):
         raise UnreadableError(f"{name} may be complex or a vector, because its absolute value is taken")
     if (shape(values[0]) and (is_elementary or by_entries)) or vocabulary.parities:
-        return [Question(_text(one), _text(other)) for one, other in pairs]
+        return [Question(_text(one), _text(other), nonzero=below) for one, other in pairs]
     return [Question(_text(values[0]), _text(values[1]))]
 
 
@@ -455,7 +459,11 @@ def _is_of_squares(outcome: Outcome) -> bool:
 def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
     """Return an outcome with what its letters are taken for among its hypotheses; a sum has the size of its terms."""
     letters = {name: text for each in questions for name, text in (each.letters or {}).items() if name[-1:] != "_"}
-    return replace(outcome, hypotheses=(*outcome.hypotheses, *(f"{name} is {text}" for name, text in letters.items())))
+    below = dict.fromkeys(
+        each for one in questions for each in one.nonzero if not {each, f"{each} != 0"} & {*outcome.hypotheses}
+    )
+    taken = (*below, *(f"{name} is {text}" for name, text in letters.items()))
+    return replace(outcome, hypotheses=(*outcome.hypotheses, *taken))
 
 
 def _without_opposite_roots(outcome: Outcome) -> Outcome:

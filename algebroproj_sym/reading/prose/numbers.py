@@ -48,7 +48,7 @@ def wholes_in(text: str) -> frozenset[str]:
             named |= {symbol for each in formulas for symbol in symbols_in_list(each)}
         said |= whole
         others |= named - whole
-    return frozenset(said - others)
+    return frozenset() if says(r"\b<same-letter letters-change>", text) else frozenset(said - others)
 
 
 def has_gamma_function(text: str) -> bool:

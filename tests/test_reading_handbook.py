@@ -91,6 +91,7 @@ ENEMIES = [
     r"\[ \frac{d}{dx} (-1)^x = 0 \]",
     r"\[ \frac{d}{dx} 2^x = 0 \]",
     r"The logarithm has base ten. \[ \frac{d}{dx} \log x = \frac{1}{x} \]",
+    r"\[ \binom{n}{n + 1} = 0 \]",
     r"The number $n$ is not an integer. \[ \cos(2 n \pi) = 1 \]",
     r"The phase $n$ is an integer multiple of $1/2$. \[ \cos(2 n \pi) = 1 \]",
     r"Let $s$ be a half integer. \[ \cos(2 \pi s) = 1 \]",

@@ -60,7 +60,8 @@ def binomial(above: Any, below: Any, letter: Letter) -> Any:
     """Return a binomial coefficient of factorials; None if the upper number may be negative, where customs differ."""
     if sympy.expand(above).as_coeff_Add()[1].could_extract_minus_sign() or (above.is_number and not above >= 0):
         return None
-    return factorial(above, letter) * inverse_factorial(below, letter) * inverse_factorial(above - below, letter)
+    inverse = inverse_factorial(below, letter) * inverse_factorial(above - below, letter)
+    return factorial(above, letter) * inverse if inverse != 0 or above.is_number else None
 
 
 def sum_of_binomials(

@@ -96,6 +96,55 @@ def test_nothing_follows_where_words_set_another_thing_to_zero(above, words, cla
     assert last(rf"{above}{words} \[ {claim}. \]").verdict != "follows"
 
 
+ENERGY = r"The energy is \[ E = c (x - a)^2. \] "
+SLOPE = r"\frac{dE}{dx}"
+
+
+@pytest.mark.parametrize(
+    ("above", "words", "chain"),
+    [
+        (ENERGY, "We set its derivative to zero:", rf"{SLOPE} = 2 c (x - a) = 0"),
+        (ENERGY, "It is at its minimum where", rf"{SLOPE} = 0 = 2 c (x - a)"),
+        (ENERGY, r"Equating the slope to $0$,", rf"{SLOPE} = 2 c (x - a) = 2 c x - 2 a c = 0"),
+        (
+            r"We minimize \[ S(a, b) = \sum_{i=1}^n (y_i - a - b x_i)^2. \]",
+            "This is straightforward:",
+            r"\frac{\partial S}{\partial b} = -2 \sum_{i=1}^n x_i (y_i - a - b x_i) = 0",
+        ),
+        (
+            r"The likelihood is \[ L(p) = p^k (1-p)^m. \]",
+            "We equate its derivative to zero:",
+            r"\frac{d \ln L}{dp} = \frac{k}{p} - \frac{m}{1-p} = 0",
+        ),
+    ],
+)
+def test_a_derivative_that_words_set_to_zero_is_zero_as_a_condition(above, words, chain):
+    found = last(rf"{above} {words} \[ {chain}. \]")
+    assert {link.verdict for link in found.links[:-1]} == {"follows"}
+    assert found.links[-1].verdict == "definition"
+
+
+@pytest.mark.parametrize(
+    ("words", "chain"),
+    [
+        ("The force is", rf"{SLOPE} = 2 c (x - a) = 0"),
+        ("We do not set the derivative to zero, as in", rf"{SLOPE} = 2 c (x - a) = 0"),
+        ("We set its derivative to zero:", rf"{SLOPE} = 2 c (x + a) = 0"),
+        ("We set its derivative to zero:", rf"{SLOPE} = 2 c (x - a) = 1"),
+        ("We set its derivative to zero:", rf"{SLOPE} = 0 = 2 c (x + a)"),
+        ("The energy is at its minimum, and hence", r"\frac{dE}{dt} = 2 c (x - a) \dot x = 0"),
+    ],
+)
+def test_a_derivative_is_no_condition_by_itself(words, chain):
+    found = last(rf"{ENERGY} {words} \[ {chain}. \]")
+    assert {link.verdict for link in found.links} - {"definition", "follows"}
+
+
+def test_what_is_set_to_zero_is_not_mended_by_a_zero():
+    found = last(rf"{ENERGY} We set its derivative to zero: \[ {SLOPE} = 2 c (x - a) = 0. \]")
+    assert not any(link.suggestion for link in found.links)
+
+
 BOLD = {letter: rf"\mathbf{{{letter}}}" for letter in "AFKxyuvbRPQ"}
 
 

@@ -13,6 +13,7 @@ from algebroproj_sym.proving.letters.deciding import NOWHERE
 from algebroproj_sym.proving.reals.prove import often_agree
 from algebroproj_sym.proving.statements import has_functions
 from algebroproj_sym.reading.defining.sizing import FREE
+from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.judging.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
 from algebroproj_sym.reading.judging.mending import MOST_ASKED, is_trivial, likely_repairs, repairs_in
 from algebroproj_sym.reading.judging.questions import (
@@ -73,7 +74,8 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
     found = answers([way for changes in candidates for _, way in changes], seconds, jobs)
     for (each, way, refutation), changes in zip(failing, candidates, strict=True):
         tried = [(repair, changed, *found.pop(0)) for repair, changed in changes]
-        best = next((one for one in tried if one[3].verdict == "proved"), None)
+        proved = (one for one in tried if one[3].verdict == "proved")
+        best = next((one for one in proved if way.right != ZERO or not is_trivial(one[1])), None)
         link = _refuted(each, way, refutation, best[0] if best else None, best[1] if best else way)
         if best and len(best[2]) == 1 and best[1].left is way.left:
             link = replace(link, corrected=best[2][0].rhs)

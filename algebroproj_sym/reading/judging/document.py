@@ -21,6 +21,7 @@ from algebroproj_sym.reading.defining.recognising import (
     without_power,
 )
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.applying import with_what_is_true_here
@@ -46,7 +47,7 @@ from algebroproj_sym.reading.judging.questions import (
 )
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.stationary import set_to_zero
+from algebroproj_sym.reading.judging.stationary import derives, set_to_zero
 from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.judging.ways import gives_at_other_index, ways_of
@@ -351,7 +352,7 @@ class _Pass:
                 if index == 0
                 else begins
                 and (relates_new_letters(self.memory, found, index) or self._is_residual(statement, found, index))
-            )
+            ) or self._is_set_to_zero(found, index)
             link, question = self._link(statement, found, index, place, gives=gives)
             links.append(link)
             if question is not None:
@@ -386,6 +387,11 @@ class _Pass:
         last = index + 2 == len(formula.sides)
         return last and sum(is_condition_on(*each) for each in ends) > 1 and is_condition_on(*formula.sides[-2:])
 
+    def _is_set_to_zero(self, formula: Parsed, index: int) -> bool:
+        """Whether a link is the condition at the end of a chain that a derivative is zero, as words say."""
+        last = 0 < index == len(formula.sides) - 2 and is_condition_on(*formula.sides[index:])
+        return last and derives(formula.sides[0]) and self.memory.optimizes and not self.memory.beside.is_denied
+
     def _begins(self, statement: Statement, formula: Parsed) -> bool:
         """Whether a chain begins with an equation that gives the letter on its left."""
         if formula.relations[1:] == () or formula.relations[0] not in EQUALITIES or not defined_by(formula.sides[0])[0]:
@@ -393,7 +399,12 @@ class _Pass:
         return tells(self.memory, statement, formula, 0) or names_its_letter(self.memory, statement, formula)
 
     def _with_new_letter_first(self, formula: Parsed) -> Parsed:
-        """Return a chain ``a b = s = c`` with s first, if s is a new letter: it says that s is a b, which is c."""
+        """Return a chain ``a b = s = c`` with s first, if s is a new letter: it says that s is a b, which is c.
+
+        One that sets a derivative to zero has the zero at its end.
+        """
+        if {*formula.relations} == {"="} and formula.sides[1:2] == (ZERO,) and derives(formula.sides[0]):
+            return replace(formula, sides=(formula.sides[0], *formula.sides[2:], ZERO))
         if formula.relations[:2] != ("=", "=") or defined_by(formula.sides[0])[0]:
             return formula
         first, second, *rest = formula.sides

@@ -95,6 +95,7 @@ class Memory:
         self.conditions = set[int]()
         self.sentences: dict[int, str] = {}
         self.arithmetic = ""
+        self.optimizes = False
         self.denied = False
         self.running = set[int]()
         self.part = 0
@@ -145,6 +146,7 @@ class Memory:
         self.sentences[display.place] = last_sentence(display.before)
         own = display.before.rpartition(HEADING)[2]
         self.arithmetic = arithmetic_in(f"{own} {self.beside.behind}") or (self.arithmetic if same_part else "")
+        self.optimizes = says(r"\b<optimizes>", own) or (same_part and self.optimizes)
         if before is not display:
             self._end_cases(display)
             self._keep_stated(display)

@@ -12,6 +12,7 @@ from itertools import product
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
+from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 from algebroproj_sym.reading.prose.contexts import ANYWHERE
 from algebroproj_sym.reading.prose.devices import says
@@ -38,7 +39,6 @@ _ITSELF = re.compile(r"\b(?:derivatives?|gradients?|slopes?)\b[^.]*[.]\s", re.IG
 _SLOPE = re.compile(r"(d|\\partial)(?!\^)([^/()]+)(?:\([^/]*\))?/\1([^/^]+)")
 _NABLA = re.compile(r"\\nabla(?:_(.*))?")
 _AT_BEST = re.compile(r"\\(?:wide)?hat|\^(?:\*|\\star|\\ast)$|_(?:MLE?|LS|OLS|opt)$")
-_ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
 
 
 def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection[str], above: int) -> list[Premise]:
@@ -68,7 +68,13 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     kept = [each for each in slopes.values() if several or each.place == last]
     if not kept and match["of"] and match["by"]:
         return _of_words(beside, match["of"], match["by"], match[0])
-    return [replace(each, left=_at_best(each.right, best), right=_ZERO) for each in kept]
+    return [replace(each, left=_at_best(each.right, best), right=ZERO) for each in kept]
+
+
+def derives(tree: Formula) -> bool:
+    r"""Whether a formula is a first derivative, but by time, as ``\frac{\partial S}{\partial a}`` and ``\nabla f``."""
+    function, letter = _slope_of(tree) or ("", "t")
+    return letter != "t" and not function.startswith(r"\dot")
 
 
 def _of_words(beside: Beside, of: str, by: str, words: str) -> list[Premise]:
@@ -76,7 +82,7 @@ def _of_words(beside: Beside, of: str, by: str, words: str) -> list[Premise]:
     functions, variables = (map(_bare, re.findall(_FORMULA, said)) for said in (of, by))
     given = f'the words "{words}"', beside.part, beside.place, frozenset[str](), False, beside.words
     return [
-        Premise(Tree("opaque", [Token("OPAQUE", rf"\partial{one}/\partial{other}")]), _ZERO, *given, False, ANYWHERE)
+        Premise(Tree("opaque", [Token("OPAQUE", rf"\partial{one}/\partial{other}")]), ZERO, *given, False, ANYWHERE)
         for one, other in product(functions, variables)
     ]
 

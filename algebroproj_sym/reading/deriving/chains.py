@@ -38,7 +38,7 @@ def chained(
     direct, via = variable in definition.symbols, through & {*definition.symbols}
     if (direct and via and sign != "d") or any(used[each].parameters or used[each].role == "case" for each in through):
         return None
-    tree = _put_in(definition.tree, {each: used[each].tree for each in through})
+    tree = filled(definition.tree, {each: used[each].tree for each in through})
     closed = [part for part in tree.iter_subtrees() if part.data in _CLOSED]
     others = frozenset(symbols_in(tree)) - {variable}
     others |= frozenset().union(*(vocabulary.behind(each) for each in others if each in used))
@@ -69,11 +69,11 @@ def _through(variable: str, used: Mapping[str, Definition]) -> frozenset[str]:
     return frozenset(found)
 
 
-def _put_in(tree: Formula, values: Mapping[str, Formula]) -> Formula:
+def filled(tree: Formula, values: Mapping[str, Formula]) -> Formula:
     """Return a formula with what letters stand for in their place."""
     if tree.data == "symbol" and (value := values.get(str(tree.children[0]))) is not None:
-        return Tree("group", [_put_in(value, values)])
-    return Tree(tree.data, [_put_in(each, values) if isinstance(each, Tree) else each for each in tree.children])
+        return Tree("group", [filled(value, values)])
+    return Tree(tree.data, [filled(each, values) if isinstance(each, Tree) else each for each in tree.children])
 
 
 def slope_of(value: Formula, variable: str, order: str | None = None) -> Formula:

@@ -14,11 +14,12 @@ from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import stands_within
 from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.chains import chained, slope_of
+from algebroproj_sym.reading.deriving.chains import chained, filled, slope_of
 from algebroproj_sym.reading.deriving.implicit import implicit
 from algebroproj_sym.reading.deriving.integrating import integral_in, is_integral
 from algebroproj_sym.reading.deriving.jacobians import jacobian_of
 from algebroproj_sym.reading.deriving.rates import ONE, UNCHANGED, ZERO, copies_in, rate_of
+from algebroproj_sym.reading.deriving.summed import by_summed
 from algebroproj_sym.reading.deriving.through import nested, through_arguments
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -194,6 +195,8 @@ def _derivative(symbol: str, vocabulary: Vocabulary, occurring: frozenset[str]) 
             return None
         if match[3] == match[4] and not match[2] and _PLAIN.fullmatch(match[3]) and not vocabulary.is_matrix(match[3]):
             return Definition(symbol, (), ONE, "the derivative of a letter by itself", -1, True)
+        if (summed := _of_summed(symbol, match, vocabulary)) is not None:
+            return summed
         vocabulary = _for_slope(match, vocabulary)
         factors = _of_factors(symbol, _function_of(match), match[4], vocabulary, occurring)
         found = _of_quotient(symbol, match, vocabulary, occurring) or _as_dots(symbol, match, occurring)
@@ -481,6 +484,43 @@ def _of_rate(above: str, below: str, tree: Formula, vocabulary: Vocabulary, occu
     alone = letters & {lone(term) for each in trees for term in terms_of(each)}
     is_apart = not (alone or vocabulary.moves_with(letters - {rate} | moving, below))
     return below if derived and _PLAIN.fullmatch(below) and is_apart else ""
+
+
+def _of_summed(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Definition | None:
+    """Return a partial derivative by a letter that is summed in the formula of a function, or in what others stand for.
+
+    Nothing else in the formula depends on the letter, at any index.
+    """
+    sign, order, above, below = match.groups()
+    definition = vocabulary.definitions.get(_by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), ""))
+    if sign == "d" or order or definition is None or not definition.usable or definition.role == "case":
+        return None
+    letter, _, script = below.partition("_")
+    trees = definition.tree, *(each.tree for each in vocabulary.used_in(definition.tree))
+    head = _by_bare(_head_of(each) for tree in trees for each in symbols_in(tree)).get(letter, "")
+    variable = written(head, 0, script, "")
+    moving = {
+        each
+        for each in {*vocabulary.definitions, *vocabulary.dependence.equated}
+        if head in map(_head_of, vocabulary.behind(each) - {each})
+    }
+    used = {each.symbol: each for each in vocabulary.used_in(definition.tree) if _head_of(each.symbol) != head}
+    through = {name: each.tree for name, each in used.items() if name in moving and not each.parameters}
+    tree = filled(definition.tree, through)
+    heads = {*map(_head_of, moving)}
+    if any(_head_of(each) in heads for each in symbols_in(tree) if _head_of(each) != head):
+        return None
+    rate = by_summed(tree, variable, vocabulary.hidden_in)
+    if rate is None:
+        return None
+    where = f"{vocabulary.name(variable)} is in the range of its sum, and at other indices does{UNCHANGED}"
+    made = _made(symbol, rate, definition, [], vocabulary)
+    return replace(made, where=f"{made.where}, where {where}", role="case")
+
+
+def _head_of(symbol: str) -> str:
+    """Return the letter of a symbol without its scripts."""
+    return "" if " " in symbol or "/" in symbol else split_symbol(symbol)[0]
 
 
 def _of_two(symbol: str, mixed: re.Match[str], vocabulary: Vocabulary) -> Definition | None:

@@ -197,13 +197,14 @@ class Indices:
         if token.type not in ("SYMBOL", "CALLEE"):
             return None if any(re.search(rf"(?<![a-zA-Z\\]){each}(?![a-zA-Z])", token) for each in put) else token
         small, symbol = _SMALL.fullmatch(token).groups()  # type: ignore[union-attr]  # it always matches
-        letter, primes, _, above = split_symbol(symbol)
+        letter, primes, below, above = split_symbol(symbol)
         names = self.scripts(str(token))
         if names is None:
             return None if any(re.search(rf"(?<![a-zA-Z\\]){each}(?![a-zA-Z])", token) for each in put) else token
         if not put.keys() & {each for script in names[1:] for each, _ in script}:
             return token
-        scripts = [_script(tuple(_moved(each, put) for each in script)) for script in names[1:]]
+        moved = [tuple(_moved(each, put) for each in script) for script in names[1:]]
+        scripts = [_script(script, before) for script, before in zip(moved, (below, above), strict=True)]
         raised = f"({scripts[1]})" if above[:1] == "(" else scripts[1]
         return Token(token.type, small + written(letter, primes, scripts[0], raised))
 
@@ -247,9 +248,11 @@ def _moved(item: Item, put: Mapping[str, Item]) -> Item:
     return (other, number + shift) if letter in put else item
 
 
-def _script(script: Script) -> str:
+def _script(script: Script, before: str) -> str:
+    """Return scripts as text: letters without commas, where they had none before."""
     texts = [f"{letter}{number:+d}" if letter and number else letter or str(number) for letter, number in script]
-    return "".join(texts) if all(len(each) == 1 and each.isdigit() for each in texts) else ",".join(texts)
+    are_single = all(len(each) == 1 and (each.isdigit() or "," not in before) for each in texts)
+    return "".join(texts) if are_single and len({*map(str.isdigit, texts)}) < 2 else ",".join(texts)
 
 
 def _formula(item: Item) -> Formula:

@@ -13,6 +13,8 @@ NET = r"\[ Q = \frac12 \sum_i e_i^2, \] with \[ e_i = t_i - g_i q. \]"
 SHARE = r"\[ s = \frac{\sum_i a_i x_i}{\sum_i x_i}. \]"
 UNIT = r"\[ y_k = \sum_j u_{kj} h_j. \]"
 
+NEAR = r"\[ d = \sum_i a (x_i - x)^2. \]"
+
 
 def verdict(above, claim):
     return read_document(document_of(rf"We have {above} The derivative is \[ {claim}. \]"))[-1].verdict
@@ -30,6 +32,7 @@ def verdict(above, claim):
         (NET, r"\frac{\partial Q}{\partial g_i} = -q e_i"),
         (SHARE, r"\frac{\partial s}{\partial x_k} = \frac{a_k - s}{\sum_i x_i}"),
         (UNIT, r"\frac{\partial y_k}{\partial u_{kj}} = h_j"),
+        (NEAR, r"\frac{\partial d}{\partial x} = -2 \sum_i a (x_i - x)"),
     ],
 )
 def test_a_partial_derivative_by_a_summed_letter_follows(above, claim):
@@ -58,6 +61,8 @@ def test_a_partial_derivative_by_a_summed_letter_follows(above, claim):
         (r"\[ c = 2 a_i. \] \[ E = \sum_i w_i c. \]", r"\frac{\partial E}{\partial w_k} = c"),
         (r"\[ E = \sum_i w_i f(w_i). \]", r"\frac{\partial E}{\partial w_k} = f(w_k)"),
         (UNIT, r"\frac{\partial y_k}{\partial u_{ij}} = h_j"),
+        (r"\[ d = \sum_i a x_i + x. \]", r"\frac{\partial d}{\partial x} = 1"),
+        (r"\[ x_i = x + c_i. \]" + NEAR, r"\frac{\partial d}{\partial x} = -2 \sum_i a (x_i - x)"),
     ],
 )
 def test_nothing_follows_where_another_letter_may_be_summed(above, claim):

@@ -508,14 +508,15 @@ def _of_summed(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Def
     through = {name: each.tree for name, each in used.items() if name in moving and not each.parameters}
     tree = filled(definition.tree, through)
     heads = {*map(_head_of, moving)}
-    if any(_head_of(each) in heads for each in symbols_in(tree) if _head_of(each) != head):
+    if vocabulary.is_matrix(variable) or any(_head_of(each) in heads for each in symbols_in(tree)):
         return None
     rate = by_summed(tree, variable, vocabulary.hidden_in)
     if rate is None:
         return None
-    where = f"{vocabulary.name(variable)} is in the range of its sum, and at other indices does{UNCHANGED}"
+    places = " with ".join(dict.fromkeys([definition.where, *(used[each].where for each in through)]))
+    where = f", where {vocabulary.name(variable)} is in the range of its sum, and at other indices does{UNCHANGED}"
     made = _made(symbol, rate, definition, [], vocabulary)
-    return replace(made, where=f"{made.where}, where {where}", role="case")
+    return replace(made, where=f"the derivative of {places}{where if script else ''}", role="case")
 
 
 def _head_of(symbol: str) -> str:

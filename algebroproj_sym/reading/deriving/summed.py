@@ -15,7 +15,7 @@ from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.deriving.indices import Indices, Item
 from algebroproj_sym.reading.deriving.rates import ONE, rate_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, put_in, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, put_in, symbols_in, trees_in
 
 _PLAIN = re.compile(r"\\sum_\{?([a-z])(?:=\d)?\}?(?:\^\{?([A-Za-z](?:_\w)?|\d+)\}?)?")
 """A sum over all values of an index."""
@@ -35,7 +35,8 @@ def by_summed(tree: Formula, variable: str, hidden_in: Callable[[str], Collectio
     """
     try:
         reader = _Summed(tree, variable, hidden_in)
-        return reader.rate(reader.tree, frozenset()) if reader.is_summed else None
+        others = reader.others
+        return reader.rate(reader.tree, others) if reader.is_summed or others else None
     except UnreadableError:
         return None
 
@@ -60,6 +61,13 @@ class _Summed:
             for each in _sums_in(self.tree)
             for symbol in symbols_in(each)
         )
+
+    @property
+    def others(self) -> frozenset[str]:
+        """The letters that are no components of a variable with no index: it is added to them, as in ``x_i - x``."""
+        added = [{*map(lone, trees_in(each))} for each in self.tree.find_data("sum") if not self.own]
+        found = frozenset().union(*(each for each in added if self.variable in each))
+        return frozenset(each for each in found - {self.variable} if self._is_like(each))
 
     def _items(self, symbol: str) -> tuple[Item, ...]:
         found = self.indices.scripts(symbol)

@@ -77,6 +77,8 @@ from algebroproj_sym.reading.prose.words import (
 )
 
 _SAYS_THE_SAME = re.compile(r"(?:these|they|this|it) (?:is|are) (?:equivalent|equal|identical)\b")
+_PARTS = re.compile(r"the derivative of | with |, where ")
+"""What stands between the places on which a derivative rests."""
 MOST_WITHIN = 12
 """How many formulas within the text before an equation may stand in its sentence."""
 
@@ -144,7 +146,8 @@ def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
                 wrong := [
                     where
                     for where in link.rests_on
-                    if where in refuted | own or not mended.get(where, set()).isdisjoint(link.rests_on)
+                    if {*_PARTS.split(where)} & (refuted | own)
+                    or not mended.get(where, set()).isdisjoint(link.rests_on)
                 ]
             )
             else link

@@ -153,3 +153,30 @@ def test_a_letter_that_words_call_invertible_is_that_letter_alone(words):
 )
 def test_what_words_call_invertible_is_square(words):
     assert verdicts(f"{words} {PROJECTOR.replace('@N @N = 2 @N', '@N = @0')}")[-1] == "follows"
+
+
+@pytest.mark.usefixtures("verdicts_alone")
+@pytest.mark.parametrize(
+    ("claim", "follows"),
+    [
+        (r"@p^T @t \times @p = 0", True),
+        (r"@p^T \cdot @t \times @p = 0", True),
+        (r"@p \cdot @t \times @p = 0", True),
+        (r"@p \cdot @t \times @q = @p \times @t \cdot @q", True),
+        (r"c @p^T @t \times @R @q = c @p^T [@t]_\times @R @q", True),
+        (r"@p^T @t \times @q = @p^T @q \times @t", False),
+        (r"@p \cdot @t \times @q = @p \cdot @q \times @t", False),
+        (r"@R^T @t \times @p = @R^T (@t \times @p)", False),
+        (r"@R @t \times @p = @R (@t \times @p)", False),
+        (r"@p^T @t \times @q = (@p \times @t) @q", False),
+    ],
+)
+def test_a_cross_goes_before_the_row_or_the_point_before_it(claim, follows):
+    assert (verdicts(rf"It holds that \[ {claim}. \]")[-1] == "follows") is follows
+
+
+@pytest.mark.usefixtures("verdicts_alone")
+def test_printed_vectors_have_a_triple_product():
+    text = r"Let \[ @a = \begin{pmatrix} x \\ y \\ 0 \end{pmatrix}, @b = \begin{pmatrix} 0 \\ z \\ 1 \end{pmatrix}. \]"
+    assert verdicts(rf"{text} Hence \[ @b \cdot @a \times @b = 0. \]")[-1] == "follows"
+    assert verdicts(rf"{text} Hence \[ @b \cdot @a \times @b = x. \]")[-1] != "follows"

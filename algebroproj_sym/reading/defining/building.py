@@ -1,7 +1,7 @@
 """Formulas of vectors and matrices as letters, built from the leaves up."""
 
 import re
-from functools import reduce
+from functools import partial, reduce
 from typing import Any
 
 from lark import Token
@@ -46,7 +46,7 @@ from algebroproj_sym.reading.defining.tensors import CONTRACTS
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
 from algebroproj_sym.reading.parsing.factors import MEAN
-from algebroproj_sym.reading.parsing.gathering import _Gathering, transformed
+from algebroproj_sym.reading.parsing.gathering import _Gathering, crossed_first, paired, transformed
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 _OF_LETTERS = ("sin", "cos", "norm")
@@ -89,8 +89,9 @@ class _Parts(_Gathering):
         return Part(shape, lambda: f"eye({self.reader.size(shape[0])})")
 
     def product(self, first: Part, *rest: Any) -> Part:
-        found = first
-        for sign, other in self._applied_first([*zip(rest[::2], rest[1::2], strict=True)]):
+        found, factors = first, self._applied_first(paired(rest))
+        of_vector = not first.is_number and 1 in (first.shape[0].value, first.shape[1].value)
+        for sign, other in crossed_first(factors, partial(joined, "CROSS"), of_vector=of_vector):
             if str(sign) in CONTRACTS and self.reader.kinds.contracts:
                 found = contracted(found, other)
             elif str(sign) in CONTRACTS:

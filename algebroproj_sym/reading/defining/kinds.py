@@ -37,6 +37,7 @@ from algebroproj_sym.reading.parsing.factors import (
     inner_of,
     is_inverse,
     is_mean,
+    is_row,
     terms_of,
 )
 from algebroproj_sym.reading.parsing.grammar import IN_BRACKETS, Formula, Parsed, Sides, lone, symbols_in, trees_in
@@ -259,16 +260,11 @@ class _Closure:
             return lone(term.children[1]) != ""
         if term.data == "run":
             inside = [each for each in trees_in(term) if {*symbols_in(each)} & (self.known | self.open)]
-            if _is_row(trees_in(term)[0]) and self._may_be_column(trees_in(term)[-1]):
+            if is_row(trees_in(term)[0]) and self._may_be_column(trees_in(term)[-1]):
                 return False
             alone = len(inside) == 1 or all(CAPITAL.match(base_of(each)) for each in inside)
             return alone and any(map(self._is_no_number, inside))
         return False
-
-
-def _is_row(factor: Any) -> bool:
-    """Whether a factor is a small letter that is transposed."""
-    return factor.data == "marked" and factor.children[1] == "T" and not CAPITAL.match(lone(factor.children[0]) or "A")
 
 
 def _is_printed_number(term: Any) -> bool:

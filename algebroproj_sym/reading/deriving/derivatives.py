@@ -508,7 +508,8 @@ def _of_summed(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Def
     through = {name: each.tree for name, each in used.items() if name in moving and not each.parameters}
     tree = filled(definition.tree, through)
     heads = {*map(_head_of, moving)}
-    if vocabulary.is_matrix(variable) or any(_head_of(each) in heads for each in symbols_in(tree)):
+    others = (each for each in map(_head_of, symbols_in(tree)) if each != head or not script)
+    if vocabulary.is_matrix(variable) or not heads.isdisjoint(others):
         return None
     rate = by_summed(tree, variable, vocabulary.hidden_in)
     if rate is None:

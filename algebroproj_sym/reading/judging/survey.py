@@ -40,7 +40,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_p
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
 from algebroproj_sym.reading.parsing.operators import Operators, operators_in, with_operators
-from algebroproj_sym.reading.parsing.transposes import are_transposes, with_transposes
+from algebroproj_sym.reading.parsing.transposes import are_transposes, with_rows_apart, with_transposes
 from algebroproj_sym.reading.prose.acting import acted_on
 from algebroproj_sym.reading.prose.describing import described
 from algebroproj_sym.reading.prose.devices import heard, says
@@ -249,7 +249,7 @@ class Survey:
         is_name = lambda name: name in known or name in own or (named and _has_index(name))  # noqa: E731
         found = parsed(statement.pieces, is_name, self.functions, wide)
         found = with_traces(found) if self.has_tensors_of_three_rows else found
-        found = found if plain or not self._has_transposes else with_transposes(found)
+        found = with_rows_apart(found if plain or not self._has_transposes else with_transposes(found))
         if not plain and self._operators:
             found = with_operators(found, self._operators)
         return found

@@ -24,7 +24,7 @@ from algebroproj_sym.expressions import (
 )
 from algebroproj_sym.expressions.bounds import MAX_BITS, MAX_EXPONENT
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, pieces_of
-from algebroproj_sym.reading.parsing.gathering import _Gathering, paired, transformed
+from algebroproj_sym.reading.parsing.gathering import _Gathering, crossed_first, paired, transformed
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, parsed, unaligned
 from algebroproj_sym.reading.parsing.integrals import INFINITE, integral_of
 
@@ -119,7 +119,8 @@ class _Expressions(_Gathering):
         return reduce(_plus, signed) if any(map(shape, signed)) else sympy.Add(*signed)
 
     def product(self, first: Any, *rest: Any) -> Any:
-        return reduce(lambda left, right: _JOINED[right[0].type](left, right[1]), paired(rest), first)
+        factors = crossed_first(paired(rest), _crossed, of_vector=len(shape(first)) == 1)
+        return reduce(lambda left, right: _JOINED[right[0].type](left, right[1]), factors, first)
 
     def quotient(self, *parts: Any) -> Any:
         return reduce(_quotient, parts)

@@ -44,6 +44,11 @@ def is_inverse(power: Formula) -> bool:
     return isinstance(exponent, Tree) and tokens_in(exponent) == ["-", "1"]
 
 
+def is_row(factor: Any) -> bool:
+    """Whether a factor is a small letter that is transposed."""
+    return factor.data == "marked" and factor.children[1] == "T" and not CAPITAL.match(lone(factor.children[0]) or "A")
+
+
 def is_mean(term: Formula) -> bool:
     """Whether a formula is an expected value: it has the shape of what stands within it."""
     name = str(term.children[0]) if term.data == "call" else ""

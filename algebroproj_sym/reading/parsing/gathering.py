@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from lark import Token, Tree
@@ -24,6 +24,19 @@ def transformed(gathering: _Gathering, tree: Formula) -> Any:
 def paired(parts: Sequence[Any]) -> list[tuple[Any, Any]]:
     """Return signs and what follows them, two by two."""
     return list(zip(parts[::2], parts[1::2], strict=True))
+
+
+def crossed_first(
+    factors: Sequence[tuple[Any, Any]], crossed: Callable[[Any, Any], Any], *, of_vector: bool
+) -> list[tuple[Any, Any]]:
+    r"""Return signs and factors in which a cross goes before the point before it: ``a \cdot b \times c`` is that of a.
+
+    The first factor, before them, must be a vector.
+    """
+    if not of_vector or [sign.type for sign, _ in factors[:2]] != ["DOT", "CROSS"]:
+        return [*factors]
+    (point, one), (_, other), *rest = factors
+    return [(point, crossed(one, other)), *rest]
 
 
 class _Gathering:

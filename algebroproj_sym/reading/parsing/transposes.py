@@ -8,7 +8,7 @@ from typing import Any
 
 from lark import Token, Tree
 
-from algebroproj_sym.reading.parsing.factors import is_inverse
+from algebroproj_sym.reading.parsing.factors import is_inverse, is_row
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, trees_in
 
 _SAID = re.compile(r"\bprimes?\b[^.$]*(?:\$[^$]*\$)?[^.$]*\btranspos", re.IGNORECASE)
@@ -61,3 +61,26 @@ def _primed(tree: Formula) -> str:
     """Return the letter of which a symbol is the one with a prime; empty if it has none, or several."""
     symbol = lone(tree)
     return symbol.replace("'", "") if symbol.count("'") == 1 and "/" not in symbol and " " not in symbol else ""
+
+
+def with_rows_apart(formula: Parsed) -> Parsed:
+    r"""Return a formula in which a row is multiplied by a cross behind it: ``p^T t \times q`` is that of p and a cross.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed, printed
+    >>> printed(with_rows_apart(parsed(r"p^T t \times q")).sides[0])
+    'run [marked [p T] group [product [t \\times q]]]'
+    """
+    return replace(formula, sides=tuple(map(_apart, formula.sides)))
+
+
+def _apart(tree: Any) -> Any:
+    if not isinstance(tree, Tree):
+        return tree
+    first, *rest = [_apart(each) for each in tree.children] or [None]
+    factors = trees_in(first) if tree.data == "product" and first.data == "run" and rest[0].type == "CROSS" else []
+    if len(factors) < 2 or not is_row(factors[-2]):
+        return Tree(tree.data, [first, *rest] if tree.children else [])
+    crossed: Formula = Tree("product", [factors[-1], *rest])
+    return Tree("run", [*factors[:-1], Tree("group", [crossed])])

@@ -62,6 +62,7 @@ def test_a_partial_derivative_by_a_summed_letter_follows(above, claim):
         (r"\[ E = \sum_i w_i f(w_i). \]", r"\frac{\partial E}{\partial w_k} = f(w_k)"),
         (UNIT, r"\frac{\partial y_k}{\partial u_{ij}} = h_j"),
         (r"\[ d = \sum_i a x_i + x. \]", r"\frac{\partial d}{\partial x} = 1"),
+        (r"\[ e_i = t - w_i. \] \[ L = \sum_i w_i e_i. \]", r"\frac{\partial L}{\partial w_i} = e_i - w_i"),
         (r"\[ x_i = x + c_i. \]" + NEAR, r"\frac{\partial d}{\partial x} = -2 \sum_i a (x_i - x)"),
     ],
 )

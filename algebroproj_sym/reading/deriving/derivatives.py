@@ -489,7 +489,8 @@ def _of_rate(above: str, below: str, tree: Formula, vocabulary: Vocabulary, occu
 def _of_summed(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Definition | None:
     """Return a partial derivative by a letter that is summed in the formula of a function, or in what others stand for.
 
-    Nothing else in the formula depends on the letter, at any index.
+    Nothing else in the formula depends on the letter, at any index.  It stands in one formula alone, or in others: it
+    might be meant at fixed values of these.
     """
     sign, order, above, below = match.groups()
     definition = vocabulary.definitions.get(_by_bare(vocabulary.definitions).get(re.sub(r"\(.*\)$", "", above), ""))
@@ -506,10 +507,12 @@ def _of_summed(symbol: str, match: re.Match[str], vocabulary: Vocabulary) -> Def
     }
     used = {each.symbol: each for each in vocabulary.used_in(definition.tree) if _head_of(each.symbol) != head}
     through = {name: each.tree for name, each in used.items() if name in moving and not each.parameters}
+    used_by = [symbols_in(each) for each in (definition.tree, *through.values())]
+    twice = any(head in map(_head_of, each) and not through.keys().isdisjoint(each) for each in used_by)
     tree = filled(definition.tree, through)
     heads = {*map(_head_of, moving)}
     others = (each for each in map(_head_of, symbols_in(tree)) if each != head or not script)
-    if vocabulary.is_matrix(variable) or not heads.isdisjoint(others):
+    if not head or twice or vocabulary.is_matrix(variable) or not heads.isdisjoint(others):
         return None
     rate = by_summed(tree, variable, vocabulary.hidden_in)
     if rate is None:

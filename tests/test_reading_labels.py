@@ -15,12 +15,17 @@ FRAMES = (
     r"a \begin{bmatrix} x^B \\ y^B \end{bmatrix} + \begin{bmatrix} t_W \\ 0 \end{bmatrix} \] "
 )
 MESH = r"The loads satisfy \[ \vec{f}^{DL} = M_l^D \vec{u}^D. \] "
+DRAG = r"\[ (C_D)_\mathrm{wing} = 2 q \] \[ C = a (C_D)_\mathrm{wing}^2 \] "
 STEP = r"\[ u^{n+1} = u^n + h f^n \] "
 
 
 @pytest.mark.parametrize(
     ("latex", "follows"),
     [
+        (DRAG + r"Hence \[ C = 4 a q^2. \]", True),
+        (DRAG + r"Hence \[ C = 4 a q. \]", False),
+        (DRAG + r"Hence \[ a (C_D)_\mathrm{tail}^2 = 4 a q^2. \]", False),
+        (DRAG + r"Hence \[ a C_D^2 = 4 a q^2. \]", False),
         (MOTION + r"\[ M (\mathbf{q}^{t+1} - \mathbf{q}^t) = \Delta t M \dot{\mathbf{q}}^{t+1} \]", True),
         (MOTION + r"\[ M (\mathbf{q}^{t+1} - \mathbf{q}^t) = \Delta t M \dot{\mathbf{q}}^t \]", False),
         (

@@ -12,6 +12,7 @@ from algebroproj_sym.reading.defining.premises import (
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     defined_by,
+    introduced_by,
     is_one_value,
     is_reordered,
     is_value_of_itself,
@@ -170,6 +171,14 @@ def _without_rough_value(formula: Parsed) -> tuple[int, Parsed]:
 
 _BEGINS = re.compile(r"(?:\A|[.,;]|\band)\s*(?:[Ww]here|[Ii]n which)\s*\Z")
 """How a clause begins that says what something is: not as in "points where"."""
+
+
+_RESTRICTING = ("∈", "<", "<=", ">", ">=")
+"""The signs that say in what range a letter is, behind what it is: ``f = a - b <= 0`` is a condition on f."""
+
+
+def _not_judged(relation: str) -> str:
+    return f"the sign {relation} is read, but not judged"
 
 
 class _Pass:
@@ -347,8 +356,8 @@ class _Pass:
                 links.append(Link("definition", rests_on=rests, asked=stated))
                 self.memory.tie(found.sides[:1])
                 continue
-            if relation == "∈" and index and begins:
-                links.append(Link("definition"))
+            if (index and begins and relation in _RESTRICTING) or self._says_of_what_kind(found, index):
+                links.append(Link("definition", "" if relation == "∈" else _not_judged(relation)))
                 continue
             gives = (
                 definition is not None
@@ -395,9 +404,21 @@ class _Pass:
         last = 0 < index == len(formula.sides) - 2 and is_condition_on(*formula.sides[index:])
         return last and derives(formula.sides[0]) and self.memory.optimizes and not self.memory.beside.is_denied
 
+    def _says_of_what_kind(self, formula: Parsed, index: int) -> bool:
+        r"""Whether an equation such as ``R \in \mathrm{SO}(3)`` says of letters what they are: no equation gives them."""
+        letters = introduced_by(formula.sides[0])
+        given = {each for each, place in self.memory.given_at.items() if place != self.memory.beside.place}
+        return (
+            index == 0
+            and formula.relations == ("∈",)
+            and bool(letters)
+            and letters.isdisjoint(given.union(self.memory.vocabulary.definitions))
+            and not (self.memory.beside.is_condition or self.memory.beside.is_denied or self.memory.beside.follows)
+        )
+
     def _begins(self, statement: Statement, formula: Parsed) -> bool:
         """Whether a chain begins with an equation that gives the letter on its left."""
-        if formula.relations[1:] == () or formula.relations[0] not in EQUALITIES or not defined_by(formula.sides[0])[0]:
+        if formula.relations[1:] == () or formula.relations[0] not in EQUALITIES or not introduced_by(formula.sides[0]):
             return False
         return tells(self.memory, statement, formula, 0) or names_its_letter(self.memory, statement, formula)
 
@@ -424,7 +445,7 @@ class _Pass:
         gives = relation in EQUALITIES and (gives or tells(self.memory, statement, formula, index))
         self.memory.tie([left] if gives else [left, right])
         if relation not in EQUALITIES:
-            return Link("not decided", f"the sign {relation} is read, but not judged", rests), None
+            return Link("not decided", _not_judged(relation), rests), None
         known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
         if known is not None and known.tree == right and (word := self.memory.beside.amount(known.words)):
             return Link("not decided", f"the word {word!r} beside it may mean another amount of it", rests), None

@@ -114,16 +114,17 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
 
 
 def relates_new_letters(memory: Memory, formula: Parsed, index: int) -> bool:
-    """Whether a side of a link has letters of which nothing was said, and the other one has not: it says what they are.
+    """Whether a side of a link has letters that nothing restricts, and the other one has not: it says what they are.
 
-    Nothing above the link can say anything of it.  A number is a condition, and an operation in a circle may stand
+    Equations that use a letter to give theirs do not restrict it.  A number is a condition, and an operation in a circle may stand
     between two equations.  Letters over which a sum or an integral runs are none, nor are derivatives, nor is the
     identity.
     """
     left, right = sides = formula.sides[index : index + 2]
     if formula.relations[index] not in EQUALITIES or operations_in(left) or not says_more_than_a_number(right):
         return False
-    known = memory.seen.union(memory.vocabulary.definitions, memory.given.whole.symbols, *map(_bound_in, sides))
+    known = memory.seen & memory.tied
+    known = known.union(memory.vocabulary.definitions, memory.given.whole.symbols, *map(_bound_in, sides))
     ours, theirs = ({*symbols_in(each)} - known for each in sides)
     new = ours ^ theirs
     if memory.vocabulary.with_identity(left, right) is not None:

@@ -91,20 +91,28 @@ def read_bracket(cursor: Cursor) -> None:
 
 
 _VECTOR = re.compile(r"\\(?:(?:mathbf|vec|overrightarrow)(?![a-z])|hat\{\\mathbf)")
+_WORD_BELOW = re.compile(r"(?![i-n]+\Z)[a-zA-Z]{3,}")
 
 
 def _read_frame(cursor: Cursor) -> None:
-    r"""Read the frame below a vector in brackets, as in ``[\mathbf{v}]_n``: its column there is a letter of its own."""
+    r"""Read what stands below a letter in brackets: it makes a letter of its own.
+
+    So does the frame below a vector, as in ``[\mathbf{v}]_n``, and a word below any letter, as in ``(C_D)_\text{wing}``.
+    """
     shape = [token.type for token in cursor.out[-3:]]
-    if cursor.functions is None or cursor.peek() != "_" or shape != ["LS", "SYMBOL", "RS"]:
+    if cursor.functions is None or cursor.peek() != "_" or shape not in (["LS", "SYMBOL", "RS"], ["LP", "SYMBOL", "RP"]):
         return
-    vector = cursor.out[-2]
+    opening, letter, closing = cursor.out[-3:]
     ahead = replace(cursor)
-    _, frame, above = take_scripts(ahead)
-    if not _VECTOR.match(vector) or not frame.isalnum() or above not in ("", *MARKS):
+    _, below, above = take_scripts(ahead)
+    is_frame = opening.type == "LS" and _VECTOR.match(letter) and below.isalnum()
+    is_word = _WORD_BELOW.fullmatch(below)
+    if not (is_frame or is_word) or above not in ("", *MARKS, *(["2"] if is_word else [])):
         return
     take_scripts(cursor)
-    cursor.out[-3:] = [Token("SYMBOL", f"[{vector}] _{frame}", start_pos=vector.start_pos)]
+    if [token.type for token in cursor.out[-4:-3]] == ["CALLEE"]:
+        cursor.out[-4] = Token("SYMBOL", cursor.out[-4], start_pos=cursor.out[-4].start_pos)
+    cursor.out[-3:] = [Token("SYMBOL", f"{opening}{letter}{closing} _{below}", start_pos=letter.start_pos)]
     emit_power(cursor, above, cursor.raised)
 
 

@@ -405,7 +405,7 @@ class _Pass:
         return last and derives(formula.sides[0]) and self.memory.optimizes and not self.memory.beside.is_denied
 
     def _says_of_what_kind(self, formula: Parsed, index: int) -> bool:
-        r"""Whether an equation such as ``R \in \mathrm{SO}(3)`` says of letters what they are: no equation gives them."""
+        r"""Whether an equation such as ``R \in \mathrm{SO}(3)`` says what letters are that no equation gives."""
         letters = introduced_by(formula.sides[0])
         given = {each for each, place in self.memory.given_at.items() if place != self.memory.beside.place}
         return (

@@ -116,9 +116,9 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
 def relates_new_letters(memory: Memory, formula: Parsed, index: int) -> bool:
     """Whether a side of a link has letters that nothing restricts, and the other one has not: it says what they are.
 
-    Equations that use a letter to give theirs do not restrict it.  A number is a condition, and an operation in a circle may stand
-    between two equations.  Letters over which a sum or an integral runs are none, nor are derivatives, nor is the
-    identity.
+    Equations that use a letter to give theirs do not restrict it.  A number is a condition, and an operation in a
+    circle may stand between two equations.  Letters over which a sum or an integral runs are none, nor are
+    derivatives, nor is the identity.
     """
     left, right = sides = formula.sides[index : index + 2]
     if formula.relations[index] not in EQUALITIES or operations_in(left) or not says_more_than_a_number(right):

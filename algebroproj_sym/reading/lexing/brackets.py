@@ -91,16 +91,21 @@ def read_bracket(cursor: Cursor) -> None:
 
 
 _VECTOR = re.compile(r"\\(?:(?:mathbf|vec|overrightarrow)(?![a-z])|hat\{\\mathbf)")
+_AROUND_A_LETTER = (["LS", "SYMBOL", "RS"], ["LP", "SYMBOL", "RP"])
 _WORD_BELOW = re.compile(r"(?![i-n]+\Z)[a-zA-Z]{3,}")
 
 
 def _read_frame(cursor: Cursor) -> None:
     r"""Read what stands below a letter in brackets: it makes a letter of its own.
 
-    So does the frame below a vector, as in ``[\mathbf{v}]_n``, and a word below any letter, as in ``(C_D)_\text{wing}``.
+    So does the frame of a vector, as in ``[\mathbf{v}]_n``, and a word below any letter, as in ``(C_D)_\text{wing}``.
     """
     shape = [token.type for token in cursor.out[-3:]]
-    if cursor.functions is None or cursor.peek() != "_" or shape not in (["LS", "SYMBOL", "RS"], ["LP", "SYMBOL", "RP"]):
+    if (
+        cursor.functions is None
+        or cursor.peek() != "_"
+        or shape not in (["LS", "SYMBOL", "RS"], ["LP", "SYMBOL", "RP"])
+    ):
         return
     opening, letter, closing = cursor.out[-3:]
     ahead = replace(cursor)

@@ -245,7 +245,9 @@ _NO_ARGUMENTS = frozenset(("", "_", "^", "}", ")", "]", ",", ".", ";", "&", r"\\
 
 def _floor_of_cross(page: Page, piece: Piece) -> bool:
     if found := page.waiting.is_cross:
-        page.out.append(renamed(piece, "("))
+        closing = max(place for place, each in enumerate(page.waiting) if each.text == r"\rfloor")
+        page.waiting[closing] = renamed(page.waiting[closing], "]")
+        page.out.append(renamed(piece, "["))
     return found
 
 
@@ -308,6 +310,17 @@ def _upright(page: Page, piece: Piece) -> bool:
     words = re.sub(r"\\[:, ;]", " ", "".join(each.text for each in inside)).strip()
     command = r"\text" if CONNECTIVES.fullmatch(words) else piece.text
     page.out.extend([renamed(piece, command), *braced(piece, inside)])
+    return True
+
+
+def _letter_as_operator(page: Page, piece: Piece) -> bool:
+    if page.waiting.next != "{":
+        return False
+    inside = page.waiting.group()
+    is_letter = re.fullmatch(r"[a-zA-Z]\s*_.+", "".join(each.text for each in inside)) is not None
+    page.waiting.extend([] if is_letter else [renamed(piece, "}")])
+    page.waiting.extend(inside[::-1])
+    page.out.extend([] if is_letter else [piece, renamed(piece, "{")])
     return True
 
 
@@ -465,6 +478,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[Page, Piece], bool]], ...] = (
     (("{",), label),
     (BOXES, _box),
     ((r"\mathrm",), _upright),
+    ((r"\operatorname",), _letter_as_operator),
     ((r"\buildrel",), built),
     (OVER, stacked),
     (INFIX, infix),

@@ -13,8 +13,20 @@ DEFINES = {
     "a margin": r"The margin is \[ m = a - b > 0. \]",
     "a letter that only stands in a value above": r"The ratio is \[ r = k f. \] The angle is given by "
     r"\[ \tan u = \frac{w}{h} = \frac{1}{2 f}. \]",
+    "a rate that is put in": r"\[ x''(t) = a(t) \] With the substitution $v(t) = x'(t)$ this is "
+    r"\[ v'(t) = a(t). \]",
+    "a rate": r"\[ \frac{dx}{dt} = v \]",
+    "rates": r"The motion is described by \[ \frac{d x}{d t} = v \] \[ \frac{d v}{d t} = a \] "
+    r"\[ \frac{d \vec{r}_i}{dt} = \vec{u}_i. \]",
+    "a name beside what is defined": r"Given $W = w^\wedge$, we define \[ W^\vee = \begin{bmatrix} 0 & -z & y \\ "
+    r"z & 0 & -x \\ -y & x & 0 \end{bmatrix}^\vee := \begin{bmatrix} x \\ y \\ z \end{bmatrix}. \]",
 }
 STAYS_OPEN = {
+    "a rate of letters that are tied": r"\[ x = a t^2 \] \[ v + b = c \] \[ \frac{dx}{dt} = v \]",
+    "a rate that is said to follow": r"\[ y = a \] Hence \[ \frac{dx}{dt} = v. \]",
+    "a rate in a case": r"It stays open if \[ \frac{dx}{dt} = v. \]",
+    "a letter that grows by itself": r"\[ \frac{dv}{dt} = v \]",
+    "a rate that is a number": r"\[ \frac{dx}{dt} = 0 \]",
     "a claim of what is given": r"\[ R = A B \] Hence \[ R \in \mathrm{SO}(3). \]",
     "a claim of what is given, without words": r"\[ R = A B \] \[ R \in \mathrm{SO}(3). \]",
     "a condition": r"\[ y = a t \] if \[ t \in [0, 1]. \]",

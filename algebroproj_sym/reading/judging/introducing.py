@@ -7,7 +7,7 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
-from algebroproj_sym.reading.defining.dependence import letters_in
+from algebroproj_sym.reading.defining.dependence import free_symbols, letters_in
 from algebroproj_sym.reading.defining.premises import Premise, letter_of, neighbours
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -98,7 +98,6 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
             and _are_new(memory, introduced_by(right), left, statement)
         )
         or (first and _gives(memory, statement, left, right))
-        or (formula.relations[index] == ":=" and not memory.beside.is_rejected)
         or _is_free(memory, statement, left, right, value=index > 0)
         or _is_new_value(memory, left, right)
         or (
@@ -107,8 +106,8 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         )
         or (index == 0 and _is_told(memory, left, right))
         or any(_is_instance(memory, each, right) for each in others)
-        or (index == 0 and _brings(memory, statement, left, right))
-        or (index == 0 and _names_a_rate(memory, statement, left, right))
+        or (index == 0 and (_brings(memory, statement, left, right) or _is_rate(memory, statement, left, right)))
+        or (":=" in formula.relations[index:] and not memory.beside.is_rejected)
         or tells_hat(left, right)
     )
 
@@ -433,18 +432,16 @@ def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula)
     )
 
 
-def _names_a_rate(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
-    r"""Whether a derivative is equal to a letter of which nothing was said, as v in ``\frac{dx}{dt} = v``: its name."""
-    letter = lone(right)
+def _is_rate(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+    r"""Whether a letter that nothing restricts is said to be a derivative, as in ``\frac{dx}{dt} = v``."""
+    symbol = defined_by(right)[0]
+    known = memory.tied.union(memory.vocabulary.definitions, memory.given.whole.symbols, free_symbols(left))
     return (
-        left.data == "opaque"
-        and "/" in str(left.children[0])
-        and letter not in {"", r"\infty", *memory.seen, *memory.given.whole.symbols}
-        and letter not in str(left.children[0])
-        and memory.vocabulary.constant(letter) is None
-        and not memory.said_before((letter,), statement.display.place)
-        and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)
-        and not memory.is_named(statement, memory.given.statements)
+        symbol not in known | {"", r"\infty"}
+        and symbol not in " ".join(tokens_in(left, "OPAQUE"))
+        and (left.data in ("opaque", "slope") or "'" in named_on_left(left))
+        and not (memory.beside.follows or memory.beside.is_condition or memory.beside.is_denied)
+        and not (memory.beside.exchanged or memory.is_named(statement, memory.given.statements))
     )
 
 

@@ -96,7 +96,10 @@ def test_it_does_not_follow(latex: str) -> None:
         (r"a = \SI{3.5e-3}{\meter} + \num{2e3}", r"a = 3.5 \cdot 10^{-3} \mathrm{\meter} + 2 \cdot 10^3"),
         (r"a = \qty(b + c) \vu b", r"a = (b + c) \vu b"),
         (r"a \mathrel{\mathop:}= \lfloor b \times \rfloor c", r"a := [b]_\times c"),
-        (r"\dot{\mathbf R} = \mathbf R \lfloor \mathbf w \times \rfloor", r"\dot{\mathbf R} = \mathbf R [\mathbf w]_\times"),
+        (
+            r"\dot{\mathbf R} = \mathbf R \lfloor \mathbf w \times \rfloor",
+            r"\dot{\mathbf R} = \mathbf R [\mathbf w]_\times",
+        ),
         (r"T = \operatorname{p_{u 1}} \cos{u} + \operatorname{p_{u 2}}", r"T = p_{u 1} \cos{u} + p_{u 2}"),
         (
             r"a = \begin{dcases} b & c > 0 \\ d & c \le 0 \end{dcases}",

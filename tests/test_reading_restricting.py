@@ -6,6 +6,7 @@ from algebroproj_sym.reading import document_of, read_document
 
 pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
+PAIR = r"\[ p = m x + k y \] \[ q = k x + n y \] "
 DEFINES = {
     "a group of letters": r"\[ g = (R, p), \quad R \in \mathrm{SO}(3), \quad p \in \mathbb{R}^3. \]",
     "a time": r"The rate is \[ a(t) = c t + b, \quad t \in [t_1, t_2]. \]",
@@ -20,8 +21,12 @@ DEFINES = {
     r"\[ \frac{d \vec{r}_i}{dt} = \vec{u}_i. \]",
     "a name beside what is defined": r"Given $W = w^\wedge$, we define \[ W^\vee = \begin{bmatrix} 0 & -z & y \\ "
     r"z & 0 & -x \\ -y & x & 0 \end{bmatrix}^\vee := \begin{bmatrix} x \\ y \\ z \end{bmatrix}. \]",
+    "a matrix that is not printed": PAIR + r"In matrix form \[ \begin{bmatrix} p \\ q \end{bmatrix} = "
+    r"\mathbf{B} \begin{bmatrix} x \\ y \end{bmatrix} \] where $\mathbf{B}$ is a $2 \times 2$ matrix.",
 }
 STAYS_OPEN = {
+    "a row instead of a column": PAIR + r"\[ \begin{bmatrix} p \\ q \end{bmatrix} = \begin{bmatrix} u & w "
+    r"\end{bmatrix} \begin{bmatrix} m & k \\ k & n \end{bmatrix} \]",
     "a rate of letters that are tied": r"\[ x = a t^2 \] \[ v + b = c \] \[ \frac{dx}{dt} = v \]",
     "a rate that is said to follow": r"\[ y = a \] Hence \[ \frac{dx}{dt} = v. \]",
     "a rate in a case": r"It stays open if \[ \frac{dx}{dt} = v. \]",

@@ -415,9 +415,10 @@ def _is_told(memory: Memory, left: Formula, right: Formula) -> bool:
 def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
     r"""Whether an equation says what new letters are by one that is known, as ``x = \bar x + e``.
 
-    A condition says nothing, nor does one value of a function.
+    A condition says nothing, nor does one value of a function.  A column says nothing of the entries of another one.
     """
     new = {*symbols_in(right)} - {*memory.seen, *memory.given.whole.symbols, *symbols_in(left)}
+    new -= {each for part in right.find_data(left.data) if left.data == "matrix" for each in symbols_in(part)}
     given = not introduced_by(left).isdisjoint(memory.given_at)
     return (
         bool(new)

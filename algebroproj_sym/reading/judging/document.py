@@ -356,7 +356,8 @@ class _Pass:
                 links.append(Link("definition", rests_on=rests, asked=stated))
                 self.memory.tie(found.sides[:1])
                 continue
-            if (index and begins and relation in _RESTRICTING) or self._says_of_what_kind(found, index):
+            behind = bool(index and begins) and (relation == "∈" or not {*symbols_in(found.sides[index + 1])})
+            if (behind and relation in _RESTRICTING) or self._says_of_what_kind(found, index):
                 links.append(Link("definition", "" if relation == "∈" else _not_judged(relation)))
                 continue
             gives = (

@@ -42,6 +42,7 @@ from algebroproj_sym.reading.deriving.instances import numbers_put_in
 from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.memory import Memory, where_of
+from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, lone, put_in, symbols_in, tokens_in, trees_in
 from algebroproj_sym.reading.prose.meanings import CHANGES
@@ -441,9 +442,16 @@ def _is_rate(memory: Memory, statement: Statement, left: Formula, right: Formula
         symbol not in known | {"", r"\infty"}
         and symbol not in " ".join(tokens_in(left, "OPAQUE"))
         and (left.data in ("opaque", "slope") or "'" in named_on_left(left))
+        and not _is_of_what_is_given(memory, left)
         and not (memory.beside.follows or memory.beside.is_condition or memory.beside.is_denied)
         and not (memory.beside.exchanged or memory.is_named(statement, memory.given.statements))
     )
+
+
+def _is_of_what_is_given(memory: Memory, left: Formula) -> bool:
+    """Whether a derivative is that of a letter that an equation gives: what it is equal to is a claim."""
+    above = re.match(r"(?:d|\\partial)(?:\^\d)?(.+)/", " ".join(tokens_in(left, "OPAQUE")))
+    return above is not None and above[1].replace(" ", "") in map(bare_name, memory.vocabulary.definitions)
 
 
 def _said_of(memory: Memory, left: Formula) -> list[Formula]:

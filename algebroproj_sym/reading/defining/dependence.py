@@ -104,15 +104,10 @@ class Dependence:
         return frozenset(reasons)
 
     def _reached(self, tie: Tie, place: int, index: str, reasons: dict[str, set[int]]) -> frozenset[str]:
-        """Return what depends on the index by an equation, if what has other reasons does.
-
-        What gives ``p_i`` says that this depends on i, and nothing of its other letters.
-        """
+        """Return what depends on the index by an equation, if what has other reasons does."""
         if not tie.given or not (tie.is_first or index in letters_of_symbol(tie.given)):
             return tie.others | ({tie.given} if tie.given else frozenset())
         found: frozenset[str] = frozenset((tie.given,)) if tie.others & reasons.keys() else frozenset()
-        if index != tie.given and index in letters_of_symbol(tie.given):
-            return found
         return found | tie.others if reasons.get(tie.given, {place}) - {place} else found
 
 

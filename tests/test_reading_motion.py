@@ -123,3 +123,21 @@ def test_a_new_letter_within_a_chain_is_what_stands_before_it():
 )
 def test_an_equation_of_a_rate_and_a_new_letter_names_the_rate(latex, verdict):
     assert last(latex).verdict == verdict
+
+
+CIRCUIT = (
+    r"In a circuit \[ R \frac{dq}{dt} + \frac{q}{C} = V. \] The charge is \[ q = C V \left(1 - e^{-t/(R C)}\right). \] "
+    r"Since $R$, $C$ and $V$ are constant, "
+)
+
+
+@pytest.mark.parametrize(
+    ("claim", "follows"),
+    [
+        (r"\frac{dq}{dt} = \frac{V}{R} e^{-t/(R C)}", True),
+        (r"\frac{dq}{dt} = \frac{V}{R} e^{t/(R C)}", False),
+        (r"\frac{dq}{dt} = \frac{V}{C} e^{-t/(R C)}", False),
+    ],
+)
+def test_what_gives_a_letter_of_an_equation_of_motion_is_differentiated_beside_it(claim, follows):
+    assert (last(rf"{CIRCUIT} \[ {claim}. \]").verdict == "follows") is follows

@@ -50,8 +50,11 @@ def with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[W
 
 
 def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator[Vocabulary]:
-    """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others."""
-    for given in ([], standing.given_beside(left, right), standing.given):
+    """Yield what letters stand for by the equations above a relation: those of lone letters, and then of others.
+
+    The last one serves alone where those before it give its letters by its own one.
+    """
+    for given in ([], standing.given_beside(left, right), standing.given, standing.given[-1:]):
         known = extended(standing.vocabulary, given)
         yield known
         yield with_rates(standing, (left, right), known)

@@ -33,7 +33,12 @@ L}{\partial \theta} = -m l \dot x \dot\theta \sin\theta + m g l \sin\theta \] an
 L}{\partial x} = 0. \] With the momentum \[ P = (M + m) \dot x + m l \dot\theta \cos\theta \] we have |>\[ \dot
 P = (M + m) \ddot x + m l \ddot\theta \cos\theta - m l \dot\theta^2 \sin\theta. \] The other equation of motion
 is \[ m l \ddot x \cos\theta + m l^2 \ddot\theta - m g l \sin\theta = 0. \]"""
+VIEWS = r"""A point $P = (X, Y, Z)^T$ has in the camera the coordinates \[ P_c = R P + t \] where $R$ is a rotation
+matrix and $t$ the translation vector. For two cameras we have \[ P_2 = R P_1 + t. \] Taking the cross product with
+$t$, |>\[ t \times P_2 = t \times R P_1, \] and the dot product with $P_2$, |>\[ P_2^T (t \times R P_1) = 0. \] With the
+essential matrix \[ E = [t]_\times R \] this is |>\[ P_2^T E P_1 = 0. \]"""
 TEXTS = {
+    "views": VIEWS,
     "spatial": SPATIAL,
     "inertia": INERTIA,
     "axis": AXIS,
@@ -43,6 +48,9 @@ TEXTS = {
     "cart": CART,
 }
 MISPRINTS = [
+    ("views", r"P_2^T (t", r"P_1^T (t"),
+    ("views", r"P_2^T E P_1", r"P_1^T E P_2"),
+    ("views", r"R P_1, \]", r"P_1, \]"),
     ("spatial", r"r\times E^{\mathrm T} &", r"-r\times E^{\mathrm T} &"),
     ("inertia", r"@K @\omega + m", r"@K @\omega - m"),
     ("axis", r"@1 + \sin\phi", r"@1 - \sin\phi"),

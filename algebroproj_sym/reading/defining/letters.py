@@ -32,6 +32,9 @@ from algebroproj_sym.reading.parsing.grammar import Formula
 Read = TypeVar("Read")
 LONGEST = 2_000
 """How many characters a question may have: proofs of longer ones take too long."""
+_NAME = re.compile(r"[A-Za-z]\w*")
+_COORDINATE = re.compile(r"(.+)_(q?\d+)")
+"""How a coordinate of a letter is called."""
 _COLUMN = re.compile(rf"{VECTOR_STYLE}(?:\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|(?:[a-z]|\\[a-z]+)\}})")
 _LATIN = re.compile(rf"{VECTOR_STYLE}\{{(?:\\\w+\{{)*[a-z]\}}|{VECTOR_STYLE}[a-z]")
 
@@ -80,9 +83,34 @@ def _asked(reader: Reader, left: Formula, right: Formula, given: Sequence[tuple[
     return [
         each
         if each.lhs == each.rhs
-        else replace(each, constraints=(*each.constraints, *(worked_out(*pair, each.letters or {}) for pair in texts)))
+        else _told_apart(
+            replace(each, constraints=(*each.constraints, *(worked_out(*pair, each.letters or {}) for pair in texts)))
+        )
         for each in questions
     ]
+
+
+def _told_apart(question: Question) -> Question:
+    """Return a question in which no letter is called as a coordinate of another one: ``P_1`` beside P is P1."""
+    letters = dict(question.letters or {})
+    texts = (question.lhs, question.rhs, *question.constraints, *question.nonzero)
+    taken = {*letters, *(name for each in texts for name in _NAME.findall(each))}
+    names: dict[str, str] = {}
+    for name in sorted(taken):
+        whose = _COORDINATE.fullmatch(name)
+        if whose is not None and whose[1] in letters:
+            names[name] = f"{whose[1]}{whose[2]}"
+            while names[name] in taken:
+                names[name] += "v"
+            taken.add(names[name])
+    if not names:
+        return question
+    left, right, *others = (_NAME.sub(lambda found: names.get(found[0], found[0]), each) for each in texts)
+    place = len(question.constraints)
+    letters = {names.get(name, name): text for name, text in letters.items()}
+    return replace(
+        question, lhs=left, rhs=right, constraints=(*others[:place],), nonzero=(*others[place:],), letters=letters
+    )
 
 
 def _of_one_shape(reader: Reader, left: Formula, right: Formula) -> list[Part]:

@@ -1,6 +1,7 @@
 """What follows where derivatives are set to zero, and from equations of vectors that give no letter."""
 
 import pytest
+from textbooks import follow, plain, with_misprint
 
 from algebroproj_sym.reading import document_of, read_document
 
@@ -172,3 +173,36 @@ BOLD = {letter: rf"\mathbf{{{letter}}}" for letter in "AFKxyuvbRPQ"}
 def test_an_equation_of_vectors_that_gives_no_letter_serves_as_a_whole(above, claim, follows):
     found = last(rf"We have \[ {above % BOLD}. \] Hence \[ {claim % BOLD}. \]")
     assert (found.verdict == "follows") == follows
+
+
+REGRESSION = r"""The model is \[ y_i = a + b x_i + e_i. \] We minimize \[ S = \sum_{i=1}^n (y_i - a - b x_i)^2. \] The
+partial derivatives are |>\[ \frac{\partial S}{\partial a} = -2 \sum_{i=1}^n (y_i - a - b x_i) \] |>\[ \frac{\partial
+S}{\partial b} = -2 \sum_{i=1}^n x_i (y_i - a - b x_i). \] Setting them to zero gives |>\[ n a + b \sum_{i=1}^n x_i =
+\sum_{i=1}^n y_i \] |>\[ a \sum_{i=1}^n x_i + b \sum_{i=1}^n x_i^2 = \sum_{i=1}^n x_i y_i. \]"""
+
+
+@pytest.mark.parametrize(
+    ("printed", "wrong"),
+    [
+        (r"= -2 \sum_{i=1}^n (y_i", r"= 2 \sum_{i=1}^n (y_i"),
+        (r"x_i (y_i - a - b x_i). \]", r"x_i (y_i - a + b x_i). \]"),
+        (r"n a + b", r"a + b"),
+        (r"a \sum_{i=1}^n x_i + b", r"b \sum_{i=1}^n x_i + b"),
+    ],
+)
+def test_what_is_observed_does_not_change_with_the_letters_of_its_model(printed, wrong):
+    found = [each.verdict == "follows" for each in read_document(document_of(plain(REGRESSION)))]
+    assert found == follow(REGRESSION)
+    text, place = with_misprint(REGRESSION, printed, wrong)
+    assert read_document(document_of(plain(text)))[place].verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\[ u = x^2 + c \] \[ S = x u \] Hence \[ \frac{\partial S}{\partial x} = u. \]",
+        r"\[ u = x^2 + c \] \[ S = (u - x)^2 \] Hence \[ \frac{\partial S}{\partial x} = -2 (u - x). \]",
+    ],
+)
+def test_what_is_no_residual_of_a_model_changes_with_its_letters(latex):
+    assert read_document(document_of(latex))[-1].verdict != "follows"

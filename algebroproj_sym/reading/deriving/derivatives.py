@@ -13,6 +13,7 @@ from algebroproj_sym.proving.reduction import reduced
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import stands_within
 from algebroproj_sym.reading.defining.premises import extended, letter_of
+from algebroproj_sym.reading.defining.values import with_values
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.chains import chained, filled, slope_of
 from algebroproj_sym.reading.deriving.implicit import implicit
@@ -411,14 +412,33 @@ def _of_quotient(
         other = other or (_of_rate(above, _bare(below), definition.tree, vocabulary, occurring) if sign != "d" else "")
         is_zero = other and not _change(letters, other, occurring, sign)
         return _made(symbol, ZERO, definition, sorted(letters), vocabulary) if is_zero else None
-    if any(variable in vocabulary.letters_of(each.tree) for each in used):
-        return None
+    if modelled := [each for each in used if variable in vocabulary.letters_of(each.tree)]:
+        return _at_observations(symbol, definition, variable, modelled, vocabulary) if sign != "d" else None
     if stands_within(variable, letters):
         return None
     others = sorted(letters - {variable}) if sign == "d" else []
     if vocabulary.moves_with(others, variable):
         return None
     return _made(symbol, slope_of(value, variable, order), definition, others, vocabulary)
+
+
+def _at_observations(
+    symbol: str, definition: Definition, variable: str, modelled: Sequence[Definition], vocabulary: Vocabulary
+) -> Definition | None:
+    """Return a partial derivative by a letter of a model, ``y = a x + e``, where y does not change.
+
+    With the model put in, the formula does not have the letter, as ``(y - a x)^2`` then is ``e^2``.
+    """
+    rate = rate_of(definition.tree, {variable: ONE})
+    put_in = filled(definition.tree, {each.symbol: each.tree for each in modelled if not each.parameters})
+    whole = rate_of(put_in, {variable: ONE})
+    try:
+        is_apart = whole is not None and with_values(vocabulary).value(whole) == 0
+    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+        return None
+    if rate is None or not is_apart:
+        return None
+    return replace(_made(symbol, rate, definition, [each.symbol for each in modelled], vocabulary), role="case")
 
 
 def _as_if_not_given(symbol: str, definition: Definition, variable: str, vocabulary: Vocabulary) -> Definition | None:

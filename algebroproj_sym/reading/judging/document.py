@@ -495,10 +495,15 @@ class _Pass:
 
     @property
     def _place_above(self) -> int:
-        """Where the display above the one that is read begins."""
+        """Where the display above the one that is read begins, or above the first one of its sentence."""
         displays = (each.display for each in self.survey.statements[: self.order][::-1])
-        above = (each for each in displays if each.environment != "inline" and each is not self.memory.display)
-        return next((each.place for each in above), -1)
+        below = self.memory.display
+        for each in displays:
+            if each.environment != "inline" and each is not below:
+                if below is None or below.before.strip():
+                    return each.place
+                below = each
+        return -1
 
     def _ranges_beside(self, display: Display, formula: Parsed) -> Iterator[Parsed]:
         """Yield the ranges that stand in a display, and within the text in its sentence."""

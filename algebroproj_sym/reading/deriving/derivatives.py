@@ -31,6 +31,8 @@ _DERIVATIVE = re.compile(r"(d|\\partial)(\^[23])?(.+)/\1(.+?)(?(2)\2)")
 _LOGARITHM = re.compile(r"(\\(?:ln|log)(?![a-z]))?(.*)")
 _MIXED = re.compile(r"\\partial\^2(.+)/\\partial(.+?)\\partial(.+)")
 _OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
+_ERROR = re.compile(r"(?:e|v|\\eta|\\nu|\\(?:var)?epsilon)(?:_.*)?")
+"""How the error of a model is called."""
 _AT_START = re.compile(r"_\{?0")
 _AXIS = re.compile(r"\\(?:mathbf|vec|hat|overrightarrow)\{?(?:\\mathbf\{?)?(?:[ijkxyz]\}*$|e\}*_\{?[xyz123]\}?$)")
 
@@ -429,10 +431,11 @@ def _at_observations(
 
     With the model put in, the formula does not have the letter, as ``(y - a x)^2`` then is ``e^2``.
     """
-    rate = rate_of(definition.tree, {variable: ONE})
+    if not all(any(map(_ERROR.fullmatch, map(lone, terms_of(each.tree)))) for each in modelled):
+        return None
     put_in = filled(definition.tree, {each.symbol: each.tree for each in modelled if not each.parameters})
-    whole = rate_of(put_in, {variable: ONE})
     try:
+        rate, whole = (rate_of(each, {variable: ONE}) for each in (definition.tree, put_in))
         is_apart = whole is not None and with_values(vocabulary).value(whole) == 0
     except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
         return None

@@ -18,8 +18,7 @@ from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, tex
 from algebroproj_sym.reading.defining.definition import Definition, Role
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in, trees_in
 from algebroproj_sym.reading.prose.contexts import Context
 from algebroproj_sym.replaying.reals.terms import has_functions
@@ -131,7 +130,7 @@ class Premise:
                 )
                 below: Formula = Tree("sum", [one, Token("SIGN", "-"), zero])
                 return self._of(symbol, (), Tree("fraction", [Tree("sum", [Token("SIGN", "-"), zero]), below]))
-        except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+        except UNCOMPUTED:
             return None
         return None
 

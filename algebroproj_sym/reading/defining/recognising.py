@@ -9,9 +9,8 @@ from algebroproj_sym.expressions import require_bounded
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_in, letters_of_symbol
 from algebroproj_sym.reading.defining.letters import has_shape
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.lexing.names import split_symbol
-from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import (
     UNSEEN,
     Formula,
@@ -376,7 +375,7 @@ def computes(definition: Definition, vocabulary: Vocabulary) -> bool:
         return True
     try:
         require_bounded(vocabulary.value(definition.tree), definition.symbol)
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+    except UNCOMPUTED:
         return has_shape(vocabulary, definition.tree)
     return True
 

@@ -14,7 +14,7 @@ from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import stands_within
 from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.values import with_values
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.chains import chained, filled, slope_of
 from algebroproj_sym.reading.deriving.implicit import implicit
 from algebroproj_sym.reading.deriving.integrating import integral_in, is_integral
@@ -279,7 +279,7 @@ def _of_inverse(
         return None
     try:
         value = reduced(vocabulary.value(letter_of(given.symbol)))
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+    except UNCOMPUTED:
         return None
     constant = {vocabulary.symbol_of(str(each)) for each in free_symbols(value)} - {names[above]}
     if vocabulary.moves_with(constant, names[above]) or _change(constant, names[above], occurring, sign):
@@ -437,7 +437,7 @@ def _at_observations(
     try:
         rate, whole = (rate_of(each, {variable: ONE}) for each in (definition.tree, put_in))
         is_apart = whole is not None and with_values(vocabulary).value(whole) == 0
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+    except UNCOMPUTED:
         return None
     if rate is None or not is_apart:
         return None
@@ -588,7 +588,7 @@ def _of_function(symbol: str, definition: Definition, order: int, vocabulary: Vo
         value = slope_of(value, variable)
     try:
         vocabulary.value(value)
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+    except UNCOMPUTED:
         return None
     others = sorted(vocabulary.letters_of(definition.tree) - {variable})
     if vocabulary.depends(others, variable):

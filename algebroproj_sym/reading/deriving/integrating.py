@@ -9,7 +9,7 @@ from lark import Token, Tree
 from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import letter_of
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.lexing.commands import LETTERS
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, parsed, put_in, symbols_in
@@ -39,7 +39,7 @@ def integral_in(tree: Formula, step: str, vocabulary: Vocabulary) -> Definition 
         if any(map(shape, values)):
             return None
         _, notes = integral_of(*values)
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+    except UNCOMPUTED:
         return None
     where = f"{OVER} {vocabulary.name(variable)}{''.join(f', with {each}' for each in notes)}"
     symbol = f"{tree.children[0]} {vocabulary.text(body)}"

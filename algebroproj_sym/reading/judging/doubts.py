@@ -15,11 +15,10 @@ from algebroproj_sym.expressions import text
 from algebroproj_sym.proving.reals.prove import may_agree
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.recognising import defined_by
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.special import doubt_of_special
 from algebroproj_sym.reading.judging.questions import used_by
 from algebroproj_sym.reading.lexing.names import bare_name
-from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, tokens_in, trees_in
 from algebroproj_sym.reading.prose.sentences import strange_word, words_of
 from algebroproj_sym.reading.prose.words import Beside
@@ -132,7 +131,7 @@ def _is_turned(left: Formula, right: Formula, vocabulary: Vocabulary) -> bool:
     """Whether two numbers are not seen to differ but by full turns."""
     try:
         ours, theirs = (text(vocabulary.value(each)) for each in (left, right))
-    except (UnreadableError, ZeroDivisionError, TypeError, ValueError, RecursionError):
+    except UNCOMPUTED:
         return False
     return may_agree(f"cos(({ours}) - ({theirs}))", "1")
 

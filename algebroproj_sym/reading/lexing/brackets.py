@@ -101,11 +101,7 @@ def _read_frame(cursor: Cursor) -> None:
     So does the frame of a vector, as in ``[\mathbf{v}]_n``, and a word below any letter, as in ``(C_D)_\text{wing}``.
     """
     shape = [token.type for token in cursor.out[-3:]]
-    if (
-        cursor.functions is None
-        or cursor.peek() != "_"
-        or shape not in (["LS", "SYMBOL", "RS"], ["LP", "SYMBOL", "RP"])
-    ):
+    if cursor.functions is None or cursor.peek() != "_" or shape not in _AROUND_A_LETTER:
         return
     opening, letter, closing = cursor.out[-3:]
     ahead = replace(cursor)

@@ -91,12 +91,15 @@ def _asked(reader: Reader, left: Formula, right: Formula, given: Sequence[tuple[
 
 
 def _told_apart(question: Question) -> Question:
-    """Return a question in which no letter is called as a coordinate of another one: ``P_1`` beside P is P1."""
+    """Return a question in which no vector or matrix is called as a coordinate of another one: P_1 beside P is P1.
+
+    A number that is called so may be the coordinate.
+    """
     letters = dict(question.letters or {})
     texts = (question.lhs, question.rhs, *question.constraints, *question.nonzero)
     taken = {*letters, *(name for each in texts for name in _NAME.findall(each))}
     names: dict[str, str] = {}
-    for name in sorted(taken):
+    for name in sorted(letters):
         whose = _COORDINATE.fullmatch(name)
         if whose is not None and whose[1] in letters:
             names[name] = f"{whose[1]}{whose[2]}"

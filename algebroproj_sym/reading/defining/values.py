@@ -135,6 +135,10 @@ class Uncomputed:
         self._inverses[found] = value
         return found
 
+    def operated(self, kind: str, values: Sequence[Any]) -> Any:
+        """Refuse what an operator makes."""
+        raise UnreadableError(f"{kind} is an operator, so it is not computed")
+
     @property
     def has_angles_of_sums(self) -> bool:
         """Whether an angle of a wave is a sum with the angle of another one."""

@@ -162,6 +162,14 @@ class Vocabulary:
         found.parities = wholes
         return found
 
+    def with_fields(self, fields: Values, values: Mapping[str, Any]) -> Vocabulary:
+        """Return the vocabulary in which letters are fields, and some have values of their own."""
+        found = self.copied()
+        found.uncomputed = fields
+        found.forget()
+        found._values |= values
+        return found
+
     def with_rows(self, rows: int) -> Vocabulary:
         """Return the vocabulary in which vectors and matrices have so many rows, if nothing else says how many."""
         found = self.copied()

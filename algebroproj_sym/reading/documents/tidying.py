@@ -52,6 +52,7 @@ _TRIANGLES = frozenset((r"\triangle", r"\vartriangle", r"\bigtriangleup"))
 _ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{ceil}(", r"\rfloor": ")", r"\rceil": ")"}
 _ROUNDED |= {r"\llbracket": r"\operatorname{jump}(", r"\rrbracket": ")"}
 _WITH_POWERS = r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh", r"\log", r"\ln"
+_NABLAS = {"grad": r"\nabla ", "div": r"\nabla\cdot "} | dict.fromkeys(("curl", "rot"), r"\nabla\times ")
 _UNSEEN = frozenset((r"\index", r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _BREAKS = frozenset(rf"\{name}" for name in ("displaybreak", "linebreak", "nolinebreak", "pagebreak", "nopagebreak"))
 _NO_ROOM = re.compile(r"-|0*\.?0*[a-z]")
@@ -303,10 +304,20 @@ def _box(page: Page, piece: Piece) -> bool:
     return found
 
 
+def _nabla(page: Page, piece: Piece, inside: Sequence[Piece]) -> bool:
+    """Write the upright name of an operator of fields as a nabla; below a letter it is a name."""
+    written = _NABLAS.get("".join(each.text for each in inside), "")
+    if found := bool(written) and not (page.out and page.out[-1].text in ("_", "{")):
+        page.out.extend(at(piece, written))
+    return found
+
+
 def _upright(page: Page, piece: Piece) -> bool:
     if page.waiting.next != "{":
         return False
     inside = page.waiting.group()
+    if _nabla(page, piece, inside):
+        return True
     words = re.sub(r"\\[:, ;]", " ", "".join(each.text for each in inside)).strip()
     command = r"\text" if CONNECTIVES.fullmatch(words) else piece.text
     page.out.extend([renamed(piece, command), *braced(piece, inside)])
@@ -317,6 +328,8 @@ def _letter_as_operator(page: Page, piece: Piece) -> bool:
     if page.waiting.next != "{":
         return False
     inside = page.waiting.group()
+    if _nabla(page, piece, inside):
+        return True
     is_letter = re.fullmatch(r"[a-zA-Z]\s*_.+", "".join(each.text for each in inside)) is not None
     page.waiting.extend([] if is_letter else [renamed(piece, "}")])
     page.waiting.extend(inside[::-1])

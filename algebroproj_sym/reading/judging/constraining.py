@@ -27,7 +27,7 @@ def under_equations(standing: Standing, left: Formula, right: Formula) -> Iterat
     speaks = {
         each: standing.vocabulary.letters_of(each.left) | standing.vocabulary.letters_of(each.right) for each in near
     }
-    asserted = [each for place, each in enumerate(near) if _is_asserted(standing, each, is_last=place < MOST_NEAR)]
+    asserted = [each for place, each in enumerate(near) if is_asserted(standing, each, is_last=place < MOST_NEAR)]
     alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
     supposed = standing.supposed(left, right)
     own = [each for each in supposed if each.gives is None]
@@ -59,7 +59,7 @@ def under_equations(standing: Standing, left: Formula, right: Formula) -> Iterat
     yield from _with_rates_put_in(standing, left, right, asserted, own)
 
 
-def _is_asserted(standing: Standing, premise: Premise, *, is_last: bool) -> bool:
+def is_asserted(standing: Standing, premise: Premise, *, is_last: bool) -> bool:
     """Whether an equation holds where no case is spoken of: words cite it, or it is one of the last ones."""
     is_named = bool(premise.names & standing.cited) and not premise.context.kind
     is_near = is_last and premise.part == standing.part and _is_still_so(standing, premise)

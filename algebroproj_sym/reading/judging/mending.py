@@ -74,10 +74,11 @@ def repairs_in(way: Way, answer: Outcome) -> Iterator[Repaired]:
     if not turned and (is_open or _is_hard(way)):
         return
     changed = [(each, other) for each, other in _changed(way) if each.kind in _SLIPS and other.left != other.right]
+    is_plain = not (way.under or _has_operators(way))
     if turned:
         for repair, other in changed:
             yield from ((repair, each) for each in islice(along_directions_in(other), 1))
-    elif samples := [] if way.under or answer.verdict != "refuted" else samples_of(way.vocabulary, *way.sides):
+    elif samples := samples_of(way.vocabulary, *way.sides) if answer.verdict == "refuted" and is_plain else []:
         yield from islice((pair for pair in changed if agree(samples, pair[1].sides)), MOST_REPAIRS)
     else:
         point = {name: value for name, value in (answer.counterexample or {}).items() if isinstance(value, str)}
@@ -129,9 +130,15 @@ def _differs(way: Way, point: Mapping[str, str]) -> bool:
         return False
 
 
+def _has_operators(way: Way) -> bool:
+    return any(True for tree in way.sides for _ in tree.find_data("operated"))
+
+
 def is_trivial(way: Way) -> bool:
     """Whether the sides are the same but for the order of their parts, with nothing put in."""
     questions = asked_of(way.vocabulary, *way.sides)
+    if _has_operators(way):
+        return False
     if isinstance(questions, str) or way.under or used_by(way.vocabulary, *way.sides) or values_of(questions):
         return False
     return all(each.lhs == each.rhs for each in questions)

@@ -39,7 +39,7 @@ from algebroproj_sym.reading.lexing.names import OF_CHANCE, OFTEN_FUNCTION, spli
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_pieces
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
-from algebroproj_sym.reading.parsing.operators import Operators, operators_in, with_operators
+from algebroproj_sym.reading.parsing.operators import Applied, Operators, operators_in, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_rows_apart, with_transposes
 from algebroproj_sym.reading.prose.acting import acted_on
 from algebroproj_sym.reading.prose.describing import described
@@ -201,9 +201,14 @@ class Survey:
         return are_transposes(self._first_equations, self._prose)
 
     @cached_property
-    def _operators(self) -> Operators | None:
+    def operators(self) -> Operators | None:
         """Which operators there are that are applied to something."""
         return operators_in(self._first_equations)
+
+    @cached_property
+    def applied(self) -> Mapping[str, Applied]:
+        """The letters of operators with what these are applied to."""
+        return self.operators.applied if self.operators and self.formulas else {}
 
     @cached_property
     def labels(self) -> frozenset[str]:
@@ -217,7 +222,7 @@ class Survey:
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
-        if not (self.labels or self._has_transposes or self._operators):
+        if not (self.labels or self._has_transposes or self.operators):
             return self._first
         return {id(each): self._parsed(each, self.labels) for each in self.statements}
 
@@ -250,8 +255,8 @@ class Survey:
         found = parsed(statement.pieces, is_name, self.functions, wide)
         found = with_traces(found) if self.has_tensors_of_three_rows else found
         found = with_rows_apart(found if plain or not self._has_transposes else with_transposes(found))
-        if not plain and self._operators:
-            found = with_operators(found, self._operators)
+        if not plain and self.operators:
+            found = with_operators(found, self.operators)
         return found
 
     def left_of(self, statement: Statement) -> frozenset[str]:

@@ -28,6 +28,7 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.components import by_components, with_printed_components
 from algebroproj_sym.reading.judging.constraining import under_equations
 from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of
+from algebroproj_sym.reading.judging.fields import of_fields
 from algebroproj_sym.reading.judging.quaternions import of_quaternions
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.renaming import as_multiples, with_columns_as_letters, with_functions_as_letters
@@ -83,6 +84,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *with_printed_components(standing, left, right),
         *as_multiples(standing, left, right),
         *by_components(standing, left, right),
+        *of_fields(standing, left, right),
         *_by_induction(standing, left, right),
     ]
     ways += [

@@ -91,6 +91,9 @@ class Values(Protocol):
     def logarithm(self, value: Any) -> Any:
         """Return the logarithm of an expression with such values."""
 
+    def operated(self, kind: str, values: Sequence[Any]) -> Any:
+        """Return what an operator makes of values."""
+
 
 def evaluated(tree: Formula, names: Names, values: Values | None = None) -> Expression:
     """Return the expression that a tree stands for; values that are not computed are refused, or taken from `values`.
@@ -212,6 +215,11 @@ class _Expressions(_Gathering):
         if self.values is not None:
             return self.values.big(str(name), body)
         raise UnreadableError(f"{name} is read, but not computed", name.start_pos)
+
+    def operated(self, kind: Token, *parts: Any) -> Any:
+        if self.values is None:
+            raise UnreadableError(f"{kind} is an operator, so it is not computed")
+        return self.values.operated(str(kind), parts)
 
     def integral(self, body: Any, low: Any, high: Any, variable: Any, step: Any) -> Any:
         ends = (INFINITE[str(end)] if isinstance(end, Token) else end for end in (low, high))

@@ -70,6 +70,9 @@ class _Gathering:
 
     applied = gradient = along
 
+    def operated(self, kind: Token, *parts: Any) -> Any:
+        raise UnreadableError(f"{kind} is an operator, so it is not computed")
+
     def integral(self, *parts: Any) -> Any:
         raise UnreadableError("an integral is computed only of numbers")
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from lark import Token, Tree
@@ -29,8 +29,19 @@ _NABLA = re.compile(r"(?:\\(?:mathbf|boldsymbol|bm|vec)\{)?\\nabla\}?")
 _PARTIAL = re.compile(r"\\partial_.+")
 _BOLD = re.compile(VECTOR_STYLE)
 _TWO: Formula = Tree("number", [Token("NUMBER", "2")])
-_APPLIED = ("symbol", "opaque", "call", "bracket", "marked")
+_APPLIED = ("symbol", "opaque", "call", "bracket", "marked", "fraction", "function", "power", "root")
 """To what an operator may be applied: a product behind it may begin with a factor of its own."""
+
+
+@dataclass(frozen=True)
+class Applied:
+    """An operator with what it is applied to."""
+
+    kind: str
+    """How it is called: "div", "curl", "grad", "lap", "along", or "partial" with its letter."""
+    body: Formula
+    by: Formula | None = None
+    r"""The u of ``(u \cdot \nabla) v``."""
 
 
 @dataclass(frozen=True)
@@ -43,10 +54,13 @@ class Operators:
         Whether a D is a derivative wherever it stands.
     fields : bool
         Whether gradients are those of fields, and by no vector of the document.
+    applied : dict
+        What each letter of an operator is, as far as formulas were changed.
     """
 
     material: bool
     fields: bool
+    applied: dict[str, Applied] = field(default_factory=dict, compare=False)
 
 
 def operators_in(equations: Sequence[Sides]) -> Operators | None:
@@ -83,7 +97,7 @@ def _is_material(equations: Iterable[Sides]) -> bool:
 def _has_fields(sides: Sides) -> bool:
     """Whether a nabla has a point, a cross or a square, or is bold, so that it is no gradient by a vector."""
     trees = [each for side in sides for each in side.iter_subtrees()]
-    products = any(each.data == "product" and _of_product(each) is not each for each in trees)
+    products = any(each.data == "product" and _of_product(each, {}) is not each for each in trees)
     squares = any(each.data == "power" and _is_nabla(trees_in(each)[0]) for each in trees)
     return products or squares or any(_is_nabla(each) and each.children[0] != r"\nabla" for each in trees)
 
@@ -97,8 +111,20 @@ def _changed(tree: Any, operators: Operators) -> Any:
         return _linear(lambda each: f"D {_written(each)}/D {variable}", body)
     changed = Tree(tree.data, [_changed(each, operators) for each in tree.children])
     if changed.data == "run":
-        return _of_run(changed, operators.fields)
-    return _of_product(changed) if changed.data == "product" else changed
+        changed = Tree("run", [one for each in changed.children for one in _factors_of(each)])
+        return _of_run(changed, operators)
+    return _of_product(changed, operators.applied) if changed.data == "product" else changed
+
+
+def _factors_of(part: Any) -> list[Any]:
+    r"""Return a letter and a bracket for what looks like a value of a function, as ``\rho (u \cdot \nabla)``."""
+    if not isinstance(part, Tree) or part.data != "call" or not any(map(_is_along, map(_bracket, trees_in(part)))):
+        return [part]
+    return [Tree("symbol", [Token("SYMBOL", str(part.children[0]))]), *map(_bracket, trees_in(part))]
+
+
+def _bracket(items: Formula) -> Formula:
+    return Tree("bracket", [items])
 
 
 def _of_material(fraction: Formula) -> tuple[Formula, str] | None:
@@ -113,43 +139,62 @@ def _of_material(fraction: Formula) -> tuple[Formula, str] | None:
     return (body, str(variable.children[0])) if is_sign and variable.data == "symbol" else None
 
 
-def _of_run(run: Formula, fields: bool) -> Formula:
+def _of_run(run: Formula, operators: Operators) -> Formula:
     """Return a product in which an operator before its last factor is one letter with it."""
     *before, sign, body = trees_in(run) if len(run.children) > 1 else (run, run)
     if body.data not in _APPLIED or any(map(_acts, before)):
         return run
+    applied = operators.applied
     if sign.data == "power" and _is_nabla(trees_in(sign)[0]) and trees_in(sign)[1] == _TWO:
-        name = _named("lap", body, r"\mathbf{lap}")
-    elif _is_nabla(sign) and fields:
-        name = _named(r"\mathbf{grad}", body, r"\mathbf{Grad}")
+        name = _named(applied, "lap", "lap", body, r"\mathbf{lap}")
+    elif _is_nabla(sign) and operators.fields:
+        name = _named(applied, "grad", r"\mathbf{grad}", body, r"\mathbf{Grad}")
     elif _is_partial(sign):
-        name = _named(f"part {str(sign.children[0]).partition('_')[2]}", body, r"\mathbf{part}")
+        letter = str(sign.children[0]).partition("_")[2]
+        name = _named(applied, f"partial {letter}", f"part {letter}", body, rf"\mathbf{{part}} {letter}")
     elif _is_along(sign) and _has_vector(body):
-        name = _named("", body, rf"\mathbf{{along}} {_plain(trees_in(without_brackets(sign))[0])} of")
+        by = trees_in(without_brackets(sign))[0]
+        name = _named(applied, "along", "", body, rf"\mathbf{{along}} {_plain(by)} of", by)
     else:
         return run
     return _joined("run", [*before, _linear(name, body)])
 
 
-def _of_product(product: Formula) -> Formula:
+def _of_product(product: Formula, applied: dict[str, Applied]) -> Formula:
     """Return a product in which a nabla with a point or a cross behind it is one letter with what follows."""
     first, *rest = product.children
+    if len(rest) == 4 and isinstance(rest[1], Tree) and _is_nabla(rest[1]):
+        inner = _of_product(Tree("product", rest[1:]), applied)
+        rest = [rest[0], inner] if inner.data == "symbol" else rest
     if len(rest) != 2 or not isinstance(first, Tree) or not isinstance(rest[1], Tree):
         return product
     *before, sign = trees_in(first) if first.data == "run" else [first]
     body = rest[1]
     kind = getattr(rest[0], "type", "")
+    gradient = applied.get(str(body.children[0])) if body.data == "symbol" and kind == "DOT" else None
+    if gradient is not None and gradient.kind == "grad" and _has_vector(gradient.body) and _has_vector(sign):
+        name = _named(applied, "along", "", gradient.body, rf"\mathbf{{along}} {_plain(sign)} of", sign)
+        return _joined("run", [*before, _linear(name, gradient.body)])
     if not _is_nabla(sign) or body.data not in _APPLIED or any(map(_acts, before)) or kind not in ("DOT", "CROSS"):
         return product
     of_vector = r"\mathbf{curl}" if kind == "CROSS" else "div"
-    name = _named(of_vector, body, r"\mathbf{div}" if kind == "DOT" and _has_table(body) else of_vector)
+    of_table = r"\mathbf{div}" if kind == "DOT" and _has_table(body) else of_vector
+    name = _named(applied, "curl" if kind == "CROSS" else "div", of_vector, body, of_table)
     return _joined("run", [*before, _linear(name, body)])
 
 
-def _named(of_number: str, body: Formula, of_vector: str) -> Name:
-    """Return how an operator with each term of a formula is written."""
+def _named(
+    applied: dict[str, Applied], kind: str, of_number: str, body: Formula, of_vector: str, by: Formula | None = None
+) -> Name:
+    """Return how an operator with each term of a formula is written; what is written so is noted."""
     sign = of_vector if _has_vector(body) else of_number
-    return lambda each: f"{sign} {_plain(each)}"
+
+    def name(each: Formula) -> str:
+        symbol = f"{sign} {_plain(each)}"
+        applied[symbol] = Applied(kind, each, by)
+        return symbol
+
+    return name
 
 
 def _linear(name: Name, body: Formula) -> Formula:

@@ -64,6 +64,9 @@ class _Texts(_Gathering):
             return f"({base[0]}){mark}", _ATOM
         return (f"{_in(base, _ATOM)}.T" if mark == "T" else f"{mark}({base[0]})"), _ATOM
 
+    def operated(self, kind: Token, *parts: Text) -> Text:
+        return f"{kind}({_listed([*parts])})", _ATOM
+
     def factorial(self, base: Text) -> Text:
         return f"factorial({base[0]})", _ATOM
 

@@ -7,7 +7,8 @@ So ``\nabla \cdot (\nabla \times \mathbf{A}) = 0`` is an equation of polynomials
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import sympy
@@ -130,7 +131,7 @@ def with_operators_apart(tree: Any, applied: Mapping[str, Applied], letters: Map
     """
     if not isinstance(tree, Tree):
         return tree
-    inside = lambda each: with_operators_apart(each, applied, letters)  # noqa: E731
+    inside: Callable[[Any], Any] = partial(with_operators_apart, applied=applied, letters=letters)
     name = str(tree.children[0]) if tree.data in ("symbol", "opaque", "big") else ""
     if ZERO.fullmatch(name):
         return Tree("number", [Token("NUMBER", "0")])

@@ -35,8 +35,11 @@ Apart = Callable[[Formula], Formula]
 def of_fields(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     r"""Yield a relation with operators by components, also under equations near it and their derivatives.
 
-    ``\nabla^2`` alone may be another thing: the matrix of second derivatives.
+    ``\nabla^2`` alone may be another thing: the matrix of second derivatives.  Words may hold other letters than
+    coordinates.
     """
+    if standing.beside.variables - {*SPACE, "t"}:
+        return
     applied = standing.survey.applied
     symbols = {*standing.survey.occurring, *(one for each in applied.values() for one in symbols_in(each.body))}
     letters = {bare_name(each): each for each in sorted(symbols)}
@@ -96,6 +99,8 @@ def _with_fields(
     kinds, letters = _kinds_in(*trees), frozenset().union(*map(known.letters_of, trees))
     by = {kind[-1] for kind in kinds - _BY_PLACE}
     if any(each.parameters for each in used) or by & {*known.definitions}:
+        return
+    if any(known.moves_with((letters | by) & {*SPACE, "t"} - {each}, each) for each in by):
         return
     coordinates = frozenset((*(SPACE if by & {*SPACE} else ()), *("t" if "t" in by else ())))
     vectors = {each for each in letters if known.is_matrix(each)}.union(*map(vectors_in, trees)) - {*known.definitions}

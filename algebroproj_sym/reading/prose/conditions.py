@@ -42,8 +42,8 @@ def is_condition(beside: Beside, formula: Parsed) -> bool:
 
 
 def _number_of(formula: Parsed) -> str:
-    """Return the number that a letter alone is equal to; empty if there is none."""
-    lone = [each for each in formula.sides if each.data == "symbol"]
+    """Return the number that a letter alone is equal to, and not what an operator makes; empty if there is none."""
+    lone = [each for each in formula.sides if each.data == "symbol" and " " not in str(each.children[0])]
     numbers = [str(each.children[0]) for each in formula.sides if each.data == "number"]
     return numbers[0] if len(formula.sides) == 2 and lone and numbers else ""
 

@@ -198,11 +198,3 @@ def test_a_proof_tells_what_it_supposes():
 def test_an_equation_gives_no_meaning_to_what_an_operator_makes():
     first, _, last, _ = read_document(document_of(MAXWELL))
     assert first.verdict == last.verdict == "independent"
-
-
-def test_a_misprint_in_an_equation_of_fields_is_named():
-    latex = (
-        r"\[ \nabla \cdot (\mathbf{a} \times \mathbf{b}) = \mathbf{b} \cdot (\nabla \times \mathbf{a}) + \mathbf{a} "
-    )
-    (link,) = read_document(document_of(BEGIN + latex + r"\cdot (\nabla \times \mathbf{b}). \]"))[-1].links
-    assert link.suggestion

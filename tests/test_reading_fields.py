@@ -171,6 +171,8 @@ def test_what_equations_of_fields_say_when_they_are_derived_follows(latex):
         r"\[ g = \nabla f \] \[ \nabla^2 (f h) = f \nabla^2 h + h \nabla^2 f + 2 \nabla f \cdot \nabla h. \]",
         # Two derivatives of one vector.
         r"\[ \partial_t (\mathbf{a} \times \mathbf{b}) = \partial_x (\mathbf{a} \times \mathbf{b}). \]",
+        # At a fixed x, or along the path.
+        r"\[ f = x^2 + t, \quad x = a t. \] Then \[ \frac{\partial f}{\partial t} = 2 a^2 t + 1. \]",
         # A component of another letter.
         r"\[ q = \nabla \cdot \vec{v}. \] Hence \[ q = \frac{\partial u_x}{\partial x} "
         r"+ \frac{\partial u_y}{\partial y} + \frac{\partial u_z}{\partial z}. \]",

@@ -91,8 +91,8 @@ def test_a_factor_that_makes_a_number_a_vector_is_named():
 
 def test_a_misprint_in_an_equation_of_fields_is_named():
     latex = (
-        r"The source is \[ q = \nabla \cdot \mathbf{v}. \] For all fields \[ \nabla \cdot (\mathbf{a} \times \mathbf{b}) = "
-        r"\mathbf{b} \cdot (\nabla \times \mathbf{a}) + \mathbf{a} \cdot (\nabla \times \mathbf{b}). \]"
+        r"The source is \[ q = \nabla \cdot \mathbf{v}. \] For all fields \[ \nabla \cdot (\mathbf{a} \times "
+        r"\mathbf{b}) = \mathbf{b} \cdot (\nabla \times \mathbf{a}) + \mathbf{a} \cdot (\nabla \times \mathbf{b}). \]"
     )
     (link,) = read_document(document_of(latex))[-1].links
     assert link.suggestion == "b*curl(a) - a*curl(b) instead of b*curl(a) + a*curl(b)"

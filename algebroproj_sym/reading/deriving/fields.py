@@ -25,6 +25,8 @@ from algebroproj_sym.reading.parsing.operators import Applied
 
 SPACE = "xyz"
 COORDINATES = (*SPACE, "t")
+ALONG = ("along", "along, without brackets")
+r"""``(u \cdot \nabla) v``, and ``u \cdot \nabla v``, which a few authors mean otherwise."""
 _SLOPE = re.compile(
     r"\\partial(?:\^2)?(?P<above>[^/]*)/\\partial(?P<first>[a-z])(?:(?P<twice>\^2)|\\partial(?P<last>[a-z]))?"
 )
@@ -33,9 +35,8 @@ _SLOPE = re.compile(
 class Fields:
     """What operators make of values: their letters are functions of place and time, but for those that are constant."""
 
-    def __init__(self, constant: frozenset[str], coordinates: frozenset[str]) -> None:
+    def __init__(self, constant: frozenset[str]) -> None:
         self._constant = constant
-        self._coordinates = coordinates
         self._derivatives: dict[Any, tuple[str, str]] = {}
 
     def operated(self, kind: str, values: Sequence[Any]) -> Any:
@@ -48,7 +49,7 @@ class Fields:
     def _applied(self, kind: str, value: Any, along: Any = None) -> Any:
         if kind.startswith("partial"):
             return self._by(value, kind[-1])
-        if kind == "along":
+        if kind in ALONG:
             return self._summed(along[i] * self._by(value, letter) for i, letter in enumerate(SPACE))
         if kind == "lap":
             return self._summed(self._by(self._by(value, letter), letter) for letter in SPACE)
@@ -75,9 +76,7 @@ class Fields:
         return sympy.Add(*(slope_of(value, each) * self._derivative(each, letter) for each in symbols))
 
     def _derivative(self, symbol: Any, letter: str) -> Any:
-        """Return the letter of a derivative, or the number that is one."""
-        if symbol.name in self._coordinates:
-            return sympy.Integer(symbol.name == letter)
+        """Return the letter of a derivative; zero for a constant."""
         base, below = self._derivatives.get(symbol, (symbol.name, ""))
         if base in self._constant:
             return sympy.S.Zero

@@ -10,6 +10,7 @@ from algebroproj_sym.expressions import shape
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.fields import (
+    ALONG,
     SPACE,
     Fields,
     components_of,
@@ -28,7 +29,7 @@ from algebroproj_sym.reading.parsing.operators import Applied
 
 MOST_UNDER = 6
 """How many equations serve together with their derivatives."""
-_BY_PLACE = frozenset(("div", "curl", "grad", "lap", "along"))
+_BY_PLACE = frozenset(("div", "curl", "grad", "lap", *ALONG))
 Apart = Callable[[Formula], Formula]
 
 
@@ -36,7 +37,7 @@ def of_fields(standing: Standing, left: Formula, right: Formula) -> Iterator[Way
     r"""Yield a relation with operators by components, also under equations near it and their derivatives.
 
     ``\nabla^2`` alone may be another thing: the matrix of second derivatives.  Words may hold other letters than
-    coordinates.
+    coordinates.  What has a coordinate itself is differentiated elsewhere.
     """
     if standing.beside.variables - {*SPACE, "t"}:
         return
@@ -50,7 +51,7 @@ def of_fields(standing: Standing, left: Formula, right: Formula) -> Iterator[Way
         return
     known = _with_definitions_apart(standing.vocabulary, apart)
     kinds = _kinds_in(*sides, *(each.tree for each in used_by(known, *sides)))
-    has_vectors = any(each.kind in ("div", "curl", "along") for each in applied.values())
+    has_vectors = any(each.kind in ("div", "curl", *ALONG) for each in applied.values())
     if not kinds or ("lap" in kinds and not (has_vectors or kinds - _BY_PLACE)):
         return
     near = _near(standing, known, sides, apart)
@@ -100,25 +101,25 @@ def _with_fields(
     by = {kind[-1] for kind in kinds - _BY_PLACE}
     if any(each.parameters for each in used) or by & {*known.definitions}:
         return
-    if any(known.moves_with((letters | by) & {*SPACE, "t"} - {each}, each) for each in by):
+    if by & letters or any(known.moves_with(by - {each}, each) for each in by):
         return
-    coordinates = frozenset((*(SPACE if by & {*SPACE} else ()), *("t" if "t" in by else ())))
     vectors = {each for each in letters if known.is_matrix(each)}.union(*map(vectors_in, trees)) - {*known.definitions}
     values: dict[str, Any] = {}
     for vector in sorted(vectors):
         values |= components_of(vector, known.name(vector), letters)
     inside = [part for each in trees for part in each.find_data("operated")]
     inside += [each.body for each in applied.values()]
-    still = letters - frozenset().union(coordinates, vectors, *map(known.letters_of, inside))
+    still = letters - frozenset().union(vectors, *map(known.letters_of, inside))
     said = letters & known.dependence.constant
     for fixed in dict.fromkeys((said | still,) if under else (said, said | still)):
         names = {f"{known.name(each)}{end}" for each in fixed for end in ("", *(f"__{letter}" for letter in SPACE))}
-        fields = known.with_fields(Fields(frozenset(names), coordinates), values)
+        fields = known.with_fields(Fields(frozenset(names)), values)
         supposes = [
             f"letters are smooth functions of {', '.join(SPACE)} and t",
             *(f"{known.name(each)} is a component" for each in sorted(values.keys() - vectors)),
             *(f"{known.name(each)} does not change" for each in sorted(fixed)),
             *(f"{each.where} holds everywhere" for each in under),
+            *("u.nabla v is (u.nabla) v" for _ in kinds & {ALONG[1]}),
         ]
         derived = (one for each in under for one in (each, *_derivatives_of(each, fields, kinds)))
         yield Way(*sides, fields, A_VALUE, shown, tuple(derived), tuple(dict.fromkeys(supposes)))

@@ -38,7 +38,7 @@ class Applied:
     """An operator with what it is applied to."""
 
     kind: str
-    """How it is called: "div", "curl", "grad", "lap", "along", or "partial" with its letter."""
+    """How it is called: "div", "curl", "grad", "lap", "along", the same without brackets, or "partial x"."""
     body: Formula
     by: Formula | None = None
     r"""The u of ``(u \cdot \nabla) v``."""
@@ -173,7 +173,9 @@ def _of_product(product: Formula, applied: dict[str, Applied]) -> Formula:
     kind = getattr(rest[0], "type", "")
     gradient = applied.get(str(body.children[0])) if body.data == "symbol" and kind == "DOT" else None
     if gradient is not None and gradient.kind == "grad" and _has_vector(gradient.body) and _has_vector(sign):
-        name = _named(applied, "along", "", gradient.body, rf"\mathbf{{along}} {_plain(sign)} of", sign)
+        name = _named(
+            applied, "along, without brackets", "", gradient.body, rf"\mathbf{{along}} {_plain(sign)} of", sign
+        )
         return _joined("run", [*before, _linear(name, gradient.body)])
     if not _is_nabla(sign) or body.data not in _APPLIED or any(map(_acts, before)) or kind not in ("DOT", "CROSS"):
         return product

@@ -171,6 +171,20 @@ def has_rate(letter: str, variable: str, occurring: frozenset[str]) -> bool:
     return not bare.isdisjoint(rates | ({_with_dot(name), _with_dot(_with_dot(name))} if variable == "t" else set()))
 
 
+def order_of(symbol: str, letter: str, variable: str) -> int | None:
+    r"""Return how often a letter is derived by a variable in a symbol; None if the symbol is none of its derivatives.
+
+    Examples
+    --------
+    >>> order_of(r"\dot{x}", "x", "t"), order_of("d^2y/dx^2", "y", "x"), order_of("x_1", "x", "t")
+    (1, 2, None)
+    """
+    bare, name, below = _bare(symbol), _bare(letter), _bare(variable)
+    dots = [name, _with_dot(name), _with_dot(_with_dot(name))] if variable == "t" else []
+    written = ([name], [f"d{name}/d{below}", f"{name}'", *dots[1:2]], [f"d^2{name}/d{below}^2", f"{name}''", *dots[2:]])
+    return next((order for order, names in enumerate(written) if bare in names), None)
+
+
 def _change(letters: Iterable[str], variable: str, occurring: frozenset[str], sign: str = "d") -> bool:
     """Whether the document has a derivative of some letter, by a variable, or by time.
 

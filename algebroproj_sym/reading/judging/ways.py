@@ -33,6 +33,7 @@ from algebroproj_sym.reading.judging.quaternions import of_quaternions
 from algebroproj_sym.reading.judging.questions import Sides, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.renaming import as_multiples, with_columns_as_letters, with_functions_as_letters
 from algebroproj_sym.reading.judging.sampling import is_somewhere_positive
+from algebroproj_sym.reading.judging.solutions import of_solutions
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import from_derivatives, from_integrals, with_premises
 from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
@@ -85,6 +86,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *as_multiples(standing, left, right),
         *by_components(standing, left, right),
         *of_fields(standing, left, right),
+        *of_solutions(standing, left, right),
         *_by_induction(standing, left, right),
     ]
     ways += [

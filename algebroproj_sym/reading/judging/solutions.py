@@ -1,0 +1,174 @@
+"""Solutions of differential equations: what satisfies one and its initial values is the only one that does.
+
+The equation is one of a number.  It gives its highest derivative as a polynomial of the others, so that the theorem of
+Picard and Lindelöf holds.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+from lark import Token, Tree
+
+from algebroproj_sym.expressions import over, shape
+from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, extended, letter_of, said_by
+from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
+from algebroproj_sym.reading.deriving.chains import slope_of
+from algebroproj_sym.reading.deriving.derivatives import order_of, unchanged
+from algebroproj_sym.reading.deriving.series import with_exponentials
+from algebroproj_sym.reading.judging.doubts import A_VALUE
+from algebroproj_sym.reading.judging.memory import where_of
+from algebroproj_sym.reading.judging.questions import Way
+from algebroproj_sym.reading.judging.standing import Standing
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, lone, symbols_in, trees_in, without_brackets
+
+_WAVES = (sympy.sin, sympy.cos, sympy.exp)
+
+
+@dataclass(frozen=True)
+class _Unknown:
+    """The function that a differential equation gives."""
+
+    letter: str
+    variable: str
+    orders: Mapping[str, int]
+    """How often each symbol of the document is derived that is this function or a derivative of it."""
+
+
+@dataclass(frozen=True)
+class _Initial:
+    """An initial value: that of a derivative at a point."""
+
+    order: int
+    point: Formula
+    value: Formula
+    where: str
+
+
+def of_solutions(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    """Yield whether the right side satisfies a differential equation near it, and the initial values of its section."""
+    letter, parameters = defined_by(left)
+    if not letter or letter in symbols_in(right) or standing.vocabulary.is_matrix(letter) or len(parameters) > 1:
+        return
+    given = (each for each in standing.vocabulary.definitions.values() if each.part == standing.part)
+    for each in [*standing.near(MOST_TOGETHER), *map(said_by, given)]:
+        for variable in parameters or _variables_of(letter, each):
+            unknown = _Unknown(letter, variable, _orders(letter, variable, standing.survey.occurring))
+            way = _solved(standing, each, unknown, right)
+            yield from [] if way is None else [way]
+
+
+def _variables_of(letter: str, premise: Premise) -> list[str]:
+    """Return the letters by which an equation has a derivative of one."""
+    below = {each.rpartition("/d")[2].partition("^")[0] for each in premise.symbols if "/d" in each}
+    return [each for each in sorted({"t", *below}) if len(_orders(letter, each, premise.symbols)) > 1]
+
+
+def _orders(letter: str, variable: str, symbols: frozenset[str]) -> dict[str, int]:
+    """Return how often the symbols are derived that are a letter or a derivative of it."""
+    orders = {each: order_of(each, letter, variable) for each in symbols}
+    return {symbol: order for symbol, order in orders.items() if order is not None} | {letter: 0}
+
+
+def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Formula) -> Way | None:
+    """Return whether a formula satisfies an equation and as many initial values as its order asks for."""
+    known, orders = standing.vocabulary, unknown.orders
+    order = max((orders[each] for each in premise.symbols if each in orders), default=0)
+    lead = _leading(premise, unknown, order, known) if order else None
+    initial = _initial_values(standing, unknown, order)
+    letters = frozenset().union(*map(known.letters_of, (premise.left, premise.right, right)))
+    constant = sorted(letters - {*orders, unknown.variable})
+    if lead is None or len(initial) < order or known.moves_with(constant, unknown.variable):
+        return None
+    places = (*(each.where for each in initial), premise.where)
+    solution = [
+        Definition(_name(place), (unknown.variable,), slope_of(right, unknown.variable, f"^{place}"), where, -1, True)
+        for place, where in enumerate(places)
+    ]
+    values = [(_call(each.order, each.point), each.value) for each in initial]
+    pairs = [(premise.left, premise.right), *values]
+    ours, theirs = (_column(*(_put_in(with_exponentials(pair[side]), unknown) for pair in pairs)) for side in (0, 1))
+    shown = f"{known.equation(letter_of(unknown.letter), right)}, as the solution of {premise.where}"
+    supposes = [f"{premise.where} holds for every {known.name(unknown.variable)}{unchanged(constant, known)}"]
+    supposes += [f"{lead} != 0"] if lead.free_symbols else []
+    return Way(ours, theirs, extended(known, solution), A_VALUE, shown, supposes=tuple(supposes))
+
+
+def _leading(premise: Premise, unknown: _Unknown, order: int, known: Vocabulary) -> Any:
+    """Return by what an equation multiplies its highest derivative; None if the theorem may not hold."""
+    letters = [sympy.Symbol(known.name(_name(place))) for place in range(order + 1)]
+    tree: Formula = Tree("sum", [premise.left, Token("SIGN", "-"), premise.right])
+    try:
+        value = known.value(_put_in(with_exponentials(tree), unknown, by_letters=True))
+    except UNCOMPUTED:
+        return None
+    if shape(value):
+        return None
+    value = value.replace(over, lambda above, below: above / below)
+    smooth = value.replace(lambda part: isinstance(part, _WAVES), lambda _: sympy.Integer(1))
+    moving = value.atoms(*_WAVES)
+    try:
+        polynomial = sympy.Poly(value, *letters)
+        sympy.Poly(smooth, *letters, sympy.Symbol(known.name(unknown.variable)))
+    except sympy.PolynomialError:
+        return None
+    lead = polynomial.coeff_monomial(letters[-1])
+    changing = {*letters, sympy.Symbol(known.name(unknown.variable))}
+    is_linear = polynomial.degree(letters[-1]) == 1 and sympy.expand(polynomial.as_expr().diff(letters[-1]) - lead) == 0
+    inside = any(part.free_symbols & {*letters} for part in moving)
+    return lead if is_linear and not inside and not lead.free_symbols & changing else None
+
+
+def _initial_values(standing: Standing, unknown: _Unknown, order: int) -> list[_Initial]:
+    """Return the last initial values of a section above an equation, or of its sentence, of each order at one point."""
+    place = standing.beside.place
+    found: dict[int, _Initial] = {}
+    for statement in standing.survey.statements:
+        formula = standing.survey.formulas[id(statement)]
+        if statement.display.part != standing.part or statement.display.place >= place:
+            continue
+        if isinstance(formula, Parsed) and formula.relations == ("=",):
+            for side, other in (formula.sides, formula.sides[::-1]):
+                point = _point_in(side, unknown)
+                if point is not None:
+                    callee = unknown.orders[str(side.children[0])]
+                    found[callee] = _Initial(callee, point, other, where_of(statement))
+    values = [found[place] for place in range(order) if place in found]
+    return values if all(each.point == values[0].point for each in values) else []
+
+
+def _point_in(side: Formula, unknown: _Unknown) -> Formula | None:
+    """Return where a function or a derivative is taken, if that is no variable point."""
+    if side.data != "call" or str(side.children[0]) not in unknown.orders:
+        return None
+    arguments = [each for items in trees_in(side) for each in trees_in(items)]
+    is_fixed = len(arguments) == 1 and lone(without_brackets(arguments[0])) != unknown.variable
+    return arguments[0] if is_fixed and unknown.variable not in symbols_in(arguments[0]) else None
+
+
+def _put_in(tree: Formula, unknown: _Unknown, *, by_letters: bool = False) -> Formula:
+    """Return a formula with the solution for the function, and its derivatives; or with letters for them."""
+    name = str(tree.children[0]) if tree.data in ("symbol", "opaque", "call") else ""
+    if name in unknown.orders and (tree.data != "call" or _point_in(tree, unknown) is None):
+        order = unknown.orders[name]
+        return letter_of(_name(order)) if by_letters else _call(order, letter_of(unknown.variable))
+    parts: list[Any] = [
+        _put_in(each, unknown, by_letters=by_letters) if isinstance(each, Tree) else each for each in tree.children
+    ]
+    return Tree(tree.data, parts)
+
+
+def _name(order: int) -> str:
+    return f"solution {order}"
+
+
+def _call(order: int, point: Formula) -> Formula:
+    return Tree("call", [Token("CALLEE", _name(order)), Tree("items", [point])])
+
+
+def _column(*entries: Formula) -> Formula:
+    rows: list[Any] = [Tree("row", [Tree("cell", [each])]) for each in entries]
+    return Tree("matrix", [Token("BEGIN", "("), *rows])

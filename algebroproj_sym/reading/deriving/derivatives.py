@@ -33,7 +33,7 @@ _MIXED = re.compile(r"\\partial\^2(.+)/\\partial(.+?)\\partial(.+)")
 _OPERATOR = re.compile(r"(d|\\partial)(\^[23])?/\1([a-zA-Z]|\\[a-z]+)(?(2)\2)")
 _ERROR = re.compile(r"(?:e|v|\\eta|\\nu|\\(?:var)?epsilon)(?:_.*)?")
 """How the error of a model is called."""
-_AT_START = re.compile(r"_\{?0")
+AT_START = re.compile(r"_\{?0")
 _AXIS = re.compile(r"\\(?:mathbf|vec|hat|overrightarrow)\{?(?:\\mathbf\{?)?(?:[ijkxyz]\}*$|e\}*_\{?[xyz123]\}?$)")
 
 
@@ -375,7 +375,7 @@ def _are_constant(letters: Iterable[str], vocabulary: Vocabulary) -> bool:
     known, axes_turn = vocabulary.dependence.constant, vocabulary.dependence.axes_turn
     return all(
         each in known
-        or _AT_START.search(each)
+        or AT_START.search(each)
         or (_AXIS.search(each) and not axes_turn)
         or vocabulary.constant(each) is not None
         for each in letters

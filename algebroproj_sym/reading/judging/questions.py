@@ -27,6 +27,7 @@ from algebroproj_sym.reading.deriving.parities import parities
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
+from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, tokens_in, trees_in, without_brackets
 from algebroproj_sym.replaying.reals.terms import written
 
@@ -260,6 +261,10 @@ _SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")
 """How functions are called that are the same ones of all letters, unlike p in p(x) and p(y)."""
 
 
+_DENSITY = re.compile(r"[pqP]|\\pi|\\mathcal\{?N\}?")
+"""How densities are called, which are other ones of other letters."""
+
+
 _OF_AN_AXIS = re.compile(r"(?:\\[a-z]+\{)?[A-Z]\}?_\{?(?:[123xyz]|\\(?:mathrm|text)\{[xyz]\})\}?")
 
 
@@ -290,9 +295,19 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
             continue
         letters = [lone(without_brackets(each)) for items in trees_in(call) for each in items.children]
         others = [split_symbol(each)[0] for each in letters if each]
+        if _are_of_one_kind(definition, letters):
+            continue
         if letters and len(others) == len(letters) and not {*others, *letters} & {*definition.parameters}:
             return definition.symbol
     return ""
+
+
+def _are_of_one_kind(definition: Definition, letters: Sequence[str]) -> bool:
+    r"""Whether a function adds a letter to its parameter, as L in ``w(x) = x^2 (3 L - x)``: of L it is the same one."""
+    if len(letters) != 1 or len(definition.parameters) != 1 or _DENSITY.fullmatch(split_symbol(definition.symbol)[0]):
+        return False
+    alone = [{frozenset(symbols_in(term)) for term in terms_of(each)} for each in definition.tree.find_data("sum")]
+    return any({frozenset(letters), frozenset(definition.parameters)} <= each for each in alone)
 
 
 def _hides_an_index(vocabulary: Vocabulary, *trees: Formula) -> str:

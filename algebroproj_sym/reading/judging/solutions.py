@@ -17,8 +17,9 @@ from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, ex
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.chains import slope_of
-from algebroproj_sym.reading.deriving.derivatives import order_of, unchanged
+from algebroproj_sym.reading.deriving.derivatives import AT_START, has_rate, order_of, unchanged
 from algebroproj_sym.reading.deriving.series import with_exponentials
+from algebroproj_sym.reading.judging.constraining import is_asserted
 from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.memory import where_of
 from algebroproj_sym.reading.judging.questions import Way
@@ -54,7 +55,8 @@ def of_solutions(standing: Standing, left: Formula, right: Formula) -> Iterator[
     if not letter or letter in symbols_in(right) or standing.vocabulary.is_matrix(letter) or len(parameters) > 1:
         return
     given = (each for each in standing.vocabulary.definitions.values() if each.part == standing.part)
-    for each in [*standing.near(MOST_TOGETHER), *map(said_by, given)]:
+    near = [each for each in standing.near(MOST_TOGETHER) if is_asserted(standing, each, is_last=True)]
+    for each in [*near, *(each for each in map(said_by, given) if not each.special)]:
         for variable in parameters or _variables_of(letter, each):
             unknown = _Unknown(letter, variable, _orders(letter, variable, standing.survey.occurring))
             way = _solved(standing, each, unknown, right)
@@ -81,7 +83,9 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     initial = _initial_values(standing, unknown, order)
     letters = frozenset().union(*map(known.letters_of, (premise.left, premise.right, right)))
     constant = sorted(letters - {*orders, unknown.variable})
-    if lead is None or len(initial) < order or known.moves_with(constant, unknown.variable):
+    free = [each for each in constant if not AT_START.search(each)]
+    moving = any(has_rate(each, unknown.variable, standing.survey.occurring) for each in constant)
+    if lead is None or len(initial) < order or moving or known.moves_with(free, unknown.variable):
         return None
     places = (*(each.where for each in initial), premise.where)
     solution = [

@@ -142,6 +142,7 @@ def _of_material(fraction: Formula) -> tuple[Formula, str] | None:
 def _of_run(run: Formula, operators: Operators) -> Formula:
     """Return a product in which an operator before its last factor is one letter with it."""
     *before, sign, body = trees_in(run) if len(run.children) > 1 else (run, run)
+    body = _without_braces(body)
     if body.data not in _APPLIED or any(map(_acts, before)):
         return run
     applied = operators.applied
@@ -169,7 +170,7 @@ def _of_product(product: Formula, applied: dict[str, Applied]) -> Formula:
     if len(rest) != 2 or not isinstance(first, Tree) or not isinstance(rest[1], Tree):
         return product
     *before, sign = trees_in(first) if first.data == "run" else [first]
-    body = rest[1]
+    body = _without_braces(rest[1])
     kind = getattr(rest[0], "type", "")
     gradient = applied.get(str(body.children[0])) if body.data == "symbol" and kind == "DOT" else None
     if gradient is not None and gradient.kind == "grad" and _has_vector(gradient.body) and _has_vector(sign):
@@ -183,6 +184,10 @@ def _of_product(product: Formula, applied: dict[str, Applied]) -> Formula:
     of_table = r"\mathbf{div}" if kind == "DOT" and _has_table(body) else of_vector
     name = _named(applied, "curl" if kind == "CROSS" else "div", of_vector, body, of_table)
     return _joined("run", [*before, _linear(name, body)])
+
+
+def _without_braces(tree: Formula) -> Formula:
+    return _without_braces(trees_in(tree)[0]) if tree.data == "group" else tree
 
 
 def _named(

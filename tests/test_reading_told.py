@@ -89,3 +89,19 @@ def test_the_rate_of_a_letter_is_a_number() -> None:
     latex = r"The derivative $u_x$ is constant. \[ m = q u_x r. \] Hence \[ m - u_x q r = 0. \]"
     assert verdict(latex) == "follows"
     assert verdict(latex.replace("u_x", "D_x")) != "follows"
+
+
+@pytest.mark.parametrize(
+    ("words", "follows"),
+    [
+        (r"The reactor has the residence time $u = V/q$.", True),
+        (r"The beam has the length $u = V/q$ if it is cold.", False),
+        (r"The beam has the length $u = V/q$, but only when it is cold.", False),
+        (r"Some use the incorrect speed $u = V/q$.", False),
+        (r"We do not use the effective mass $u = V/q$ here.", False),
+        (r"In the old units the reduced mass $u = V/q$ was used.", False),
+    ],
+)
+def test_a_quantity_with_an_adjective_is_given_within_the_text(words, follows):
+    latex = words + r" The force is \[ F = u g. \] Hence \[ F = \frac{V g}{q}. \]"
+    assert (verdict(latex) == "follows") is follows

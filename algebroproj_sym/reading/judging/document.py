@@ -225,9 +225,10 @@ class _Pass:
         restricts = self._restricts_new(statement, formula)
         says = is_given_within(before, number=number and not restricts)
         says = says and not (elsewhere or beside(statement, "").is_denied)
-        says = says and not (ASKS.match(sentence) or is_denied_behind(statement.display.after))
+        denied = is_denied_behind(statement.display.after)
+        says = says and not (ASKS.match(sentence) or denied)
         self.memory.stand_at(statement.display)
-        stated = SAYS.search(before) or is_item(before, statement.display.after)
+        stated = not denied and (SAYS.search(before) or is_item(before, statement.display.after))
         at_value = is_value_of_itself(*formula.sides) if len(formula.sides) == 2 else False
         if len(formula.sides) == 2 and not at_value and (says or (stated and not CASES.search(sentence))):
             definition = definition_in(self.memory, statement, formula, explicit=bool(says), late=bool(says))

@@ -116,6 +116,11 @@ def leads_elsewhere(behind: str) -> bool:
     return _ELSEWHERE.match(behind.lstrip()) is not None
 
 
+_DENIED_BEHIND = heard(
+    r"\s*(?:is|are|need|does|do|can|must|should|may) not\b|[\s,]*(?:(?:but|only|just|exactly) )*<if>\b(?! and only)"
+)
+
+
 def is_denied_behind(behind: str) -> bool:
-    """Whether the words right behind a formula deny it, as in "where $b = 0$ is not assumed"."""
-    return re.match(r"\s*(?:is|are|need|does|do|can|must|should|may) not\b", behind) is not None
+    """Whether the words right behind a formula deny it, as in "where $b = 0$ is not assumed", or ask for more: "if"."""
+    return _DENIED_BEHIND.match(behind) is not None

@@ -241,8 +241,14 @@ def _behind_words(row: list[Piece], bare: Sequence[Piece]) -> list[Piece]:
 
 def _goes_on(before: Sequence[Piece], row: Sequence[Piece]) -> bool:
     """Whether a row goes on with the equation of the row before it."""
-    is_open = _opened(before) > 0 > _opened(row) or first_text(reversed(_without_idle(before))) in SIGNS
+    is_open = _opened(before) > 0 > _opened(row) or _ends_with_sign(before)
     return is_open or ends_with_relation(_without_idle(before)) or not has_relation(row) or _begins_with_sign(row)
+
+
+def _ends_with_sign(pieces: Sequence[Piece]) -> bool:
+    r"""Whether a row ends with a sign that is no script, as that of ``x^-`` is."""
+    texts = [each.text for each in _without_idle(pieces) if not each.text.isspace()]
+    return texts[-1:] != [] and texts[-1] in SIGNS and texts[-2:-1] not in (["^"], ["_"])
 
 
 def _opened(pieces: Sequence[Piece]) -> int:

@@ -351,7 +351,7 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
         text = "".join(piece.text for piece in inside if not piece.text.isspace() and piece.text not in DROPPED)
         cursor.out.append(Token("SYMBOL", f"{whole} {text}", start_pos=start))
         return
-    bracket = cursor.peek() if cursor.functions is not None and not raised else ""
+    bracket = cursor.peek() if cursor.functions is not None and not (raised or _is_of_cross(cursor)) else ""
     index = _INDEX.fullmatch(_inside_of(cursor)) if bracket == "[" and whole in (cursor.functions or ()) else None
     of_chance = index and _EXPECTATION.fullmatch(whole) and _VARIABLE.fullmatch(index[0])
     if index and not (of_chance or OF_CHANCE.fullmatch(whole)):
@@ -366,6 +366,13 @@ def emit_name(cursor: Cursor, whole: str, start: int, *, raised: bool = False) -
     named = _EXPECTATION.fullmatch(whole) is not None and (whole[:2] != "P_" or whole in (cursor.functions or ()))
     called = called or (bracket == "[" and named)
     cursor.out.append(Token("CALLEE" if called else "SYMBOL", whole, start_pos=start))
+
+
+def _is_of_cross(cursor: Cursor) -> bool:
+    r"""Whether the bracket that comes next is the matrix of a cross product, as in ``R [t]_\times``."""
+    ahead = replace(cursor)
+    ahead.index += len(bracket_ahead(ahead))
+    return ahead.index > cursor.index and ahead.peek() in ("_", "^") and MARKS.get(take_scripts(ahead)[1]) == "hat"
 
 
 def before_condition(symbol: str) -> str:
@@ -437,7 +444,7 @@ def _gives_a_value(cursor: Cursor, length: int) -> bool:
     return not cursor.out and next((text for text in behind if not text.isspace()), "") in ("=", "&", ":=")
 
 
-_OF_MATRIX = re.compile(r"\\mathbf\{|[A-Z]$|[)\]]")
+_OF_MATRIX = re.compile(r"\\mathbf\{|[A-Z](?:_.*)?$|[)\]]")
 """How the token before ``^{-T}``, the transposed inverse, begins: a bold letter, a capital, or a bracket."""
 
 

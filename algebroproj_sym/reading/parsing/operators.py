@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Any
 
 from lark import Token, Tree
@@ -95,10 +96,16 @@ def _is_material(equations: Iterable[Sides]) -> bool:
 
 
 def _has_fields(sides: Sides) -> bool:
-    """Whether a nabla has a point, a cross or a square, or is bold, so that it is no gradient by a vector."""
+    r"""Whether a nabla has a point, a cross or a square, or is bold, so that it is no gradient by a vector.
+
+    In ``\nabla^2 f(x)`` the square may be that of all second derivatives.
+    """
     trees = [each for side in sides for each in side.iter_subtrees()]
     products = any(each.data == "product" and _of_product(each, {}) is not each for each in trees)
-    squares = any(each.data == "power" and _is_nabla(trees_in(each)[0]) for each in trees)
+    pairs = [pair for each in trees if each.data == "run" for pair in pairwise(trees_in(each))]
+    of_values = [sign for sign, body in pairs if body.data == "call" and len(trees_in(trees_in(body)[0])) == 1]
+    powers = (each for each in trees if each.data == "power" and each not in of_values)
+    squares = any(_is_nabla(trees_in(each)[0]) for each in powers)
     return products or squares or any(_is_nabla(each) and each.children[0] != r"\nabla" for each in trees)
 
 

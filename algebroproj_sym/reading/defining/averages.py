@@ -15,7 +15,10 @@ from algebroproj_sym.reading.prose.devices import heard
 from algebroproj_sym.reading.prose.phrases import symbols_in_list
 
 _ALWAYS = re.compile(r"\\math(?:bb|ds)\{E\}")
-_EXPECTED = re.compile(r"\bexpected values?\b|\bexpectations?\b", re.IGNORECASE)
+_EXPECTED = re.compile(
+    r"\bexpected values?\b|\bexpectations?\b|\brandom (?:variables?|vectors?)\b|\b(?:co)?variances?\b|\bunbiased\b",
+    re.IGNORECASE,
+)
 _OTHERWISE = heard("<no-average>")
 _FORMULA = r"\$([^$]*)\$"
 _BE = r"(?:is|are|be|being) (?:(?:an?|the|all|both|now|assumed) )*"

@@ -110,7 +110,8 @@ def kinds_of(
     columns |= {*_derived_in(equations)} & {*occurring}
     known = {*said, *columns, *_marked_in(sides, occurring, said | columns), *_tables_in(equations)}
     numbers = {symbol for side in sides for symbol in (*_numbers_in(side), *_above_lines(side), *_squared_in(side))}
-    columns |= frozenset((*_stretched_in(equations), *_measured_in(sides), *_of_forms_in(sides))) - numbers
+    crossed = _crossed_in(equations, known)
+    columns |= frozenset((*_stretched_in(equations), *_measured_in(sides), *_of_forms_in(sides), *crossed)) - numbers
     known |= vectors_in(sides, words) - numbers | columns
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
     known |= {each for each in occurring if _BOLD.search(before_condition(each))}
@@ -349,6 +350,21 @@ def _measured_in(sides: Iterable[Formula]) -> Iterator[str]:
         terms = [trees_in(each) if each.data == "run" else [each] for each in terms_of(trees_in(norm)[0])]
         if any(_THIN_CAPITAL.fullmatch(lone(factors[0])) and len(factors) > 1 for factors in terms):
             yield from (letter for letter in (lone(factors[-1]) for factors in terms) if _SMALL.fullmatch(letter))
+
+
+def _crossed_in(equations: Iterable[Sides], known: Collection[str]) -> Iterator[str]:
+    r"""Yield the letters beside a cross, as w and r in ``w \times (w \times r)``: vectors.
+
+    The cross stands within another one, or beside a letter that is known to be one.
+    """
+    crosses = [each for sides in equations for side in sides for each in side.iter_subtrees() if _is_cross(each)]
+    nested = any(
+        map(_is_cross, (each for cross in crosses for part in trees_in(cross) for each in part.iter_subtrees()))
+    )
+    for parts in map(trees_in, crosses):
+        ends = (trees_in(each)[-1] if each.data == "run" else each for part in parts for each in terms_of(part))
+        letters = {*map(lone, ends)} - {""}
+        yield from letters if nested or letters & {*known} else ()
 
 
 def _of_forms_in(sides: Iterable[Formula]) -> Iterator[str]:

@@ -7,6 +7,7 @@ letter in which it is linear.
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -19,7 +20,8 @@ from algebroproj_sym.reading.defining.definition import Definition, Role
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in, trees_in
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, parsed, put_in, symbols_in, trees_in
 from algebroproj_sym.reading.prose.contexts import Context
 from algebroproj_sym.replaying.reals.terms import has_functions
 
@@ -36,6 +38,8 @@ _VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
 ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
 """A vector or a matrix of zeros."""
 _TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
+_ACCENTED = re.compile(r"\\(?:wide)?(hat|tilde)\{(.+)\}(.*)")
+_JOINED = re.compile(r"\\times(?=[a-zA-Z])")
 _TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
 
 
@@ -112,13 +116,16 @@ class Premise:
         given = symbol, parameters, value, self.where, self.part
         return Definition(*given, explicit=False, role=role, place=self.place, words=self.words, ranges=self.ranges)
 
-    def solved(self, vocabulary: Vocabulary, wanted: Collection[str]) -> Definition | None:
-        """Return what it says of a letter in which it is linear, the simplest, or else a wanted one; None for none."""
+    def solved(self, vocabulary: Vocabulary, wanted: Collection[str], *, alone: bool = False) -> Definition | None:
+        """Return what it says of a letter in which it is linear, the simplest, or else a wanted one; None for none.
+
+        Of the wanted letters alone, if so said.
+        """
         difference: Formula = Tree("sum", [self.left, Token("SIGN", "-"), self.right])
         hidden = frozenset().union(*(vocabulary.letters_of(each.tree) for each in vocabulary.used_in(difference)))
         letters = {*symbols_in(difference)} & vocabulary.letters_of(difference) - hidden
         factors = factors_of_zero(self.left, self.right)
-        letters = {each for each in letters if not leave_a_choice(factors, each)}
+        letters = {each for each in letters if not leave_a_choice(factors, each) and (each in wanted or not alone)}
         try:
             value = vocabulary.value(difference)
             slopes = {each: _slope_of(value, vocabulary.plain(each)) for each in sorted(letters)}
@@ -264,17 +271,27 @@ def with_given(tree: Formula, given: Mapping[Formula, Definition]) -> Formula:
     return Tree(tree.data, [with_given(each, given) if isinstance(each, Tree) else each for each in tree.children])
 
 
-def crosses_in(symbols: Iterable[str], words: Iterable[str]) -> Iterator[Definition]:
-    r"""Yield what ``\tilde{\mathbf{a}}`` stands for where the words of a document say "tilde matrix".
+def crosses_in(symbols: Collection[str], words: Iterable[str], hats: Collection[str]) -> Iterator[Definition]:
+    r"""Yield what letters with an accent stand for that is the mark of a cross product.
 
-    It is the matrix of the cross product with ``\mathbf{a}``.
+    So is the tilde of ``\tilde{\mathbf{a}}`` where the words of a document say "tilde matrix", and an accent of which
+    a printed matrix says so: the hat of ``\hat{a}`` and ``\widehat{a + b}`` where ``\hat{w}`` is printed.
     """
-    if any(_TILDE_MATRIX.search(each) for each in words):
-        for symbol in symbols:
-            if match := _TILDE.fullmatch(symbol):
-                vector = letter_of(rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")
-                cross: Formula = Tree("marked", [vector, Token("MARK", "hat")])
-                yield Definition(symbol, (), cross, 'the words "tilde matrix"', 0, True)
+    tilde = any(_TILDE_MATRIX.search(each) for each in words)
+    accents = {match[1] for match in map(_ACCENTED.fullmatch, hats) if match}
+    for symbol in symbols:
+        inside: Formula | None = None
+        if (match := _ACCENTED.fullmatch(symbol)) and match[1] in accents and symbol not in hats:
+            with suppress(UnreadableError):
+                inside = parsed(_JOINED.sub(r"\\times ", f"{match[2]}{match[3]}")).sides[0]
+        elif tilde and (match := _TILDE.fullmatch(symbol)):
+            inside = letter_of(rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")
+        if inside is not None:
+            cross: Formula = Tree("marked", [inside, Token("MARK", "hat")])
+            where = (
+                'the words "tilde matrix"' if tilde else f"{'; '.join(sorted(hats))} as the matrix of a cross product"
+            )
+            yield Definition(symbol, (), cross, where, 0, True)
 
 
 def letter_of(symbol: str) -> Formula:

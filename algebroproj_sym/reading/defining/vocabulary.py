@@ -123,7 +123,7 @@ class Vocabulary:
     def _multiplies_identity(self, tree: Formula) -> bool:
         """Whether a lone I stands beside a vector or a matrix in a product: nobody writes the identity there."""
         trees = [tree, *(each.tree for each in self.used_in(tree))]
-        for run in (_without_numbers(run, self.kinds.fourth) for each in trees for run in each.find_data("run")):
+        for run in (_without_numbers(run, self.kinds) for each in trees for run in each.find_data("run")):
             factors = trees_in(run)
             identities = [each for each in factors if self.is_like_identity(lone(each))]
             others = {symbol for each in factors if each not in identities for symbol in symbols_in(each)}
@@ -142,6 +142,13 @@ class Vocabulary:
         """Return the vocabulary in which some more symbols have properties."""
         found = self.copied()
         found._properties = {**found._properties, **properties}
+        return found
+
+    def with_fixed(self, symbols: frozenset[str]) -> Vocabulary:
+        """Return the vocabulary in which some letters are the same whatever is random."""
+        averages = self.kinds.averages
+        found = self.copied()
+        found.kinds = replace(self.kinds, averages=replace(averages, fixed=averages.fixed | symbols))
         return found
 
     def is_like_identity(self, symbol: str) -> bool:
@@ -489,20 +496,21 @@ class Vocabulary:
         return function
 
 
-def _without_numbers(tree: Formula, fourth: frozenset[str]) -> Formula:
+def _without_numbers(tree: Formula, kinds: Kinds) -> Formula:
     """Return a formula without its traces, determinants, lengths and products of two vectors, and what is below lines.
 
     So it is without ``A : B``, if none of both is a tensor of the fourth order.
     """
     if tree.data == "fraction":
-        return _without_numbers(trees_in(tree)[0], fourth)
+        return _without_numbers(trees_in(tree)[0], kinds)
     signs = [str(each) for each in tree.children if isinstance(each, Token)]
-    contracts = tree.data == "product" and signs in ([":"], ["colon"]) and fourth.isdisjoint(symbols_in(tree))
+    contracts = tree.data == "product" and signs in ([":"], ["colon"]) and kinds.fourth.isdisjoint(symbols_in(tree))
     if contracts or tree.data == "norm" or (tree.data == "function" and signs[0] in _OF_NUMBERS):
         return _ONE
-    parts = [_without_numbers(each, fourth) if isinstance(each, Tree) else each for each in tree.children]
-    row, place = _is_row(parts[0]), next((i for i, each in enumerate(parts) if _is_column(each)), 0)
-    if (tree.data == "run" and row and place) or (signs == [r"\cdot"] and all(map(_is_column, parts[::2]))):
+    parts = [_without_numbers(each, kinds) if isinstance(each, Tree) else each for each in tree.children]
+    is_column = [_is_column(each, kinds) for each in parts]
+    row, place = _is_row(parts[0], kinds), is_column.index(True) if any(is_column) else 0
+    if (tree.data == "run" and row and place) or (signs == [r"\cdot"] and all(is_column[::2])):
         return Tree(tree.data, [_ONE, *parts[place + 1 :]] if row else [_ONE])
     return Tree(tree.data, parts)
 
@@ -512,12 +520,13 @@ _ONE: Formula = Tree("number", [Token("NUMBER", "1")])
 _SMALL = re.compile(VECTOR_STYLE + r"\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}")
 
 
-def _is_column(part: Any) -> bool:
-    return _SMALL.match(lone(part)) is not None
+def _is_column(part: Any, kinds: Kinds) -> bool:
+    return _SMALL.match(lone(part)) is not None or lone(part) in kinds.columns
 
 
-def _is_row(part: Any) -> bool:
-    return isinstance(part, Tree) and part.data == "marked" and part.children[1] == "T" and _is_column(part.children[0])
+def _is_row(part: Any, kinds: Kinds) -> bool:
+    turned = isinstance(part, Tree) and part.data == "marked" and part.children[1] == "T"
+    return turned and _is_column(part.children[0], kinds)
 
 
 def _is_symbol(token: object) -> bool:

@@ -34,7 +34,9 @@ def crossed_in(equations: Iterable[Sequence[Formula]], occurring: Collection[str
             entries = _crossed(other)
             letter = _vector_of(side, entries, occurring) if entries else ""
             if letter and side.data == "call":
-                yield _as_function(str(side.children[0]), letter)
+                yield _as_function(str(side.children[0]), (letter,), letter)
+            if letter and side.data == "symbol":
+                yield _as_function(lone(side), (), letter)
             if letter and letter not in entries:
                 yield _as_column(letter, entries)
 
@@ -53,10 +55,10 @@ def _vector_of(side: Formula, entries: Sequence[str], occurring: Collection[str]
     return letter if _are_components(entries, letter) else ""
 
 
-def _as_function(name: str, letter: str) -> Definition:
+def _as_function(name: str, parameters: tuple[str, ...], letter: str) -> Definition:
     mark: Formula = Tree("marked", [letter_of(letter), Token("MARK", "hat")])
-    where = f"{_plain(name)}({_plain(letter)}) as the matrix of the cross product"
-    return Definition(name, (letter,), mark, where, -1, True, role="case")
+    said = f"{_plain(name)}({_plain(letter)})" if parameters else _plain(name)
+    return Definition(name, parameters, mark, f"{said} as the matrix of the cross product", -1, True, role="case")
 
 
 def _as_column(letter: str, entries: Sequence[str]) -> Definition:

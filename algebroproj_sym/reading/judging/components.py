@@ -19,9 +19,9 @@ def with_printed_components(standing: Standing, left: Formula, right: Formula) -
         return
     above = [each for each in standing.survey.crossed if each.place < place]
     made = [each for each in above if each.symbol not in standing.vocabulary.definitions]
-    functions = [each for each in made if each.parameters]
+    crosses = [each for each in above if each.tree.data == "marked" and (each in made or not each.parameters)]
     seen = list[list[Definition]]()
-    for given in (functions, made, [*made, *_last_entries(standing)]):
+    for given in (crosses, made, [*made, *_last_entries(standing)]):
         for known in (extended(standing.vocabulary, given), extended(standing.told, given)):
             for changing in (known, with_rates(standing, (left, right), known)):
                 used = used_by(changing, left, right)

@@ -349,6 +349,8 @@ class _Pass:
         if plain and self.survey.indices.counted:
             repeats = gives_at_other_index(self._standing(statement, found), found.sides[0], found.sides[1])
             definition = None if repeats else definition
+        if plain and self._is_supposed(found.sides[0]):
+            definition = None
         begins = definition is not None or ":=" in found.relations or self._begins(statement, found)
         for index, relation in enumerate(found.relations):
             if index == 0 and definition is not None and not self.memory.ties(definition):
@@ -444,7 +446,8 @@ class _Pass:
     ) -> tuple[Link, Asked | None]:
         left, right, relation = formula.sides[index], formula.sides[index + 1], formula.relations[index]
         rests = rests_of(self.memory.vocabulary, left, right)
-        gives = relation in EQUALITIES and (gives or tells(self.memory, statement, formula, index))
+        tied = index == 0 and self._is_supposed(left)
+        gives = relation in EQUALITIES and not tied and (gives or tells(self.memory, statement, formula, index))
         self.memory.tie([left] if gives else [left, right])
         if relation not in EQUALITIES:
             return Link("not decided", _not_judged(relation), rests), None
@@ -488,11 +491,21 @@ class _Pass:
             if symbol in vocabulary.definitions:
                 vocabulary.drop(symbol)
         place = statement.display.part, premises, self.memory.cited
-        own = [each for words, each in self.within if supposes(self.memory.beside, words)]
-        own += self._explained_behind()
+        own = [*self._supposed, *self._explained_behind()]
         own += set_to_zero(self.memory.beside, premises, self._free(statement), self._place_above)
         summed = self.memory.serving_of(self.memory.summed)
         return Standing(self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, own, summed)
+
+    @property
+    def _supposed(self) -> list[Premise]:
+        """The equations within the text that the sentence of the display supposes before it."""
+        return [each for words, each in self.within if supposes(self.memory.beside, words)]
+
+    def _is_supposed(self, side: Formula) -> bool:
+        """Whether these give a side of the display, or have its value: the prover is asked whether it follows."""
+        gives = {each.gives.symbol for each in self._supposed if each.gives}
+        values = [part for each in self._supposed for one in (each.left, each.right) for part in one.iter_subtrees()]
+        return defined_by(side)[0] in gives or (side.data in ("function", "call") and side in values)
 
     @property
     def _place_above(self) -> int:
@@ -537,8 +550,7 @@ class _Pass:
             if display.environment != "inline":
                 if display is not above and not goes_on_in_display(display.before, first=above is here):
                     return
-                if display is not here:
-                    yield from self._given_behind(each, found)
+                yield from self._given_behind(each, found)
                 above = display
             elif above is not here or not goes_on_with(display.before, ended=ended):
                 return

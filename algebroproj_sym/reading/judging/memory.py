@@ -400,6 +400,8 @@ class Memory:
                     self.vocabulary.define(replace(other, role="case"))
             self.premises = [replace(each, special=True) if each in contended else each for each in self.premises]
             return
+        if defines and len(formula.sides) > 2 and symbols_in(formula.sides[-1]):
+            found += self.premises_of(statement, formula, formula.sides)[-1:]
         for each in found:
             self.premises.append(each)
             sides = map(argument_of, (each.left, each.right))

@@ -25,11 +25,13 @@ _TO_ZERO = re.compile(
     r"(?P<what>this|it|them|both|these|(?:the|its|this|these|both) (?:(?:partial|first|resulting) )?"
     r"(?:derivatives?|gradients?|expressions?))"
     rf"(?P<of>\s+of\s+{_NAMED})?(?P<by>\s+with\s+respect\s+to\s+{_NAMED}(?:(?:,|\s+and)\s+{_NAMED})*)?"
-    r"\s+(?:equal\s+)?to\s+(?:zero|\$(?:0|\\mathbf\{0\})\$)",
+    r"\s+(?:equal\s+)?to\s+(?:zero|\$(?:0|\\mathbf\{0\})\$)"
+    r"|\b(?P<zero>which|it|this|(?:the|its|this) (?:derivative|gradient))"
+    r"\s+(?:vanishes|is (?:equal to )?zero)\s+(?:if(?: and only if)?|for|when|at|provided(?: that)?)\b",
     re.IGNORECASE,
 )
 _SEVERAL = re.compile(r"them|both|these|\w+s$", re.IGNORECASE)
-_PRONOUN = re.compile(r"this$|it$|them$|both$|these$|.*expressions?$", re.IGNORECASE)
+_PRONOUN = re.compile(r"which$|this$|it$|them$|both$|these$|.*expressions?$", re.IGNORECASE)
 _LEADS = re.compile(r"\W*(?:(?:and|by|now|then|we|can|thus|hence|therefore|so|finally|next)\b\W*)*", re.IGNORECASE)
 """The words before "setting it to zero" that name nothing else that may be zero."""
 _ELSEWHERE = re.compile(r"\b(?:for|with(?! respect)|at|in|on|under|inside|outside|near)\b", re.IGNORECASE)
@@ -59,12 +61,13 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     lead = beside.before.partition(match[0])[0]
     if _ELSEWHERE.search(beside.sentence.partition(match[0])[0]) or _ITSELF.search(lead):
         return []
-    if _PRONOUN.match(match["what"]) and not (_LEADS.fullmatch(lead) and above == last):
+    what = match["what"] or match["zero"]
+    if _PRONOUN.match(what) and not (_LEADS.fullmatch(lead) and above == last):
         return []
     before = {symbol for each in near for symbol in each.symbols}
     best = {_AT_BEST.sub("", _bare(each)): each for each in letters if each not in before}
     best = {bare: each for bare, each in best.items() if variables & {bare, ""}}
-    several = _SEVERAL.fullmatch(match["what"].rpartition(" ")[2]) is not None
+    several = _SEVERAL.fullmatch(what.rpartition(" ")[2]) is not None
     kept = [each for each in slopes.values() if several or each.place == last]
     if not kept and match["of"] and match["by"]:
         return _of_words(beside, match["of"], match["by"], match[0])

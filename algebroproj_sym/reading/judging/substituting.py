@@ -15,7 +15,7 @@ from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, i
 from algebroproj_sym.reading.deriving.rates import UNCHANGED
 from algebroproj_sym.reading.deriving.solving import solution_of
 from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
-from algebroproj_sym.reading.judging.questions import Way, used_by
+from algebroproj_sym.reading.judging.questions import Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.parsing.factors import base_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
@@ -46,6 +46,7 @@ def with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[W
             seen.append(ids)
             yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
     yield from _with_given_values(standing, left, right)
+    yield from _solved_for_values(standing, left, right)
     yield from _with_computed(standing, formula, index)
 
 
@@ -80,6 +81,25 @@ def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Ite
             ours, theirs = (with_given(side, values) for side in (left, right))
             for plain in ([], standing.given_beside(left, right)):
                 yield Way(ours, theirs, extended(standing.vocabulary, [*plain, *values.values()]), A_VALUE)
+
+
+def _solved_for_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    r"""Yield a relation with a side such as ``\cos a`` as what an equation above it, solved for it, says."""
+    known, plain = standing.vocabulary, standing.vocabulary.copied()
+    plain.definitions.clear()
+    plain.forget()
+    for value, other in ((left, right), (right, left)):
+        if value.data != "function" or complex_letters_in(known, left, right):
+            continue
+        of_value = {value: Definition(f"{known.text(value)} ", (), value, "", 0, True)}
+        letter = with_given(value, of_value)
+        for each in (*standing.near(), *standing.supposed(left, right)):
+            sides = [with_given(side, of_value) for side in (each.left, each.right)]
+            if sides != [each.left, each.right] and letter not in sides:
+                renamed = replace(each, left=sides[0], right=sides[1])
+                solution = renamed.solved(plain, symbols_in(letter), alone=True)
+                given_with = [] if solution is None else [[solution], [*standing.given, solution]]
+                yield from (Way(letter, other, extended(known, given), A_VALUE) for given in given_with)
 
 
 def _with_computed(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:

@@ -38,7 +38,8 @@ def as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) 
     for each in (*standing.near(), *own):
         for solution in solutions(each, changing, wanted):
             yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
-    letters = {*symbols_in(left), *symbols_in(right)}.union(*(each.symbols for each in last))
+    letters = {*symbols_in(left), *symbols_in(right), *standing.vocabulary.definitions}
+    letters = letters.union(*(each.symbols for each in last))
     tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
     for under in dict.fromkeys(((*tied, *last), tied)):
         yield Way(left, right, changing, A_VALUE, under=under)

@@ -38,7 +38,7 @@ from algebroproj_sym.reading.lexing.commands import MARKS, RELATIONS
 from algebroproj_sym.reading.lexing.names import OF_CHANCE, OFTEN_FUNCTION, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_pieces
 from algebroproj_sym.reading.lexing.tokens import tokens_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, parsed, symbols_in
 from algebroproj_sym.reading.parsing.operators import Applied, Operators, operators_in, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_rows_apart, with_transposes
 from algebroproj_sym.reading.prose.acting import acted_on
@@ -371,6 +371,24 @@ class Survey:
         return quaternions_in(each.sides for each in self._read)
 
     @cached_property
+    def speaks_of_rotations(self) -> bool:
+        """Whether words speak of rigid motions, where R is a rotation, and say nothing of R."""
+        said = {split_symbol(symbol)[0] for symbol, _ in described(self._prose) if " " not in symbol}
+        named = re.search(r"\$\\?(?:mathbf\{)?R\}?\$", self._prose)
+        return self._says(r"\b<rotations>\b") and not (named or said & {"R", r"\mathbf{R}"})
+
+    @cached_property
+    def speaks_of_covariances(self) -> bool:
+        """Whether words speak of covariances, which are symmetric, and of no factors that are called likewise."""
+        return self._says(r"\b<covariances>\b") and not self._says(r"\b<no-covariances>\b")
+
+    @cached_property
+    def named_otherwise(self) -> frozenset[str]:
+        """The letters, whatever their scripts are, that words call something else than covariances."""
+        nouns = [(symbol, said) for symbol, said in described(self._prose) if " " not in symbol]
+        return frozenset(split_symbol(symbol)[0] for symbol, said in nouns if said and not said & _OF_NOISE)
+
+    @cached_property
     def has_conjugates(self) -> bool:
         """Whether words speak of conjugates, which have a star then."""
         return self._says(r"\b<conjugates>\b")
@@ -464,8 +482,11 @@ class Survey:
             gamma=has_gamma_function(self._prose),
         )
         words = (f"{each.before} {each.after}" for each in self.document.formulas)
-        for definition in crosses_in(sorted(self.occurring), words):
-            found.define(definition)
+        hats = frozenset(each.symbol for each in self.crossed if each.tree.data == "marked" and not each.parameters)
+        given = {defined_by(each.sides[0])[0] for each in self._read if len(each.sides) > 1}
+        for definition in crosses_in(sorted(self.occurring), words, hats):
+            if definition.symbol not in given or lone(definition.tree.children[0]) == "":
+                found.define(definition)
         return found
 
     @cached_property
@@ -478,6 +499,7 @@ class Survey:
         return replace(found, no_numbers=found.no_numbers | matrices, named=named_otherwise(self.statements))
 
 
+_OF_NOISE = frozenset(("covariance", "covariances", "noise", "innovation", "uncertainty"))
 _LESS = frozenset(("<", ">", "<=", ">=", "≪", "≫", "≲", "≳"))
 _IN_A_SET = re.compile(r"(\\?[a-zA-Z]+(?:_\w)?)\s*\\in\s*(?:\\left\s*)?(?:\\\{|\\lbrace|[\[(]|\\mathbb\s*\{?[ZN])")
 

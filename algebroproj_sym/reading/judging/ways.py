@@ -38,7 +38,9 @@ from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import from_derivatives, from_integrals, with_premises
 from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
 from algebroproj_sym.reading.judging.survey import Survey
+from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.factors import CAPITAL
 from algebroproj_sym.reading.parsing.grammar import (
     Formula,
     Parsed,
@@ -89,6 +91,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *of_solutions(standing, left, right),
         *_by_induction(standing, left, right),
     ]
+    ways += [each for way in ways for each in _with_usual_letters(way, standing.survey)]
     ways += [
         replace(
             way,
@@ -112,6 +115,54 @@ def _identity_of(way: Way) -> str:
     letters = frozenset().union(*map(way.vocabulary.letters_of, way.sides))
     like = {way.vocabulary.name(each) for each in letters if way.vocabulary.is_like_identity(each) and "1" in each}
     return min(like, default="I")
+
+
+def _with_usual_letters(way: Way, survey: Survey) -> Iterator[Way]:
+    """Yield a way in which letters are what they are called after, though nothing is said of them.
+
+    R is a rotation where words speak of rigid motions, P is symmetric where they speak of covariances, and matrices in
+    expected values are not random.
+    """
+    known, used = way.vocabulary, used_by(way.vocabulary, *way.sides)
+    trees = [
+        *way.sides,
+        *(each.tree for each in used),
+        *(side for each in way.under for side in (each.left, each.right)),
+    ]
+    symbols = {symbol for tree in trees for symbol in symbols_in(tree)}
+    averages = known.kinds.averages
+    plain = sorted(each for each in symbols if known.is_matrix(each) and CAPITAL.match(each))
+    plain = [each for each in plain if not known.properties_of(each)]
+    sure = [each for each in plain if each not in averages.random | averages.within and each not in known.definitions]
+    properties: dict[str, tuple[str, ...]] = {}
+    if survey.speaks_of_rotations:
+        properties |= {each: ("rotation",) for each in plain if _ROTATION.fullmatch(each)}
+    elif survey.speaks_of_covariances:
+        named = survey.named_otherwise
+        called = [each for each in plain if _is_covariance(each) and split_symbol(each)[0] not in named]
+        properties |= dict.fromkeys(called, ("symmetric",))
+    supposes = [f"{known.name(each)} is {_AS_SAID[said]}" for each, (said,) in properties.items()]
+    if averages.operators & symbols and sure and (averages.random or survey.speaks_of_covariances):
+        supposes += [f"{known.name(each)} is not random" for each in sure]
+        known = known.with_fixed(frozenset(sure))
+    if supposes:
+        shown = way.reads or known.equation(*way.sides)
+        known = known.with_properties(properties)
+        yield replace(way, vocabulary=known, doubt=A_VALUE, reads=shown, supposes=(*way.supposes, *supposes))
+
+
+_ROTATION = re.compile(r"(?:R|\\mathbf\{R\})(?:_.*)?")
+_COVARIANCE = re.compile(r"(?:[PQRS]|\\Sigma|\\Lambda|\\mathbf\{(?:[PQRS]|\\Sigma)\})(_.*?)?(?:\^-)?")
+
+
+def _is_covariance(symbol: str) -> bool:
+    r"""Whether a letter is called as the covariance of one thing, as ``P_{k-1}`` and ``\Sigma_{xx}`` are."""
+    match = _COVARIANCE.fullmatch(symbol)
+    below = re.sub(r"[-+]\d", "", match[1] or "") if match else "xy"
+    return len({*re.findall(r"[a-zA-Z]|\d", below)}) < 2
+
+
+_AS_SAID = {"rotation": "a rotation", "symmetric": "symmetric"}
 
 
 def _depends_on_size(way: Way) -> bool:

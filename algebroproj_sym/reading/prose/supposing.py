@@ -11,13 +11,25 @@ _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"
     r"(?:(?:since|as|because|where|in which|when|if|for|with|by|at|using|use|let|put(?:ting)?|set(?:ting)?|"
     r"tak(?:e|ing)|suppose|supposing|assume|assuming|choos(?:e|ing)|introducing|substitut(?:e|ing)|insert(?:ing)?|"
-    r"hav(?:e|ing)|know|recall|given)\b\W*)*"
+    r"hav(?:e|ing)|know|recall|given|comparing(?: (?:this|it|them))?)\b\W*)*"
     r"(?:(?:that|the (?:parameter|abbreviation|notation|quantity|value|identity|relation|equation|fact that|letter)|"
     r"(?:we|you) (?:can )?(?:have|set|use|put|take|know|assume|choose|introduce|define)|there is|"
     r"(?:(?:we|you) )?(?:use|have|take) an? (?:[a-z]+ ){1,2}(?:where|with|in which))\b\W*)*",
     re.IGNORECASE,
 )
 """The words before a formula that its sentence supposes."""
+_NAMED = heard(
+    r"\W*(?:(?:<leads-in>|since|as|because|where|when|if|for|with|by|using|introducing|comparing|define|let)\W+)*"
+    r"(?:(?:the|its|our|an?)\s+)?(?:(?!<asserting we-assert reports>\b|(?:of|in|with)\b)[a-z-]+\s+){0,3}<quantity>"
+    r"(?:\s+(?:of|in|for)(?:\s+(?:the|its|an?))?(?:\s+[a-z-]+){1,2})?(?:\s+(?:is|are))?\W*"
+)
+"""A quantity right before a formula that says what it is: "with the gain $K = P S$", "The area $h = x y$"."""
+_SAYS_A_VALUE = heard(r"\s*(?:<asserting>|evaluates?)\b(?:\s+(?:<how>|components|entries))*\W*")
+"""How a sentence that says more of such a quantity ends."""
+_WE_HAVE = re.compile(r"\b(?:we|one) (?:have|has|gets?|obtains?|finds?)(?: that)?\W*$", re.IGNORECASE)
+_IN_CASE = re.compile(r"\W*(?:for|in|at|if|when|under|with)\b[^()]*\(\s*", re.IGNORECASE)
+"""Words before a formula in brackets that says of which case they speak: "In the plane ($z = 0$)"."""
+_OF_LETTERS = re.compile(r"=[^=]*[a-zA-Z]")
 _THEN = re.compile(
     r"\s*(?:(?:as|is|are) (?:the|our|its|an?) (?:[a-z]+ ){0,3}[a-z]+)?\s*"
     r"(?:[,:]|$|(?:so|then|thus|hence|this|gives?|yields?|and (?:so|thus|hence|then|that|the|obtain|get|find)|into|"
@@ -43,6 +55,8 @@ _STATES = re.compile(
     re.IGNORECASE,
 )
 """The words right before a formula that its sentence states."""
+_AND_MORE = re.compile(r"\A(?:\s*(?:,|,?\s*and)\s+\$[^$=]*=[^$]*\$)+")
+"""Formulas that a sentence supposes behind a first one: "with $x = r c$ and $y = r s$"."""
 _AND_ANOTHER = re.compile(r"\$[^$]*\$,?\s+and\s*$")
 _GOES_ON = re.compile(r"\s+and\s+\$|,?\s+(?:where|with)\s+\$[^$=]*\$\s+(?:is|are|denotes?|stands? for)\b")
 _INSIDE = re.compile(r"\([^()$]*\)")
@@ -56,8 +70,14 @@ def supposes(beside: Beside, formula: str) -> bool:
     another place behind the formula, or with an inequality, supposes nothing.
     """
     before, found, behind = beside.sentence.rpartition(";")[2].partition(formula)
+    behind = _AND_MORE.sub("", behind)
     lead = re.split(r"[,:]|\band\b", without_formulas(before))[-1]
-    leads = _LEADS.fullmatch(lead) is not None and _THEN.match(" ".join(behind.replace("$", "").split())) is not None
+    rest = " ".join(behind.replace("$", "").split())
+    named = _OF_LETTERS.search(formula) is not None and _NAMED.fullmatch(lead) is not None
+    leads = (named or _LEADS.fullmatch(lead) is not None) and _THEN.match(rest) is not None
+    leads = leads or (named and _SAYS_A_VALUE.fullmatch(rest) is not None)
+    leads = leads or (_WE_HAVE.search(lead) is not None and _THEN.match(rest) is not None)
+    leads = leads or (_IN_CASE.fullmatch(lead) is not None and rest.startswith(")"))
     apart = _APART.search(f"{beside.sentence} {beside.condition}") or _ELSEWHERE.search(without_formulas(behind))
     formulas = (_INSIDE.sub("", each) for each in FORMULA.findall(beside.sentence))
     return bool(found) and leads and not (apart or beside.is_denied or any(map(_ORDER.search, formulas)))
@@ -90,7 +110,8 @@ def goes_on_in_display(between: str, *, first: bool) -> bool:
 
 _WHERE_ALONE = re.compile(
     r"\s*[.,;]?\s*(?:where|with|in which|here|and where)\s*,?\s*"
-    r"(?:we (?:have )?(?:defined?|introduced?|set|put|used?|write) (?:the \w+ )?)?:?\s*",
+    r"(?:we (?:have )?(?:defined?|introduced?|set|put|used?|write) (?:the \w+ )?"
+    r"|(?:the|its|an?) (?:[a-z-]+ ){0,3}[a-z-]+(?: (?:is|are))?(?: (?:given|defined) (?:by|as))?)?:?\s*",
     re.IGNORECASE,
 )
 _AND_ALONE = re.compile(r"\s*[.,;]?\s*(?:and|where|with)?\s*,?\s*", re.IGNORECASE)

@@ -353,7 +353,7 @@ def _measured_in(sides: Iterable[Formula]) -> Iterator[str]:
 
 
 def _crossed_in(equations: Iterable[Sides], known: Collection[str]) -> Iterator[str]:
-    r"""Yield the letters beside a cross, as w and r in ``w \times (w \times r)``: vectors.
+    r"""Yield the small letters beside a cross, as w and r in ``w \times (w \times r)``: vectors.
 
     The cross stands within another one, or beside a letter that is known to be one.
     """
@@ -364,6 +364,7 @@ def _crossed_in(equations: Iterable[Sides], known: Collection[str]) -> Iterator[
     for parts in map(trees_in, crosses):
         ends = (trees_in(each)[-1] if each.data == "run" else each for part in parts for each in terms_of(part))
         letters = {*map(lone, ends)} - {""}
+        letters = {each for each in letters if not CAPITAL.match(each)}
         yield from letters if nested or letters & {*known} else ()
 
 

@@ -484,7 +484,7 @@ class Vocabulary:
                 raise BoundError(f"expected at most {MOST_PARTS} parts of values of functions, got more")
             if self.uncomputed and not self._are(arguments, definition.parameters) and self._has_big(definition):
                 raise UnreadableError(f"a sum in {definition.symbol} may depend on {', '.join(definition.parameters)}")
-            if definition.tree.data == "slope":
+            if any(True for _ in definition.tree.find_data("slope")):
                 letters = [sympy.Dummy(each) for each in definition.parameters]
                 inside = self._evaluated(
                     definition.tree, {**values, **dict(zip(definition.parameters, letters, strict=True))}

@@ -97,6 +97,12 @@ def computed(
         formula = Definition(whole, (), body, vocabulary.text(body), -1, True)
         rate = _of_lone(body, variable, vocabulary, occurring)
         rate = rate or _of_formula(whole, formula, variable, vocabulary, occurring)
+        inside = without_brackets(body)
+        if rate is None and variable == "t" and inside.data == "opaque":
+            given = derivatives_in((inside,), vocabulary, occurring)
+            known = extended(vocabulary, given)
+            if (function := str(inside.children[0])) in known.definitions:
+                made, rate = [*made, *given], _rate(whole, function, known, occurring)
         if rate is not None:
             return letter_of(rate.symbol), [*made, rate]
     if of_letter := _of_operator(sign, order, body, variable, vocabulary, occurring):
@@ -360,11 +366,17 @@ def _of_formula(
         or any(" " in each or "/" in each for each in constant)
     ):
         return None
-    if not any(variable in symbols_in(one) for one in trees) and not _are_constant(constant, vocabulary):
+    timed = any(variable in symbols_in(one) for one in trees)
+    if not (timed or _are_constant(constant, vocabulary) or (variable == "t" and _is_of_motion(occurring))):
         return None
     if rate is None or symbol in symbols_in(rate):
         return None
     return _made(symbol, rate, definition, constant, vocabulary)
+
+
+def _is_of_motion(occurring: frozenset[str]) -> bool:
+    r"""Whether a document has derivatives by ``\dot q``: all coordinates have dots, and nothing else changes."""
+    return any(r"/\partial\dot" in _bare(each) for each in occurring)
 
 
 def _are_constant(letters: Iterable[str], vocabulary: Vocabulary) -> bool:
@@ -666,7 +678,8 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
         else:
             constant.append(letter)
     timed = "t" in vocabulary.letters_of(definition.tree)
-    if not terms or vocabulary.depends(constant, "t") or not (timed or _are_constant(constant, vocabulary)):
+    fixed = timed or _are_constant(constant, vocabulary) or _is_of_motion(occurring)
+    if not terms or vocabulary.depends(constant, "t") or not fixed:
         return None
     signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]
     return _made(symbol, Tree("sum", signed), definition, constant, vocabulary)
@@ -687,6 +700,12 @@ def unchanged(letters: Sequence[str], vocabulary: Vocabulary) -> str:
 
 def _by_bare(symbols: Iterable[str]) -> dict[str, str]:
     return {_bare(each): each for each in symbols}
+
+
+def is_rate_of_one(symbol: str, letters: Iterable[str]) -> bool:
+    """Whether a letter with dots is the derivative of one of some letters."""
+    bare, names = _without_dot(symbol), _by_bare(letters)
+    return bool(bare) and (bare in names or is_rate_of_one(bare, letters))
 
 
 @cache

@@ -250,7 +250,11 @@ class _Pass:
                 given = self.memory.premises_of(statement, formula, formula.sides)
                 self.memory.premises += [replace(each, special=False) for each in given]
         self.memory.give_anew(formula)
-        if not at_value and {*formula.relations} == {"="} and states(beside(statement, ""), statement.display):
+        if (
+            not at_value
+            and {*formula.relations} == {"="}
+            and states(beside(statement, ""), statement.display, number=not any(map(symbols_in, formula.sides[1:])))
+        ):
             self.memory.state(statement, formula)
         if len(formula.sides) > 1:
             if not at_value:

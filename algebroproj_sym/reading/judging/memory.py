@@ -22,7 +22,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_update,
 )
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.derivatives import order_of
+from algebroproj_sym.reading.deriving.derivatives import is_rate_of_one, order_of
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of
@@ -347,14 +347,15 @@ class Memory:
     def ties(self, definition: Definition) -> bool:
         """Whether a definition may follow from what is above it: words say so, or an equation has its letter.
 
-        So does an equation with a derivative of it.
+        So does an equation with a derivative of it, or with that of which it is one.
         """
         known = self.vocabulary.definitions
         above: list[Premise | Definition] = [*self.premises, *known.values()]
         used = frozenset().union(*(each.symbols for each in above))
         variables = (*definition.parameters, "t")
         derived = (order_of(each, definition.symbol, variable) for each in used.union(known) for variable in variables)
-        return self.beside.follows or (not definition.explicit and (definition.symbol in used or any(derived)))
+        has = definition.symbol in used or any(derived) or is_rate_of_one(definition.symbol, known)
+        return self.beside.follows or (has and not definition.explicit)
 
     def leave_open(self, formula: Parsed, part: int) -> None:
         """Take notice of the letters of an equation of which nothing is decided, in a part of the document."""

@@ -285,7 +285,7 @@ def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
     operators = vocabulary.kinds.averages.operators
     for call in (each for tree in trees for each in tree.find_data("call")):
         definition = vocabulary.definitions.get(str(call.children[0]))
-        if definition is None or _SAME_EVERYWHERE.fullmatch(definition.symbol):
+        if definition is None or definition.part < 0 or _SAME_EVERYWHERE.fullmatch(definition.symbol):
             continue
         if definition.tree.data == "marked" or _is_turn(definition):
             continue

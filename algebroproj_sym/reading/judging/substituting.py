@@ -9,9 +9,11 @@ from algebroproj_sym.reading.defining.dependence import free_symbols
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, extended, given_values, said_by, with_given
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.deriving.chains import filled
 from algebroproj_sym.reading.deriving.derivatives import computed, derivatives_in, is_worked_out
 from algebroproj_sym.reading.deriving.differentiating import derived_by, differentiated
-from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, is_integral, variables_of, with_integrals
+from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, variables_of, with_integrals
+from algebroproj_sym.reading.deriving.places import at_places, is_at_place
 from algebroproj_sym.reading.deriving.rates import UNCHANGED
 from algebroproj_sym.reading.deriving.solving import solution_of
 from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
@@ -105,37 +107,66 @@ def _solved_for_values(standing: Standing, left: Formula, right: Formula) -> Ite
 def _with_computed(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     r"""Yield a relation with what stands behind ``\frac{d}{dx}`` and ``\int_a^b`` computed, also in what is put in."""
     left, right = formula.sides[index], formula.sides[index + 1]
-    told, occurring, own = standing.told, standing.survey.occurring, free_symbols(left) | free_symbols(right)
+    told, own = standing.told, free_symbols(left) | free_symbols(right)
     variables = variables_of(formula.sides)
     sides = [between_bounds(side, variables, told) for side in (left, right)] if variables else [left, right]
-    (ours, made), (theirs, more) = (computed(side, told, occurring, own) for side in sides)
-    put_in = [each for each in used_by(told, left, right) if any(map(is_worked_out, each.tree.iter_subtrees()))]
-    worked = [computed(each.tree, told, occurring, own) for each in put_in]
-    made = [*made, *more, *(each for _, further in worked for each in further)]
+    lone = [told.definitions[each] for each in (*symbols_in(left), *symbols_in(right)) if each in told.definitions]
+    put_in = [
+        each
+        for each in dict.fromkeys((*used_by(told, left, right), *(each for each in lone if each.holds)))
+        if any(map(_is_worked_out, each.tree.iter_subtrees()))
+    ]
+    worked = [_worked_out(each, standing, own) for each in (*sides, *(each.tree for each in put_in))]
+    (ours, theirs, *trees), made = [tree for tree, *_ in worked], [each for _, more, _ in worked for each in more]
+    under = tuple(dict.fromkeys(each for *_, more in worked for each in more))
     if not (made or sides != [left, right]) or any(_rests_on_what_changes(each, standing.beside) for each in made):
         return
-    given = [replace(each, tree=tree) for each, (tree, _) in zip(put_in, worked, strict=True)]
+    given = [
+        replace(each, tree=tree, usable=each.usable or (each.holds and tree != each.tree))
+        for each, tree in zip(put_in, trees, strict=True)
+    ]
     known = extended(standing.vocabulary, [*made, *given])
-    plain = not variables and not any(each.where.startswith(OVER) for each in made)
+    plain = not variables and not any(each.where.startswith(OVER) or each.role == "case" for each in made)
     doubt = doubt_of(standing.beside, formula, index, standing.vocabulary) if plain else A_VALUE
-    yield Way(ours, theirs, known, doubt)
-    yield Way(ours, theirs, extended(with_rates(standing, (ours, theirs), told), [*made, *given]), A_VALUE)
+    yield Way(ours, theirs, known, doubt, under=under)
+    rated = extended(with_rates(standing, (ours, theirs), told), [*made, *given])
+    yield Way(ours, theirs, rated, A_VALUE, under=under)
 
 
-def from_integrals(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
-    """Yield a relation with a letter for which a near or cited equation of integrals is solved."""
-    occurring, own = standing.survey.occurring, free_symbols(left) | free_symbols(right)
+def _is_worked_out(tree: Formula) -> bool:
+    return is_worked_out(tree) or is_at_place(tree)
+
+
+def _worked_out(
+    tree: Formula, standing: Standing, own: frozenset[str]
+) -> tuple[Formula, list[Definition], list[Premise]]:
+    """Return a formula with what stands in it worked out, what that stands for, and under which equations."""
+    occurring = standing.survey.occurring
+    placed, values, under = at_places(tree, standing.told, occurring, standing.above)
+    worked, made = computed(placed, standing.told, occurring, own)
+    return worked, [*values, *made], under
+
+
+def from_worked_out(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
+    r"""Yield a relation with a letter for which an equation near it, or cited, is solved once it is worked out.
+
+    Such an equation has integrals, ``\frac{d}{dt}`` or derivatives at a place.
+    """
+    own, wanted = free_symbols(left) | free_symbols(right), {*symbols_in(left), *symbols_in(right)}
     for each in standing.near():
-        if not any(is_integral(part) for side in (each.left, each.right) for part in side.iter_subtrees()):
-            continue
         sides = each.left, each.right
-        (one, made), (other, more) = (computed(side, standing.vocabulary, occurring, own) for side in sides)
-        trees = {letter.symbol: letter.tree for letter in (*made, *more)}
-        one, other = (with_integrals(side, trees, standing.vocabulary) for side in (one, other))
-        worked = replace(each, left=one, right=other)
-        for solution in solutions(worked, standing.vocabulary, {*symbols_in(left), *symbols_in(right)}):
-            where = "; ".join((solution.where, *(letter.where for letter in (*made, *more))))
-            yield Way(left, right, extended(standing.vocabulary, [replace(solution, where=where)]), A_VALUE)
+        if not any(_is_worked_out(part) for side in sides for part in side.iter_subtrees()):
+            continue
+        (one, made, _), (other, more, _) = (_worked_out(side, standing, own) for side in sides)
+        made = [*made, *more]
+        integrals = {letter.symbol: letter.tree for letter in made if letter.tree.data == "integral"}
+        one, other = (with_integrals(side, integrals, standing.vocabulary) for side in (one, other))
+        rates = [letter for letter in made if letter.symbol not in integrals]
+        one, other = (filled(side, {letter.symbol: letter.tree for letter in rates}) for side in (one, other))
+        known = extended(with_rates(standing, (one, other), standing.told), rates) if rates else standing.vocabulary
+        for solution in solutions(replace(each, left=one, right=other), known, wanted):
+            where = "; ".join((solution.where, *(letter.where for letter in made)))
+            yield Way(left, right, extended(known, [replace(solution, where=where)]), A_VALUE)
 
 
 def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -146,7 +177,8 @@ def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Itera
     if not says(r"\b<differentiates>\b", standing.beside.sentence):
         return
     within = {each.display.place for each in standing.survey.statements if each.display.environment == "inline"}
-    near = [each for each in standing.near() if not each.special or each.place in within]
+    last = standing.near()[:1]
+    near = [each for each in standing.near() if not each.special or each.place in within or each in last]
     given = sorted(standing.vocabulary.definitions.values(), key=lambda each: each.place)[-MOST_NEAR:]
     near += [said_by(each) for each in given if each.part == standing.part and not each.parameters]
     for variable, each in product(derived_by(left, right), near):

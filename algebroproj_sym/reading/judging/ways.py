@@ -23,6 +23,7 @@ from algebroproj_sym.reading.deriving.indexed import instance_of, instances, sou
 from algebroproj_sym.reading.deriving.indices import excludes
 from algebroproj_sym.reading.deriving.induction import ends_in, steps_of
 from algebroproj_sym.reading.deriving.instances import powers_of
+from algebroproj_sym.reading.deriving.rooting import with_roots_apart
 from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.components import by_components, with_printed_components
@@ -35,7 +36,7 @@ from algebroproj_sym.reading.judging.renaming import as_multiples, with_columns_
 from algebroproj_sym.reading.judging.sampling import is_somewhere_positive
 from algebroproj_sym.reading.judging.solutions import of_solutions
 from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import from_derivatives, from_integrals, with_premises
+from algebroproj_sym.reading.judging.substituting import from_derivatives, from_worked_out, with_premises
 from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
 from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -74,7 +75,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *(replace(each, doubt=special or each.doubt) for each in with_premises(standing, formula, index)),
         *under_equations(standing, left, right),
         *as_its_sentence_supposes(standing, left, right),
-        *from_integrals(standing, left, right),
+        *from_worked_out(standing, left, right),
         *from_derivatives(standing, left, right),
         *_raised(standing, formula, index),
         *_of_angle(standing, formula, index),
@@ -103,11 +104,28 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         if (way.supposes or not way.reads) and (other := way.vocabulary.with_identity(*way.sides)) is not None
     ]
     ways += [each for way in ways if not way.reads for each in along_directions_in(way)]
+    ways += [each for way in ways if not way.reads for each in _with_roots_apart(standing, way)]
     if standing.survey.has_tensors_of_three_rows:
         ways += [_with_three_rows(way) for way in ways if _depends_on_size(way)]
     ways += [each for way in ways if way.is_as_it_stands for each in _with_complex_numbers(way)]
     ends = ends_in(left, right, *(each.tree for each in used_by(known, left, right)))
     return ways + [each for way in ways if not way.under for each in _with_parities(way, ends)]
+
+
+def _with_roots_apart(standing: Standing, way: Way) -> Iterator[Way]:
+    """Yield a way in which roots of products are products of roots, of what may be positive; it is taken to be so."""
+    known = way.vocabulary
+    used = [each for each in used_by(known, *way.sides) if not each.parameters]
+    (left, more), (right, others), *trees = map(with_roots_apart, (*way.sides, *(each.tree for each in used)))
+    positive = dict.fromkeys([*more, *others, *(factor for _, factors in trees for factor in factors)])
+    complex_ones = complex_letters_in(known, *way.sides)
+    if not positive or complex_ones or "negative" in standing.beside.words:
+        return
+    if all(is_somewhere_positive(known, each) for each in positive):
+        given = [replace(each, tree=tree) for each, (tree, _) in zip(used, trees, strict=True)]
+        told = extended(known, given)
+        supposes = (*way.supposes, *(f"{known.text(each)} > 0" for each in positive))
+        yield replace(way, left=left, right=right, vocabulary=told, doubt=A_VALUE, supposes=supposes)
 
 
 def _identity_of(way: Way) -> str:

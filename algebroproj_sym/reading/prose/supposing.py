@@ -5,7 +5,7 @@ import re
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.prose.devices import heard
 from algebroproj_sym.reading.prose.sentences import FORMULA, last_sentence, without_formulas
-from algebroproj_sym.reading.prose.words import CASES, Beside, ends_clause
+from algebroproj_sym.reading.prose.words import CASES, SAYS, Beside, ends_clause
 
 _LEADS = re.compile(
     r"\W*(?:(?:and|so|now|then|thus|hence|also|thereby|we|it is|letting|given)\b\W*)*"
@@ -83,14 +83,18 @@ def supposes(beside: Beside, formula: str) -> bool:
     return bool(found) and leads and not (apart or beside.is_denied or any(map(_ORDER.search, formulas)))
 
 
-def states(beside: Beside, display: Display) -> bool:
-    """Whether a sentence states a formula within the text, as in "we have $c = a - b$.", and of no case."""
+def states(beside: Beside, display: Display, *, number: bool) -> bool:
+    """Whether a sentence states a formula within the text, as in "we have $c = a - b$.", and of no case.
+
+    So does "the width is $c = a - b$", but for a number: "the null hypothesis is $b = 0$" does not say that it is so.
+    """
     lead = beside.sentence
     while (more := _AND_ANOTHER.sub("", lead)) != lead:
         lead = more
     apart = any(each.search(beside.sentence) for each in (CASES, _APART, heard(r"\b<wants>\b|\?")))
     ends = ends_clause(display) or _GOES_ON.match(display.after) is not None
-    return _STATES.search(lead) is not None and ends and not (apart or beside.is_conditional)
+    says = _STATES.search(lead) or (not number and SAYS.search(lead))
+    return bool(says) and ends and not (apart or beside.is_conditional)
 
 
 def goes_on_with(behind: str, *, ended: bool) -> bool:

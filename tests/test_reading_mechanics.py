@@ -17,6 +17,18 @@ SWING = (
     r"$L = T - V$, and the equation of motion is \[ \frac{d}{dt} \frac{\partial L}{\partial\dot\theta} - "
     r"\frac{\partial L}{\partial\theta} = 0. \] This gives "
 )
+PLANAR = (
+    r"The energies are \[ T = \frac12 m (\dot r^2 + r^2 \dot\phi^2) \] and \[ V = \frac12 k r^2. \] The Lagrangian is "
+    r"$L = T - V$, and Lagrange's equation is \[ \frac{d}{dt} \frac{\partial L}{\partial\dot r} = "
+    r"\frac{\partial L}{\partial r}. \] This gives "
+)
+FALL = r"Conservation of energy gives \[ l \dot\phi^2 = 3 g \sin\phi. \] "
+DISC = r"The moment of inertia is \[ J = \int_0^l \frac{m}{l} x^2 \, dx = \frac13 m l^2. \] "
+UNIT = (
+    r"The pressure is \[ p = \frac13 \operatorname{tr} \boldsymbol\sigma. \] The stress deviator is \[ \boldsymbol s = "
+    r"\boldsymbol\sigma - p \boldsymbol 1, \] where $\boldsymbol 1$ denotes the second-order unit tensor. Hence "
+)
+PIPE = r"The density is $\rho$. The pressure is \[ p = \rho (a^2 - b^2). \] Hence "
 ELASTIC = r"The strain is \[ e = a b. \] The stress is $s = 2 G e$. "
 
 
@@ -38,6 +50,11 @@ def last(latex):
         (ENERGY + r"Hence \[ \left( \frac{\partial A}{\partial V} \right)_T = -\frac{N k T}{V}. \]", "do not change"),
         (SPRING + r"Hence \[ m w = \sqrt{k m}. \]", "k > 0"),
         (SWING + r"\[ l \ddot\theta + g \sin\theta = 0. \]", "g, l, m do not change"),
+        (PLANAR + r"\[ m \ddot r = m r \dot\phi^2 - k r. \]", "k, m do not change"),
+        (FALL + r"Differentiation gives \[ \ddot\phi = \frac{3 g}{2 l} \cos\phi. \]", "2*l*phi_dot != 0"),
+        (DISC + r"With the energy \[ E = \frac12 J w^2 \] we have \[ E = \frac16 m l^2 w^2. \]", ""),
+        (UNIT + r"\[ \operatorname{tr} \boldsymbol s = 0. \]", "space has three dimensions"),
+        (PIPE + r"\[ p = \rho (a - b) (a + b). \]", ""),
         (ELASTIC + r"Hence \[ s = 2 G a b. \]", ""),
     ],
 )
@@ -65,6 +82,13 @@ def test_what_mechanics_derives_follows_and_says_what_it_takes_for_fixed(latex, 
         SWING + r"\[ l \ddot\theta - g \sin\theta = 0. \]",
         SWING.replace("The energies", "The mass $m$ leaks. The energies")
         + r"\[ 2 l \ddot\theta + g \sin\theta = 0. \]",
+        PLANAR + r"\[ m \ddot r = m r \dot\phi^2 + k r. \]",
+        PLANAR.replace(r"\dot\phi^2)", r"\dot\phi^2) + c \dot r \dot\phi") + r"\[ m \ddot r = m r \dot\phi^2 - k r. \]",
+        FALL + r"Differentiation gives \[ \ddot\phi = \frac{3 g}{l} \cos\phi. \]",
+        FALL + r"The string $l$ shrinks. Differentiation gives \[ \ddot\phi = \frac{3 g}{2 l} \cos\phi. \]",
+        DISC.replace(r"\frac13", r"\frac12") + r"With the energy \[ E = J w^2 \] we have \[ E = \frac12 m l^2 w^2. \]",
+        UNIT.replace("second-order unit tensor", "stress at the wall") + r"\[ \operatorname{tr} \boldsymbol s = 0. \]",
+        UNIT + r"\[ \operatorname{tr} \boldsymbol s = p. \]",
         ELASTIC + r"Hence \[ s = G a b. \]",
         ELASTIC.replace("The stress is", "Without load the stress is") + r"In water, \[ s = 2 G a b. \]",
         ELASTIC.replace("The stress is", "We ask whether the stress is") + r"Hence \[ s = 2 G a b. \]",

@@ -206,6 +206,13 @@ class Vocabulary:
         """Whether a formula is a number that is computed, and none of vectors, matrices or values as letters."""
         return self._shape_of(tree) == ()
 
+    def is_zero(self, tree: Formula) -> bool:
+        """Whether a formula is computed, and is zero."""
+        try:
+            return bool(self.value(tree) == 0)
+        except UNCOMPUTED:
+            return False
+
     def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:
         """Return the shape of what a formula stands for; None if it has no entries."""
         try:

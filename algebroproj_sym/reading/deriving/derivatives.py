@@ -675,10 +675,11 @@ def _rate(symbol: str, function: str, vocabulary: Vocabulary, occurring: frozens
             terms.append(Tree("run", [slope_of(letter_of(function), letter), letter_of(rate)]))
         elif letter == "t" and vocabulary.dependence.by_time:
             terms.append(slope_of(letter_of(function), letter))
-        else:
+        elif not (_without_dot(letter) and vocabulary.is_zero(slope_of(letter_of(function), letter))):
             constant.append(letter)
     timed = "t" in vocabulary.letters_of(definition.tree)
-    fixed = timed or _are_constant(constant, vocabulary) or _is_of_motion(occurring)
+    of_motion = _is_of_motion(occurring) and not any(map(_without_dot, constant))
+    fixed = timed or _are_constant(constant, vocabulary) or of_motion
     if not terms or vocabulary.depends(constant, "t") or not fixed:
         return None
     signed: list[Any] = [part for term in terms for part in (Token("SIGN", "+"), term)]

@@ -5,14 +5,17 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.domains import range_in, ranges_said
 from algebroproj_sym.reading.defining.premises import (
     Premise,
 )
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
+    computes,
     defined_by,
     introduced_by,
+    is_circular,
     is_one_value,
     is_reordered,
     is_value_of_itself,
@@ -22,6 +25,7 @@ from algebroproj_sym.reading.defining.recognising import (
     without_power,
 )
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
+from algebroproj_sym.reading.deriving.integrating import is_integral
 from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
@@ -115,7 +119,8 @@ def read_document(
     [('s = a + b', 'definition'), ('s**2 = a**2 + 2*a*b + b**2', 'follows')]
     """
     survey = Survey(document, given or SymbolsFile())
-    readings, asked = _Pass(survey).all()
+    reader = _Pass(survey)
+    readings, asked = reader.all()
     asked = [each for each in asked if lines is None or readings[each.reading].line in lines]
     decide(asked, seconds, jobs)
     for each in asked:
@@ -123,12 +128,14 @@ def read_document(
         links[each.place] = each.link
         readings[each.reading] = replace(readings[each.reading], links=tuple(links))
     denied = denied_by_words(document)
-    readings = [without_denied(each, denied) for each in _without_refuted_premises(readings)]
+    readings = [without_denied(each, denied) for each in _without_refuted_premises(readings, reader.closed)]
     return with_what_is_true_here(readings, survey.statements)
 
 
-def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
+def _without_refuted_premises(readings: Sequence[Reading], closed: Collection[str]) -> list[Reading]:
     """Return readings in which nothing follows from an equation that contradicts.
+
+    Nor does it from the end of a chain that gives a letter, if the end is not proved to be equal to its beginning.
 
     Nor does it from an equation that one change would mend, within its display, or together with what that one rests
     on: both would give what neither says.
@@ -141,7 +148,7 @@ def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
     for each in readings:
         own = {where_of(each.statement)} if id(each.statement.display) in doubted else set()
         links = tuple(
-            replace(link, verdict="independent", reason=f"it follows only from {wrong[0]}, which does not hold")
+            replace(link, verdict="independent", reason=f"it follows only from {wrong[0]}, which is not proved")
             if link.verdict == "follows"
             and (
                 wrong := [
@@ -158,8 +165,9 @@ def _without_refuted_premises(readings: Sequence[Reading]) -> list[Reading]:
         where = where_of(each.statement)
         if places[where] == 1 and (rests := {one for link in links if link.suggestion for one in link.rests_on}):
             mended[where] = rests
-        if found[-1].verdict == "contradicts":
-            refuted.add(where_of(each.statement))
+        open_chain = where in closed and any(link.verdict != "follows" for link in links[1:])
+        if found[-1].verdict == "contradicts" or open_chain:
+            refuted.add(where)
     return found
 
 
@@ -190,6 +198,7 @@ class _Pass:
         self.within: list[tuple[str, Premise]] = []
         self.above = frozenset[str]()
         self.order = 0
+        self.closed = set[str]()
 
     def all(self) -> tuple[list[Reading], list[Asked]]:
         """Return the displayed equations, and what is to be asked of them."""
@@ -348,7 +357,10 @@ class _Pass:
             self.memory.forget(defined_by(found.sides[0])[0])
         split_again(self.memory.vocabulary, found)
         definition = definition_in(self.memory, statement, found, explicit=False)
-        definition = definition and replace(definition, ranges=self.memory.ranges)
+        shown = definition and definition.tree
+        definition = definition and replace(self._as_computed(definition, found), ranges=self.memory.ranges)
+        if definition is not None and definition.tree is not shown:
+            self.closed.add(definition.where)
         plain = definition is not None and not (definition.explicit or definition.parameters)
         if plain and self.survey.indices.counted:
             repeats = gives_at_other_index(self._standing(statement, found), found.sides[0], found.sides[1])
@@ -389,6 +401,16 @@ class _Pass:
         self.memory.give_anew(found)
         self.memory.take(statement, found, defines=definition is not None)
         return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
+
+    def _as_computed(self, definition: Definition, formula: Parsed) -> Definition:
+        r"""Return a definition that is computed, where a side behind it is: ``Q = \int_0^R f \, dr = a R^4``."""
+        known, rest = self.memory.vocabulary, formula.sides[2:] if {*formula.relations} == {"="} else ()
+        is_open = not definition.usable or any(map(is_integral, definition.tree.iter_subtrees()))
+        if not (definition.holds and is_open):
+            return definition
+        others = (replace(definition, tree=each, usable=True) for each in rest if symbols_in(each))
+        plain = (each for each in others if not is_circular(each.symbol, each.tree, known) and computes(each, known))
+        return next(plain, definition)
 
     def _by_components(
         self, statement: Statement, formula: Parsed, place: int, links: Sequence[Link]

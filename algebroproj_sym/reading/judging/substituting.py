@@ -157,13 +157,14 @@ def from_worked_out(standing: Standing, left: Formula, right: Formula) -> Iterat
         sides = each.left, each.right
         if not any(_is_worked_out(part) for side in sides for part in side.iter_subtrees()):
             continue
-        (one, made, _), (other, more, _) = (_worked_out(side, standing, own) for side in sides)
+        beside = replace(standing, premises=[one for one in standing.premises if one.place != each.place])
+        (one, made, _), (other, more, _) = (_worked_out(side, beside, own) for side in sides)
         made = [*made, *more]
         integrals = {letter.symbol: letter.tree for letter in made if letter.tree.data == "integral"}
         one, other = (with_integrals(side, integrals, standing.vocabulary) for side in (one, other))
         rates = [letter for letter in made if letter.symbol not in integrals]
         one, other = (filled(side, {letter.symbol: letter.tree for letter in rates}) for side in (one, other))
-        known = extended(with_rates(standing, (one, other), standing.told), rates) if rates else standing.vocabulary
+        known = extended(with_rates(beside, (one, other), beside.told), rates) if rates else standing.vocabulary
         for solution in solutions(replace(each, left=one, right=other), known, wanted):
             where = "; ".join((solution.where, *(letter.where for letter in made)))
             yield Way(left, right, extended(known, [replace(solution, where=where)]), A_VALUE)
@@ -187,6 +188,8 @@ def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Itera
             where = (f"{each.where} holds for every {standing.vocabulary.name(variable)}",)
             for under in ((made,), (made, each)):
                 yield Way(left, right, standing.vocabulary, A_VALUE, under=under, supposes=where)
+            for solution in solutions(made, standing.vocabulary, {*symbols_in(left), *symbols_in(right)}):
+                yield Way(left, right, extended(standing.vocabulary, [solution]), A_VALUE, supposes=where)
 
 
 def solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:

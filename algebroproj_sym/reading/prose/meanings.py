@@ -155,8 +155,8 @@ _OPERATORS = rf"(?:(?<!projection )(?<!rotation )operators?|{SET})"
 _MAPS = r"(?:(?:maps?|mappings?)(?! of\b)|activations?|kernels?(?! (?:matri|evaluated\b)))"
 _FUNCTIONS = rf"(?:(?:functions?|functionals?)(?! of\b)|{_MAPS})"
 _SIGNALS = (
-    r"(?:signals?|potentials?|distributions?|densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index|windows?|"
-    r"(?:frequency|impulse|step) responses?|shapes?|wave ?forms?|profiles?)"
+    r"(?:signals?|potentials?|distributions?|(?<=probability )densit(?:y|ies)|spectr(?:um|a)|(?:refractive )?index|"
+    r"windows?|(?:frequency|impulse|step) responses?|shapes?|wave ?forms?|profiles?)"
 )
 _NUMBER = re.compile(r"\b(?:ratio|circle|number|constant|half)\b|3\.14")
 _CLAUSE = re.compile(r"[,.;]")

@@ -65,6 +65,7 @@ JACOBIAN = (
         r"\[ |2\mathbf{A}|^2 = 4|\mathbf{A}|^2 \]",
         r"\[ \mathbf{a}^2 \mathbf{b} = \mathbf{a} (\mathbf{a} \cdot \mathbf{b}) \]",
         r"Let $z$ be a complex number. \[ |z|^2 = z^2 \]",
+        r"The amplitude $z = x + i y$ is complex. \[ |z|^4 = z^4 \]",
         r"The complex amplitude $z = x + i y$. \[ \sqrt{z^2} \sqrt{z^2} = z^2 \] \[ |z|^4 = z^4 \]",
         r"The operators $A$ and $B$ \[ A B = B A \]",
         r"\[ [A, B] = [B, A] \]",

@@ -403,7 +403,10 @@ def _is_of_minus_one(power: Formula) -> bool:
 
 
 def _with_complex_numbers(way: Way) -> Iterator[Way]:
-    """Yield a way in which letters stand for complex numbers: all of them, or only those that complex ones give."""
+    """Yield a way in which letters stand for complex numbers: all of them, or only those that complex ones give.
+
+    Where others give what words call complex, and no imaginary unit is known, some of these must be complex.
+    """
     if not complex_letters_in(way.vocabulary, *way.sides):
         return
     shown, unit = way.vocabulary.equation(*way.sides), way.vocabulary.imaginary
@@ -412,6 +415,7 @@ def _with_complex_numbers(way: Way) -> Iterator[Way]:
         ("complex", ()),
         ("some complex", ("letters are real unless complex ones give them",)),
     )
-    for numbers, letters in kinds:
+    given = {each.symbol for each in used_by(way.vocabulary, *way.sides)} & way.vocabulary.complexes
+    for numbers, letters in kinds[: 1 if given and not way.vocabulary.imaginary else None]:
         known = way.vocabulary.with_complex_numbers(numbers)
         yield replace(way, vocabulary=known, reads=shown, supposes=(*way.supposes, unit, *letters))

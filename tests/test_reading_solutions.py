@@ -45,6 +45,7 @@ def test_what_satisfies_an_equation_and_its_initial_values_follows(latex):
         r"\[ x \dot x = 2 x, \qquad x(0) = 0. \] Hence \[ x(t) = 2 t. \]",
         r"\[ t \dot x = 2 x, \qquad x(0) = 0. \] Hence \[ x(t) = a t^2. \]",
         r"\[ \dot x^2 = 4 x, \qquad x(0) = 0. \] Hence \[ x(t) = t^2. \]",
+        r"\[ \dot x = \frac{2 x}{t}, \qquad x(0) = 0. \] Hence \[ x(t) = a t^2. \]",
         # An initial value is missing, another one, of another point or of another section.
         r"\[ \ddot y = -g. \] With $y(0) = h$ we find \[ y(t) = h - \frac12 g t^2. \]",
         r"\[ \dot x = -k x, \qquad x(0) = a. \] Hence \[ x(t) = b e^{-k t}. \]",

@@ -7,7 +7,7 @@ So ``\nabla \cdot (\nabla \times \mathbf{A}) = 0`` is an equation of polynomials
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -50,9 +50,9 @@ class Fields:
         if kind.startswith("partial"):
             return self._by(value, kind[-1])
         if kind in ALONG:
-            return self._summed(along[i] * self._by(value, letter) for i, letter in enumerate(SPACE))
+            return _summed(along[i] * self._by(value, letter) for i, letter in enumerate(SPACE))
         if kind == "lap":
-            return self._summed(self._by(self._by(value, letter), letter) for letter in SPACE)
+            return _summed(self._by(self._by(value, letter), letter) for letter in SPACE)
         if kind == "grad":
             if shape(value):
                 raise UnreadableError("the gradient of a vector is not computed")
@@ -63,10 +63,6 @@ class Fields:
         if kind == "div":
             return sympy.Add(*(slopes[i][i] for i in range(3)))
         return vector(*(slopes[k][j] - slopes[j][k] for j, k in ((1, 2), (2, 0), (0, 1))))
-
-    def _summed(self, values: Any) -> Any:
-        first, *others = values
-        return sum(others, first)
 
     def _by(self, value: Any, letter: str) -> Any:
         """Return the derivative of a value, or of its entries, by a coordinate."""
@@ -108,7 +104,12 @@ class Fields:
         raise UnreadableError("a derivative by another letter is not computed with fields")
 
 
-def components_of(vector_: str, name: str, letters: Collection[str]) -> dict[str, Any]:
+def _summed(values: Iterable[Any]) -> Any:
+    first, *others = values
+    return sum(others, first)
+
+
+def components_of(symbol: str, name: str, letters: Collection[str]) -> dict[str, Any]:
     r"""Return the values of a vector and of its components, which are among some letters: ``v_x`` beside ``\vec v``.
 
     Examples
@@ -117,9 +118,9 @@ def components_of(vector_: str, name: str, letters: Collection[str]) -> dict[str
     v__y
     """
     entries = {letter: sympy.Symbol(f"{name}__{letter}") for letter in SPACE}
-    thin = re.sub(rf"{VECTOR_STYLE}|[{{}}]", "", vector_)
+    thin = re.sub(rf"{VECTOR_STYLE}|[{{}}]", "", symbol)
     named = {f"{thin}_{letter}": entry for letter, entry in entries.items()}
-    return {vector_: vector(*entries.values())} | (named if named.keys() <= {*letters} else {})
+    return {symbol: vector(*entries.values())} | (named if named.keys() <= {*letters} else {})
 
 
 def with_operators_apart(tree: Any, applied: Mapping[str, Applied], letters: Mapping[str, str]) -> Any:

@@ -85,7 +85,8 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     constant = sorted(letters - {*orders, unknown.variable})
     free = [each for each in constant if not AT_START.search(each)]
     moving = any(has_rate(each, unknown.variable, standing.survey.occurring) for each in constant)
-    if lead is None or len(initial) < order or moving or known.moves_with(free, unknown.variable):
+    moving = moving or unknown.variable in known.definitions or known.moves_with(free, unknown.variable)
+    if lead is None or len(initial) < order or moving:
         return None
     places = (*(each.where for each in initial), premise.where)
     solution = [
@@ -102,7 +103,10 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
 
 
 def _leading(premise: Premise, unknown: _Unknown, order: int, known: Vocabulary) -> Any:
-    """Return by what an equation multiplies its highest derivative; None if the theorem may not hold."""
+    """Return by what an equation multiplies its highest derivative; None if the theorem may not hold.
+
+    Beside the function and its derivatives stand polynomials of the variable, sines, cosines and exponentials of such.
+    """
     letters = [sympy.Symbol(known.name(_name(place))) for place in range(order + 1)]
     tree: Formula = Tree("sum", [premise.left, Token("SIGN", "-"), premise.right])
     try:
@@ -112,18 +116,17 @@ def _leading(premise: Premise, unknown: _Unknown, order: int, known: Vocabulary)
     if shape(value):
         return None
     value = value.replace(over, lambda above, below: above / below)
-    smooth = value.replace(lambda part: isinstance(part, _WAVES), lambda _: sympy.Integer(1))
-    moving = value.atoms(*_WAVES)
+    variable, waves = sympy.Symbol(known.name(unknown.variable)), value.atoms(*_WAVES)
+    plain = value.xreplace(dict.fromkeys(waves, sympy.S.One))
     try:
         polynomial = sympy.Poly(value, *letters)
-        sympy.Poly(smooth, *letters, sympy.Symbol(known.name(unknown.variable)))
+        smooth = [sympy.Poly(part, *letters, variable) for part in (plain, *(wave.args[0] for wave in waves))]
     except sympy.PolynomialError:
         return None
     lead = polynomial.coeff_monomial(letters[-1])
-    changing = {*letters, sympy.Symbol(known.name(unknown.variable))}
-    is_linear = polynomial.degree(letters[-1]) == 1 and sympy.expand(polynomial.as_expr().diff(letters[-1]) - lead) == 0
-    inside = any(part.free_symbols & {*letters} for part in moving)
-    return lead if is_linear and not inside and not lead.free_symbols & changing else None
+    rest = sympy.Poly(value - lead * letters[-1], *letters)
+    is_given = bool(smooth) and rest.degree(letters[-1]) < 1 and lead != 0
+    return lead if is_given and not lead.free_symbols & {*letters, variable} else None
 
 
 def _initial_values(standing: Standing, unknown: _Unknown, order: int) -> list[_Initial]:

@@ -200,3 +200,24 @@ def test_a_proof_tells_what_it_supposes():
 def test_an_equation_gives_no_meaning_to_what_an_operator_makes():
     first, _, last, _ = read_document(document_of(MAXWELL))
     assert first.verdict == last.verdict == "independent"
+
+
+@for_each(
+    "latex",
+    [
+        # By a square, or by a coordinate with its number above.
+        r"\[ g = \frac{\partial f}{\partial x}. \] Hence \[ \frac{\partial g}{\partial x} = \frac{\partial f}"
+        r"{\partial x^2}. \]",
+        r"\[ g = \frac{\partial f}{\partial x}. \] Hence \[ g = \frac{\partial^2 f}{\partial x}. \]",
+        # Two vectors of one letter.
+        r"\[ q = \nabla \cdot \mathbf{a}. \] Then \[ q = \nabla \cdot \vec{a}. \]",
+    ],
+)
+def test_signs_that_differ_are_different_derivatives_and_vectors(latex):
+    assert verdict(latex) != "follows"
+
+
+def test_a_proof_tells_where_its_definitions_hold_and_what_nabla_is():
+    latex = r"\[ q = \nabla \cdot \mathbf v. \] On the wall \[ \phi = \psi. \] Hence \[ \nabla \phi = \nabla \psi. \]"
+    for link in read_document(document_of(latex))[-1].links:
+        assert {"line 1 holds everywhere", "nabla is by Cartesian coordinates"} <= {*link.hypotheses}

@@ -28,7 +28,7 @@ COORDINATES = (*SPACE, "t")
 ALONG = ("along", "along, without brackets")
 r"""``(u \cdot \nabla) v``, and ``u \cdot \nabla v``, which a few authors mean otherwise."""
 _SLOPE = re.compile(
-    r"\\partial(?:\^2)?(?P<above>[^/]*)/\\partial(?P<first>[a-z])(?:(?P<twice>\^2)|\\partial(?P<last>[a-z]))?"
+    r"\\partial(?P<two>\^2)?(?P<above>[^/]*)/\\partial(?P<first>[a-z])(?(two)(?:(?P<twice>\^2)|\\partial(?P<last>[a-z])))"
 )
 
 

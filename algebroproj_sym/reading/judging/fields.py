@@ -118,7 +118,8 @@ def _with_fields(
             f"letters are smooth functions of {', '.join(SPACE)} and t",
             *(f"{known.name(each)} is a component" for each in sorted(values.keys() - vectors)),
             *(f"{known.name(each)} does not change" for each in sorted(fixed)),
-            *(f"{each.where} holds everywhere" for each in under),
+            *("nabla is by Cartesian coordinates" for _ in kinds & _BY_PLACE),
+            *(f"{each.where} holds everywhere" for each in (*used, *under)),
             *("u.nabla v is (u.nabla) v" for _ in kinds & {ALONG[1]}),
         ]
         derived = (one for each in under for one in (each, *_derivatives_of(each, fields, kinds)))

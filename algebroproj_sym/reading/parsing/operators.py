@@ -225,8 +225,8 @@ def _joined(kind: str, parts: list[Any]) -> Formula:
 
 
 def _plain(tree: Formula) -> str:
-    """Return a formula as text that no other one has, without the style of vectors: that of the operator counts."""
-    return re.sub(VECTOR_STYLE, "bold", _written(tree))
+    """Return a formula as text that no other one has, with no command of a vector: that of the operator counts."""
+    return re.sub(VECTOR_STYLE, lambda style: re.sub(r"\W", "", style[0]), _written(tree))
 
 
 def _written(tree: Formula) -> str:

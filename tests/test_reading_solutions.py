@@ -62,6 +62,19 @@ def test_what_satisfies_an_equation_and_its_initial_values_follows(latex):
         # The equation holds in a case.
         r"If there is no friction, \[ \ddot y = -g. \] With friction \[ \ddot y = -g - c \dot y. \] Now let $y(0) = h$ "
         r"and $\dot y(0) = u$. In general \[ y(t) = h + u t - \frac12 g t^2. \]",
+        # The function is taken elsewhere, too.
+        r"\[ \dot x(t) = -k x(t - T). \] With $x(0) = a$ we get \[ x(t) = a e^{-k t}. \]",
+        r"\[ f'(x) = -k f(1 - x). \] With $f(0) = a$ we get \[ f(x) = a e^{-k x}. \]",
+        r"\[ \dot x(t) = x(2 t), \qquad x(0) = a. \] Hence \[ x(t) = a e^{t}. \]",
+        # It changes with another letter, too.
+        r"The string has \[ \ddot y = c^2 y''. \] With $y(0) = h$ and $\dot y(0) = u$ we get \[ y(t) = h + u t. \]",
+        r"With $\rho(x, t)$ \[ \frac{d\rho}{dt} = -k \rho. \] As $\rho(0) = a$, we get \[ \rho(t) = a e^{-k t}. \]",
+        r"The boost is \[ x' = x - u t, \quad t' = t. \] With $x(0) = u$ we have \[ x(t) = u + u t. \]",
+        # Another letter hides the function.
+        r"\[ \dot x = y, \qquad y = x^2, \qquad x(0) = 0. \] Hence \[ x(t) = y t. \]",
+        # The initial values of two problems.
+        r"A ball falls: \[ \ddot y = -g. \] The first has $y(0) = h$ and $\dot y(0) = u$. A second one has $y(0) = H$. "
+        r"Hence \[ y(t) = H + u t - \frac12 g t^2. \]",
         # The derivative is by something else.
         r"\[ \frac{dx}{ds} = -k x. \] With $x(0) = a$, \[ x(t) = a e^{-k t}. \]",
     ],
@@ -88,6 +101,7 @@ def test_a_proof_tells_what_it_rests_on_and_what_does_not_change():
     (link,) = read_document(document_of(latex))[-1].links
     assert any("holds for every t, where c, m, u do not change" in each for each in link.hypotheses)
     assert "m != 0" in link.hypotheses
+    assert {"v_dot is a derivative by t", "v(0) = u, by line 1"} <= {*link.hypotheses}
     assert link.rests_on == ("line 1",)
 
 

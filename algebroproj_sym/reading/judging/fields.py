@@ -20,7 +20,7 @@ from algebroproj_sym.reading.deriving.fields import (
 )
 from algebroproj_sym.reading.judging.constraining import is_asserted
 from algebroproj_sym.reading.judging.doubts import A_VALUE
-from algebroproj_sym.reading.judging.questions import Sides, Way, used_by
+from algebroproj_sym.reading.judging.questions import Sides, Way, rests_of, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -119,7 +119,7 @@ def _with_fields(
             *(f"{known.name(each)} is a component" for each in sorted(values.keys() - vectors)),
             *(f"{known.name(each)} does not change" for each in sorted(fixed)),
             *("nabla is by Cartesian coordinates" for _ in kinds & _BY_PLACE),
-            *(f"{each.where} holds everywhere" for each in (*used, *under)),
+            *(f"{where} holds everywhere" for where in (*rests_of(known, *trees), *(each.where for each in under))),
             *("u.nabla v is (u.nabla) v" for _ in kinds & {ALONG[1]}),
         ]
         derived = (one for each in under for one in (each, *_derivatives_of(each, fields, kinds)))

@@ -22,7 +22,7 @@ from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.judging.constraining import is_asserted
 from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.memory import where_of
-from algebroproj_sym.reading.judging.questions import Way
+from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, lone, symbols_in, trees_in, without_brackets
 
@@ -44,6 +44,7 @@ class _Initial:
     """An initial value: that of a derivative at a point."""
 
     order: int
+    side: Formula
     point: Formula
     value: Formula
     where: str
@@ -70,16 +71,21 @@ def _variables_of(letter: str, premise: Premise) -> list[str]:
 
 
 def _orders(letter: str, variable: str, symbols: frozenset[str]) -> dict[str, int]:
-    """Return how often the symbols are derived that are a letter or a derivative of it."""
-    orders = {each: order_of(each, letter, variable) for each in symbols}
-    return {symbol: order for symbol, order in orders.items() if order is not None} | {letter: 0}
+    """Return how often the symbols are derived that are a letter or a derivative of it.
+
+    Dots and primes together are derivatives by two letters, and a prime of the variable is none.
+    """
+    found = {each: order_of(each, letter, variable) for each in symbols}
+    orders = {symbol: order for symbol, order in found.items() if order is not None} | {letter: 0}
+    has_both = all(any(sign in each for each in orders) for sign in ("'", "dot"))
+    return {letter: 0} if has_both or f"{variable}'" in symbols else orders
 
 
 def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Formula) -> Way | None:
     """Return whether a formula satisfies an equation and as many initial values as its order asks for."""
     known, orders = standing.vocabulary, unknown.orders
     order = max((orders[each] for each in premise.symbols if each in orders), default=0)
-    lead = _leading(premise, unknown, order, known) if order else None
+    lead = _leading(premise, unknown, order, known) if order and _is_of_one(standing, unknown, premise, right) else None
     initial = _initial_values(standing, unknown, order)
     letters = frozenset().union(*map(known.letters_of, (premise.left, premise.right, right)))
     constant = sorted(letters - {*orders, unknown.variable})
@@ -99,7 +105,30 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     shown = f"{known.equation(letter_of(unknown.letter), right)}, as the solution of {premise.where}"
     supposes = [f"{premise.where} holds for every {known.name(unknown.variable)}{unchanged(constant, known)}"]
     supposes += [f"{lead} != 0"] if lead.free_symbols else []
+    signs = sorted(each for each in premise.symbols & {*orders} if "'" in each or "dot" in each)
+    supposes += [f"{known.name(each)} is a derivative by {known.name(unknown.variable)}" for each in signs]
+    supposes += [f"{known.equation(each.side, each.value)}, by {each.where}" for each in initial]
     return Way(ours, theirs, extended(known, solution), A_VALUE, shown, supposes=tuple(supposes))
+
+
+def _is_of_one(standing: Standing, unknown: _Unknown, premise: Premise, right: Formula) -> bool:
+    r"""Whether an equation has a function of one variable at this variable alone, unlike ``\dot x(t) = x(t - T)``."""
+    known, formulas = standing.vocabulary, standing.survey.formulas.values()
+    sides = premise.left, premise.right
+    calls = [
+        (call, [lone(without_brackets(each)) for items in trees_in(call) for each in trees_in(items)])
+        for formula in formulas
+        if isinstance(formula, Parsed)
+        for side in formula.sides
+        for call in side.find_data("call")
+        if str(call.children[0]) in unknown.orders
+    ]
+    own = [call for side in sides for call in side.find_data("call")]
+    others = [call for call, letters in calls if call in own and letters != [unknown.variable]]
+    used = (each for each in used_by(known, *sides, right) if each.symbol not in unknown.orders)
+    hidden = {symbol for each in used for symbol in symbols_in(each.tree)}
+    partly = any(rf"\partial{unknown.letter}/" in each.replace(" ", "") for each in standing.survey.occurring)
+    return not (others or partly or hidden & {*unknown.orders}) and all(len(letters) == 1 for _, letters in calls)
 
 
 def _leading(premise: Premise, unknown: _Unknown, order: int, known: Vocabulary) -> Any:
@@ -130,7 +159,10 @@ def _leading(premise: Premise, unknown: _Unknown, order: int, known: Vocabulary)
 
 
 def _initial_values(standing: Standing, unknown: _Unknown, order: int) -> list[_Initial]:
-    """Return the last initial values of a section above an equation, or of its sentence, of each order at one point."""
+    """Return the last initial values of a section above an equation, or of its sentence, of each order at one point.
+
+    A second value of an order begins another problem.
+    """
     place = standing.beside.place
     found: dict[int, _Initial] = {}
     for statement in standing.survey.statements:
@@ -142,7 +174,9 @@ def _initial_values(standing: Standing, unknown: _Unknown, order: int) -> list[_
                 point = _point_in(side, unknown)
                 if point is not None:
                     callee = unknown.orders[str(side.children[0])]
-                    found[callee] = _Initial(callee, point, other, where_of(statement))
+                    if callee in found and (found[callee].point, found[callee].value) != (point, other):
+                        found = {}
+                    found[callee] = _Initial(callee, side, point, other, where_of(statement))
     values = [found[place] for place in range(order) if place in found]
     return values if all(each.point == values[0].point for each in values) else []
 

@@ -209,6 +209,9 @@ def test_an_equation_gives_no_meaning_to_what_an_operator_makes():
         r"\[ g = \frac{\partial f}{\partial x}. \] Hence \[ \frac{\partial g}{\partial x} = \frac{\partial f}"
         r"{\partial x^2}. \]",
         r"\[ g = \frac{\partial f}{\partial x}. \] Hence \[ g = \frac{\partial^2 f}{\partial x}. \]",
+        # The density changes.
+        WAVE + r"with $\rho = \rho(x)$ we get \[ \frac{\partial^2 p}{\partial t^2} = \frac{K}{\rho} "
+        r"\frac{\partial^2 p}{\partial x^2}. \]",
         # Two vectors of one letter.
         r"\[ q = \nabla \cdot \mathbf{a}. \] Then \[ q = \nabla \cdot \vec{a}. \]",
     ],
@@ -221,3 +224,11 @@ def test_a_proof_tells_where_its_definitions_hold_and_what_nabla_is():
     latex = r"\[ q = \nabla \cdot \mathbf v. \] On the wall \[ \phi = \psi. \] Hence \[ \nabla \phi = \nabla \psi. \]"
     for link in read_document(document_of(latex))[-1].links:
         assert {"line 1 holds everywhere", "nabla is by Cartesian coordinates"} <= {*link.hypotheses}
+
+
+@for_each(
+    "name",
+    [r"E^\mathrm{rot}", r"E_{1,\mathrm{rot}}", r"\mathrm{rot}", r"\mathrm{div}"],
+)
+def test_the_name_of_an_operator_is_a_name_in_a_script_and_before_no_argument(name):
+    assert verdict(rf"\[ c = {name} + b. \] Hence \[ {name} = c - b. \]") == "follows"

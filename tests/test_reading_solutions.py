@@ -89,6 +89,8 @@ def test_nothing_else_follows(latex):
         (r"\[ w(x) = a x^2 (3 L - x). \] Hence \[ d = w(L) = 2 a L^3. \]", True),
         # The density of another letter is another one, and so may be the transform of a function.
         (r"\[ p(x) = a (x - m)^2. \] Hence \[ d = p(m) = 0. \]", False),
+        (r"\[ \hat p(x) = a (x - m)^2. \] Hence \[ d = \hat p(m) = 0. \]", False),
+        (r"\[ \rho(x) = a (x - m)^2. \] Hence \[ d = \rho(m) = 0. \]", False),
         (r"\[ E(x) = a \cos(k x). \] Hence \[ d = E(k) = a \cos(k^2). \]", False),
     ],
 )

@@ -18,6 +18,7 @@ from algebroproj_sym.reading.documents.pending import (
     braced,
     ends_value,
     formulas_in,
+    group_start,
     is_raised,
     renamed,
 )
@@ -53,6 +54,7 @@ _ROUNDED = {r"\lfloor": r"\operatorname{floor}(", r"\lceil": r"\operatorname{cei
 _ROUNDED |= {r"\llbracket": r"\operatorname{jump}(", r"\rrbracket": ")"}
 _WITH_POWERS = r"\sin", r"\cos", r"\tan", r"\cot", r"\sec", r"\csc", r"\sinh", r"\cosh", r"\tanh", r"\log", r"\ln"
 _NABLAS = {"grad": r"\nabla ", "div": r"\nabla\cdot "} | dict.fromkeys(("curl", "rot"), r"\nabla\times ")
+_NO_ARGUMENT = frozenset(("", "=", "+", "-", ")", "}", "_", "^", "&", ",", "."))
 _UNSEEN = frozenset((r"\index", r"\phantom", r"\hphantom", r"\vphantom", r"\noalign"))
 _BREAKS = frozenset(rf"\{name}" for name in ("displaybreak", "linebreak", "nolinebreak", "pagebreak", "nopagebreak"))
 _NO_ROOM = re.compile(r"-|0*\.?0*[a-z]")
@@ -305,9 +307,12 @@ def _box(page: Page, piece: Piece) -> bool:
 
 
 def _nabla(page: Page, piece: Piece, inside: Sequence[Piece]) -> bool:
-    """Write the upright name of an operator of fields as a nabla; below a letter it is a name."""
+    """Write the upright name of an operator of fields as a nabla; in a script, or before no argument, it is a name."""
     written = _NABLAS.get("".join(each.text for each in inside), "")
-    if found := bool(written) and not (page.out and page.out[-1].text in ("_", "{")):
+    start = group_start(page.out)
+    before = page.out[-1:] if start is None else [*page.out[-1:], *page.out[max(0, start - 2) : start - 1]]
+    is_name = page.waiting.next in _NO_ARGUMENT or any(each.text in ("_", "^") for each in before)
+    if found := bool(written) and not is_name:
         page.out.extend(at(piece, written))
     return found
 

@@ -11,6 +11,7 @@ from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.fields import (
     ALONG,
+    COORDINATES,
     SPACE,
     Fields,
     components_of,
@@ -110,6 +111,7 @@ def _with_fields(
     inside = [part for each in trees for part in each.find_data("operated")]
     inside += [each.body for each in applied.values()]
     still = letters - frozenset().union(vectors, *map(known.letters_of, inside))
+    still = frozenset(each for each in still if not any(known.moves_with([each], letter) for letter in COORDINATES))
     said = letters & known.dependence.constant
     for fixed in dict.fromkeys((said | still,) if under else (said, said | still)):
         names = {f"{known.name(each)}{end}" for each in fixed for end in ("", *(f"__{letter}" for letter in SPACE))}
@@ -119,6 +121,7 @@ def _with_fields(
             *(f"{known.name(each)} is a component" for each in sorted(values.keys() - vectors)),
             *(f"{known.name(each)} does not change" for each in sorted(fixed)),
             *("nabla is by Cartesian coordinates" for _ in kinds & _BY_PLACE),
+            *("nabla^2 is the divergence of the gradient" for _ in kinds & {"lap"}),
             *(f"{where} holds everywhere" for where in (*rests_of(known, *trees), *(each.where for each in under))),
             *("u.nabla v is (u.nabla) v" for _ in kinds & {ALONG[1]}),
         ]

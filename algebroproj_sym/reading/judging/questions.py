@@ -261,7 +261,7 @@ _SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")
 """How functions are called that are the same ones of all letters, unlike p in p(x) and p(y)."""
 
 
-_DENSITY = re.compile(r"[pqP]|\\pi|\\mathcal\{?N\}?")
+_DENSITY = re.compile(r"(?:\\[a-z]+\{)*(?:[pqP]|\\pi|\\rho|\\(?:var)?phi|N)\}*")
 """How densities are called, which are other ones of other letters."""
 
 

@@ -59,6 +59,8 @@ def test_what_satisfies_an_equation_and_its_initial_values_follows(latex):
         # k changes.
         r"\[ \dot k = -b. \] \[ \dot x = -k x, \qquad x(0) = a. \] Hence \[ x(t) = a e^{-k t}. \]",
         r"\[ k = b t. \] \[ \dot x = -k x, \qquad x(0) = a. \] Hence \[ x(t) = a e^{-k t}. \]",
+        r"With $x(0) = 0$. Since $y = 2 x$: \[ \dot x = y. \] Hence \[ x(t) = y t. \]",
+        r"The rate $k$ varies with time. \[ \dot x = -k x, \qquad x(0) = a. \] Hence \[ x(t) = a e^{-k t}. \]",
         # The equation holds in a case.
         r"If there is no friction, \[ \ddot y = -g. \] With friction \[ \ddot y = -g - c \dot y. \] Now let $y(0) = h$ "
         r"and $\dot y(0) = u$. In general \[ y(t) = h + u t - \frac12 g t^2. \]",

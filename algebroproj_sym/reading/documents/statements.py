@@ -376,7 +376,7 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
             yield part, "".join(piece.text for piece in column[place + 1 : end]).strip(" {}")
             part, place = [], end
             continue
-        if depth <= 0 and (text in (",", ";") or text in _WIDE) and not _groups_digits(column, place):
+        if depth <= 0 and (text in (",", ";") or text in _WIDE) and not _is_between_digits(column, place):
             yield part, ""
             part = []
         else:
@@ -385,10 +385,9 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
     yield part, ""
 
 
-def _groups_digits(column: Sequence[Piece], place: int) -> bool:
-    """Whether a comma stands between digits as in 1,000, which may be a thousand or one."""
-    around = "".join(piece.text for piece in column[max(0, place - 1) : place + 5])
-    return re.match(r"\d,\d{3}(?!\d)", around) is not None
+def _is_between_digits(column: Sequence[Piece], place: int) -> bool:
+    """Whether a comma stands between digits as in 1,000 and 2,5: it may be a point, and ends nothing."""
+    return re.fullmatch(r"\d,\d", "".join(piece.text for piece in column[max(0, place - 1) : place + 2])) is not None
 
 
 def _is_script(before: Sequence[Piece]) -> bool:

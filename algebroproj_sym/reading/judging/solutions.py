@@ -91,8 +91,13 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     constant = sorted(letters - {*orders, unknown.variable})
     free = [each for each in constant if not AT_START.search(each)]
     moving = any(has_rate(each, unknown.variable, standing.survey.occurring) for each in constant)
-    moving = moving or unknown.variable in known.definitions or known.moves_with(free, unknown.variable)
-    if lead is None or len(initial) < order or moving:
+    inner = {symbol for each in initial for symbol in (*symbols_in(each.value), *symbols_in(each.point))}
+    moving = (
+        moving
+        or known.moves_with(free, unknown.variable)
+        or known.moves_with({*free} - inner, unknown.letter, premise.symbols)
+    )
+    if lead is None or len(initial) < order or moving or unknown.variable in known.definitions:
         return None
     places = (*(each.where for each in initial), premise.where)
     solution = [

@@ -120,7 +120,7 @@ MAXWELL = (
 )
 FLOW = (
     r"The fluid has the momentum \[ \rho \frac{\partial \mathbf{u}}{\partial t} + \rho (\mathbf{u} \cdot \nabla) "
-    r"\mathbf{u} = -\nabla p + \mu \nabla^2 \mathbf{u}, \] and its volume is kept: \[ \nabla \cdot \mathbf{u} = 0. \] "
+    r"\mathbf{u} = -\nabla p + \mu \nabla^2 \mathbf{u}, \] and its divergence is \[ \nabla \cdot \mathbf{u} = 0. \] "
 )
 WAVE = (
     r"The pressure and the velocity of sound waves obey \[ \rho \frac{\partial u}{\partial t} = -\frac{\partial p}"
@@ -176,6 +176,16 @@ def test_what_equations_of_fields_say_when_they_are_derived_follows(latex):
         # A component of another letter.
         r"\[ q = \nabla \cdot \vec{v}. \] Hence \[ q = \frac{\partial u_x}{\partial x} "
         r"+ \frac{\partial u_y}{\partial y} + \frac{\partial u_z}{\partial z}. \]",
+        # At a place, and in a state of rest.
+        r"At the wall \[ \nabla \cdot \mathbf{u} = 0. \] The source is \[ q = \nabla \cdot \mathbf{u}. \] "
+        r"Hence \[ q = 0. \]",
+        r"In equilibrium \[ \nabla p = 0, \quad \nabla \cdot \mathbf{v} = 0. \] The force is \[ \mathbf{f} = -\nabla "
+        r"p. \] Hence \[ \mathbf{f} = 0. \]",
+        # The equations are of two cases.
+        r"The field is static: \[ \nabla \times \mathbf{E} = 0. \] With magnets \[ \nabla \times \mathbf{E} = "
+        r"-\partial_t \mathbf{B}. \] Hence \[ \partial_t \mathbf{B} = 0. \]",
+        r"The flow has \[ \nabla \cdot \mathbf{u} = 0. \] With sources we have \[ \nabla \cdot \mathbf{u} = q. \] "
+        r"Hence \[ q = 0. \]",
         # The flow is another one in this case.
         FLOW + r"If the flow is steady, \[ \frac{\partial \mathbf{u}}{\partial t} = 0. \] In general \[ (\mathbf{u} "
         r"\cdot \nabla) \mathbf{u} = -\frac{1}{\rho} \nabla p + \frac{\mu}{\rho} \nabla^2 \mathbf{u}. \]",

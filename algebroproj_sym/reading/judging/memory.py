@@ -409,9 +409,10 @@ class Memory:
             self.alone |= dict.fromkeys(map(given_by, sides), statement.display.part)
 
     def _contended(self, premise: Premise) -> list[Premise | Definition]:
-        """Return what gives otherwise what an equation gives, by the same letters or by some of them.
+        r"""Return what gives otherwise what an equation gives, by the same letters or by some of them.
 
-        Two values of other letters may be equal, as in ``F = -k x`` and ``F = m a``.
+        Two values of other letters may be equal, as in ``F = -k x`` and ``F = m a``.  What an operator makes has one
+        value: ``\nabla \cdot u`` is zero, or q in another case.
         """
         found: list[Premise | Definition] = []
         for side, value in premise.both_ways:
@@ -422,7 +423,8 @@ class Memory:
             above += [(each, two) for each in self.serving for one, two in each.both_ways if one == side]
             for each, other in above if introduced_by(side) else ():
                 near = each.place == premise.place
-                if each.part == premise.part and self._contend(other, value, near=near):
+                is_other = symbol in self.survey.applied and other != value
+                if each.part == premise.part and (is_other or self._contend(other, value, near=near)):
                     found.append(each)
         return found
 

@@ -29,8 +29,9 @@ def is_condition(beside: Beside, formula: Parsed) -> bool:
     number = _number_of(formula)
     if _IF.search(sentence) or _CRITERION.search(sentence) or says(r"\b<wanted>(?: that)?\W*$", sentence):
         return True
-    wishes = says(r"\b<sought>\W*$|\b<wanted seeks>\b", sentence) and not says(r"\b<optimizes>\W*$", sentence)
-    if wishes and not any(each.data == "symbol" for each in formula.sides):
+    if says(r"\b<sought>\W*$|\b<wanted seeks>\b", sentence) and not any(
+        each.data == "symbol" for each in formula.sides
+    ):
         return True
     if number == "0" and (
         _LATER.match(beside.behind)
@@ -41,8 +42,8 @@ def is_condition(beside: Beside, formula: Parsed) -> bool:
 
 
 def _number_of(formula: Parsed) -> str:
-    """Return the number that a letter alone is equal to, and not what an operator makes; empty if there is none."""
-    lone = [each for each in formula.sides if each.data == "symbol" and " " not in str(each.children[0])]
+    """Return the number that a letter alone is equal to; empty if there is none."""
+    lone = [each for each in formula.sides if each.data == "symbol"]
     numbers = [str(each.children[0]) for each in formula.sides if each.data == "number"]
     return numbers[0] if len(formula.sides) == 2 and lone and numbers else ""
 

@@ -98,6 +98,8 @@ def test_the_rate_of_a_letter_is_a_number() -> None:
         (r"The beam has the length $u = V/q$ if it is cold.", False),
         (r"The beam has the length $u = V/q$, but only when it is cold.", False),
         (r"Some use the incorrect speed $u = V/q$.", False),
+        (r"Is the speed $u = V/q$?", False),
+        (r"Is the speed $u = V/q$ in a wide pipe?", False),
         (r"We do not use the effective mass $u = V/q$ here.", False),
         (r"In the old units the reduced mass $u = V/q$ was used.", False),
     ],

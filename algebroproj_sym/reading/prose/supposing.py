@@ -142,10 +142,11 @@ def leads_elsewhere(behind: str) -> bool:
 
 
 _DENIED_BEHIND = heard(
-    r"\s*(?:is|are|need|does|do|can|must|should|may) not\b|[\s,]*(?:(?:but|only|just|exactly) )*<if>\b(?! and only)"
+    r"[^.!$]*\?"
+    r"|\s*(?:is|are|need|does|do|can|must|should|may) not\b|[\s,]*(?:(?:but|only|just|exactly) )*<if>\b(?! and only)"
 )
 
 
 def is_denied_behind(behind: str) -> bool:
-    """Whether the words right behind a formula deny it, as in "where $b = 0$ is not assumed", or ask for more: "if"."""
+    """Whether words right behind a formula deny it: "where $b = 0$ is not assumed", "if it rains", or a question."""
     return _DENIED_BEHIND.match(behind) is not None

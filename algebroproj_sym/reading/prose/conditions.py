@@ -29,9 +29,8 @@ def is_condition(beside: Beside, formula: Parsed) -> bool:
     number = _number_of(formula)
     if _IF.search(sentence) or _CRITERION.search(sentence) or says(r"\b<wanted>(?: that)?\W*$", sentence):
         return True
-    if says(r"\b<sought>\W*$|\b<wanted seeks>\b", sentence) and not any(
-        each.data == "symbol" for each in formula.sides
-    ):
+    wishes = says(r"\b<sought>\W*$|\b<wanted seeks>\b", sentence) and not says(r"\b<optimizes>\W*$", sentence)
+    if wishes and not any(each.data == "symbol" for each in formula.sides):
         return True
     if number == "0" and (
         _LATER.match(beside.behind)

@@ -280,17 +280,14 @@ def crosses_in(symbols: Collection[str], words: Iterable[str], hats: Collection[
     tilde = any(_TILDE_MATRIX.search(each) for each in words)
     accents = {match[1] for match in map(_ACCENTED.fullmatch, hats) if match}
     for symbol in symbols:
-        inside: Formula | None = None
+        inside, where = None, f"{'; '.join(sorted(hats))} as the matrix of a cross product"
         if (match := _ACCENTED.fullmatch(symbol)) and match[1] in accents and symbol not in hats:
             with suppress(UnreadableError):
                 inside = parsed(_JOINED.sub(r"\\times ", f"{match[2]}{match[3]}")).sides[0]
         elif tilde and (match := _TILDE.fullmatch(symbol)):
-            inside = letter_of(rf"\mathbf{{{match[1] or match[2]}}}{match[3]}")
+            inside, where = letter_of(rf"\mathbf{{{match[1] or match[2]}}}{match[3]}"), 'the words "tilde matrix"'
         if inside is not None:
             cross: Formula = Tree("marked", [inside, Token("MARK", "hat")])
-            where = (
-                'the words "tilde matrix"' if tilde else f"{'; '.join(sorted(hats))} as the matrix of a cross product"
-            )
             yield Definition(symbol, (), cross, where, 0, True)
 
 

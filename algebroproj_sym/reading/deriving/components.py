@@ -2,6 +2,9 @@
 
 from collections.abc import Iterable
 from itertools import pairwise
+from typing import Any
+
+from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.parsing.factors import terms_of
@@ -13,6 +16,12 @@ def columns_as_letters(trees: Iterable[Formula]) -> dict[Formula, Formula]:
     every = (matrix for tree in trees for matrix in tree.find_data("matrix"))
     columns = dict.fromkeys(matrix for matrix in every if is_column(matrix))
     return {column: letter_of(rf"\column{{{number}}}") for number, column in enumerate(columns, 1)}
+
+
+def column_of(*entries: Formula) -> Formula:
+    """Return formulas as the entries of a printed column."""
+    rows: list[Any] = [Tree("row", [Tree("cell", [each])]) for each in entries]
+    return Tree("matrix", [Token("BEGIN", "("), *rows])
 
 
 def is_column(matrix: Formula) -> bool:

@@ -3,11 +3,11 @@ r"""Sums and products in closed form, by the first value and the step to the nex
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.premises import letter_of
+from algebroproj_sym.reading.deriving.components import column_of
 from algebroproj_sym.reading.deriving.rates import ONE
 from algebroproj_sym.reading.parsing.grammar import Formula, put_in, symbols_in, trees_in, without_brackets
 
@@ -50,8 +50,8 @@ def steps_of(left: Formula, right: Formula, is_fixed: Callable[[str, str, str], 
     before, term = _group(right), _at(body, index, following)
     step: Formula = Tree("sum", [before, Token("SIGN", "+"), term]) if kind == "sum" else Tree("run", [before, term])
     return Steps(
-        _column(_at(right, last, start), _at(right, last, following)),
-        _column(_at(body, index, start), step),
+        column_of(_at(right, last, start), _at(right, last, following)),
+        column_of(_at(body, index, start), step),
         last,
         int(first),
     )
@@ -108,8 +108,3 @@ def _number(value: int) -> Formula:
 
 def _group(tree: Formula) -> Formula:
     return Tree("group", [tree])
-
-
-def _column(*entries: Formula) -> Formula:
-    rows: list[Any] = [Tree("row", [Tree("cell", [each])]) for each in entries]
-    return Tree("matrix", [Token("BEGIN", "("), *rows])

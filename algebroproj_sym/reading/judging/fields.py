@@ -42,7 +42,9 @@ def of_fields(standing: Standing, left: Formula, right: Formula) -> Iterator[Way
     """
     if standing.beside.variables - {*SPACE, "t"}:
         return
-    applied = standing.survey.applied
+    applied, used = standing.survey.applied, used_by(standing.vocabulary, left, right)
+    if not any(_may_act(each, applied) for each in (left, right, *(each.tree for each in used))):
+        return
     symbols = {*standing.survey.occurring, *(one for each in applied.values() for one in symbols_in(each.body))}
     letters = {bare_name(each): each for each in sorted(symbols)}
     apart: Apart = partial(with_operators_apart, applied=applied, letters=letters)
@@ -59,6 +61,12 @@ def of_fields(standing: Standing, left: Formula, right: Formula) -> Iterator[Way
     shown = known.equation(left, right)
     for under in dict.fromkeys(((), *((premise,) for premise in near[:2]), (*near,))):
         yield from _with_fields(known, sides, under, shown, applied)
+
+
+def _may_act(tree: Formula, applied: Mapping[str, Applied]) -> bool:
+    """Whether a formula has an operator, or a partial derivative."""
+    names = (*symbols_in(tree), *(str(each.children[0]) for each in tree.find_data("big")))
+    return any(each in applied or each.startswith(r"\partial") for each in names)
 
 
 def _with_definitions_apart(vocabulary: Vocabulary, apart: Apart) -> Vocabulary:

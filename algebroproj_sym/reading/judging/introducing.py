@@ -58,7 +58,7 @@ def definition_in(
     relation = formula.relations[0]
     left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
     symbol, parameters = defined_by(left)
-    if is_of_operator(memory, left):
+    if _is_of_operator(memory, left):
         return None
     if not symbol or memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
         return None
@@ -91,7 +91,7 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
     So does one that names the entries of a matrix: ``x = (q, u) = (a, b, c, d)``, and one that puts numbers in.
     """
     left, right = formula.sides[index], formula.sides[index + 1]
-    if is_of_operator(memory, left):
+    if _is_of_operator(memory, left):
         return False
     others = [left] if index > 0 else _said_of(memory, left) if not symbols_in(right) else []
     first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *memory.asserted})
@@ -201,7 +201,7 @@ def _are_new(memory: Memory, symbols: frozenset[str], other: Formula, statement:
     return bool(symbols) and not symbols & elsewhere and not memory.said_before(symbols, statement.display.place)
 
 
-def is_of_operator(memory: Memory, left: Formula) -> bool:
+def _is_of_operator(memory: Memory, left: Formula) -> bool:
     r"""Whether a side is what an operator makes of something, as ``\nabla \cdot u``: no equation gives it a meaning."""
     return not introduced_by(left).isdisjoint(memory.survey.applied)
 
@@ -240,7 +240,7 @@ def gives_if_open(memory: Memory, statement: Statement, formula: Parsed) -> bool
     again = again and (memory.beside.follows or {*symbols_in(right)} <= old)
     inside = known is not None and _base_of(left) is not left and not memory.survey.meanings.is_label(left)
     renames = memory.beside.follows and bool(defined_by(right)[0])
-    return not (again or inside or renames or is_of_operator(memory, left)) and _may_give(
+    return not (again or inside or renames or _is_of_operator(memory, left)) and _may_give(
         memory, statement, left, right
     )
 
@@ -253,7 +253,7 @@ def names_its_letter(memory: Memory, statement: Statement, formula: Parsed) -> b
     left, right = formula.sides[:2]
     used = memory.equated.union(memory.given.whole.symbols, symbols_in(right), operations_in(right))
     return (
-        not is_of_operator(memory, left)
+        not _is_of_operator(memory, left)
         and (
             named_on_left(left) not in used | {""}
             or value_on_left(left) not in {"", *memory.equated, *values_in(right)}

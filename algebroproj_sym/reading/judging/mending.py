@@ -136,9 +136,9 @@ def _has_operators(way: Way) -> bool:
 
 def is_trivial(way: Way) -> bool:
     """Whether the sides are the same but for the order of their parts, with nothing put in."""
-    questions = asked_of(way.vocabulary, *way.sides)
     if _has_operators(way):
         return False
+    questions = asked_of(way.vocabulary, *way.sides)
     if isinstance(questions, str) or way.under or used_by(way.vocabulary, *way.sides) or values_of(questions):
         return False
     return all(each.lhs == each.rhs for each in questions)

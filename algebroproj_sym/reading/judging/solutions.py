@@ -4,7 +4,7 @@ The equation is one of a number.  It gives its highest derivative as a polynomia
 Picard and Lindelöf holds.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +17,7 @@ from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, ex
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.chains import slope_of
+from algebroproj_sym.reading.deriving.components import column_of
 from algebroproj_sym.reading.deriving.derivatives import AT_START, has_rate, order_of, unchanged
 from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.judging.constraining import is_asserted
@@ -85,19 +86,14 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     """Return whether a formula satisfies an equation and as many initial values as its order asks for."""
     known, orders = standing.vocabulary, unknown.orders
     order = max((orders[each] for each in premise.symbols if each in orders), default=0)
-    lead = _leading(premise, unknown, order, known) if order and _is_of_one(standing, unknown, premise, right) else None
-    initial = _initial_values(standing, unknown, order)
+    if not order or not _is_of_one(standing, unknown, premise, right):
+        return None
+    lead, initial = _leading(premise, unknown, order, known), _initial_values(standing, unknown, order)
+    if lead is None or len(initial) < order or unknown.variable in known.definitions:
+        return None
     letters = frozenset().union(*map(known.letters_of, (premise.left, premise.right, right)))
     constant = sorted(letters - {*orders, unknown.variable})
-    free = [each for each in constant if not AT_START.search(each)]
-    moving = any(has_rate(each, unknown.variable, standing.survey.occurring) for each in constant)
-    inner = {symbol for each in initial for symbol in (*symbols_in(each.value), *symbols_in(each.point))}
-    moving = (
-        moving
-        or known.moves_with(free, unknown.variable)
-        or known.moves_with({*free} - inner, unknown.letter, premise.symbols)
-    )
-    if lead is None or len(initial) < order or moving or unknown.variable in known.definitions:
+    if _move(standing, premise, unknown, initial, constant):
         return None
     places = (*(each.where for each in initial), premise.where)
     solution = [
@@ -106,7 +102,7 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     ]
     values = [(_call(each.order, each.point), each.value) for each in initial]
     pairs = [(premise.left, premise.right), *values]
-    ours, theirs = (_column(*(_put_in(with_exponentials(pair[side]), unknown) for pair in pairs)) for side in (0, 1))
+    ours, theirs = (column_of(*(_put_in(with_exponentials(pair[side]), unknown) for pair in pairs)) for side in (0, 1))
     shown = f"{known.equation(letter_of(unknown.letter), right)}, as the solution of {premise.where}"
     supposes = [f"{premise.where} holds for every {known.name(unknown.variable)}{unchanged(constant, known)}"]
     supposes += [f"{lead} != 0"] if lead.free_symbols else []
@@ -114,6 +110,20 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     supposes += [f"{known.name(each)} is a derivative by {known.name(unknown.variable)}" for each in signs]
     supposes += [f"{known.equation(each.side, each.value)}, by {each.where}" for each in initial]
     return Way(ours, theirs, extended(known, solution), A_VALUE, shown, supposes=tuple(supposes))
+
+
+def _move(
+    standing: Standing, premise: Premise, unknown: _Unknown, initial: Sequence[_Initial], letters: Collection[str]
+) -> bool:
+    """Whether some letters may change with the variable or the function; initial values are tied to it at one point."""
+    known = standing.vocabulary
+    free = {each for each in letters if not AT_START.search(each)}
+    inner = {symbol for each in initial for symbol in (*symbols_in(each.value), *symbols_in(each.point))}
+    return (
+        any(has_rate(each, unknown.variable, standing.survey.occurring) for each in letters)
+        or known.moves_with(free, unknown.variable)
+        or known.moves_with(free - inner, unknown.letter, premise.symbols)
+    )
 
 
 def _is_of_one(standing: Standing, unknown: _Unknown, premise: Premise, right: Formula) -> bool:
@@ -213,8 +223,3 @@ def _name(order: int) -> str:
 
 def _call(order: int, point: Formula) -> Formula:
     return Tree("call", [Token("CALLEE", _name(order)), Tree("items", [point])])
-
-
-def _column(*entries: Formula) -> Formula:
-    rows: list[Any] = [Tree("row", [Tree("cell", [each])]) for each in entries]
-    return Tree("matrix", [Token("BEGIN", "("), *rows])

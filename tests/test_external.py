@@ -334,6 +334,17 @@ def test_a_worker_that_does_not_say_in_time_that_it_is_ready_is_given_up(monkeyp
     assert (found.verdict, found.reason) == ("error", "the worker process did not start")
 
 
+def test_a_script_that_asks_at_its_top_runs_once(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(
+        "from algebroproj_sym.proving import Question, outcomes\n"
+        "print('begins')\n"
+        "print([each.verdict for each in outcomes([Question('x', 'x'), Question('x', 'y')], seconds=60)])\n"
+    )
+    ran = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=True)
+    assert ran.stdout == "begins\n['proved', 'refuted']\n"
+
+
 MALFORMED = {
     "no JSON": ("{", "expected JSON"),
     "no list": ({"lhs": "x"}, "expected a list of objects, got an object"),

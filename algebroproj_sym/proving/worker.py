@@ -4,16 +4,20 @@ A question that takes too long is open, and says so; a worker that fails or dies
 """
 
 import queue
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from multiprocessing import get_context
+from threading import Lock
 from time import monotonic
+from types import ModuleType
 from typing import Any
 
 STARTING_SECONDS = 120.0
 MEMORY_BYTES = 4 * 2**30
+_STARTING = Lock()
 
 
 @dataclass(frozen=True)
@@ -130,7 +134,8 @@ class _Worker:
         connection, other = context.Pipe()
         process = context.Process(target=_serve, args=(other, self._engine), daemon=True)
         with suppress(EOFError, OSError):
-            process.start()
+            with _without_main():
+                process.start()
             self._process, self._connection = process, connection
             other.close()
             if connection.poll(STARTING_SECONDS) and connection.recv() == "ready":
@@ -141,6 +146,18 @@ class _Worker:
     def _failed(self, seconds: float, reason: str) -> Outcome:
         self.stop()
         return Outcome("error", "none", seconds, reason)
+
+
+@contextmanager
+def _without_main() -> Iterator[None]:
+    """Keep a process that is started from running the script of the user, which would ask everything again."""
+    with _STARTING:
+        main = sys.modules["__main__"]
+        sys.modules["__main__"] = ModuleType("__main__")
+        try:
+            yield
+        finally:
+            sys.modules["__main__"] = main
 
 
 def _serve(connection: Any, engine: str) -> None:

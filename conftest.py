@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 from collections import Counter
+from contextlib import contextmanager
 from functools import cache
 from importlib.metadata import PackageNotFoundError, distribution, requires
 from pathlib import Path
@@ -144,15 +145,18 @@ def decided_here(monkeypatch):
     """Questions are decided in the process of the test: no worker is started, and no time is limited."""
     from algebroproj_sym.proving import worker
 
-    def outcomes(questions, *, seconds, jobs, engine="flint"):
-        for question in questions:
+    @contextmanager
+    def asking(*, seconds, engine="flint", jobs=1):
+        def here(question):
             try:
-                yield worker._decided(question, engine)
+                return worker._decided(question, engine)
             except Exception as error:
-                yield worker.Outcome("error", "none", 0.0, f"{type(error).__name__}: {error}")
+                return worker.Outcome("error", "none", 0.0, f"{type(error).__name__}: {error}")
 
-    monkeypatch.setattr("algebroproj_sym.proving.outcomes", outcomes)
-    monkeypatch.setattr("algebroproj_sym.reading.judging.questions.outcomes", outcomes)
+        yield lambda questions: map(here, questions)
+
+    monkeypatch.setattr(worker, "asking", asking)
+    monkeypatch.setattr("algebroproj_sym.reading.judging.questions.asking", asking)
 
 
 @pytest.fixture

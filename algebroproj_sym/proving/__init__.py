@@ -6,10 +6,11 @@ from algebroproj_sym.proving.proof import Decision, Proof, UndefinedError, undec
 from algebroproj_sym.proving.prove import prove
 from algebroproj_sym.proving.rational_function import RationalFunction, RationalFunctionField, numerators_over_one
 from algebroproj_sym.proving.reduction import reduced
-from algebroproj_sym.proving.worker import Outcome, Question, outcomes
+from algebroproj_sym.proving.worker import Ask, Outcome, Question, asking, outcomes
 
 __all__ = [
     "ENGINES",
+    "Ask",
     "Decision",
     "Outcome",
     "Point",
@@ -18,6 +19,7 @@ __all__ = [
     "RationalFunction",
     "RationalFunctionField",
     "UndefinedError",
+    "asking",
     "numerators_over_one",
     "outcomes",
     "point_record",

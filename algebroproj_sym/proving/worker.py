@@ -5,7 +5,7 @@ A question that takes too long is open, and says so; a worker that fails or dies
 
 import queue
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
@@ -73,10 +73,13 @@ class Outcome:
     """Whether the error is one of the text: the reason names what cannot be read."""
 
 
-def outcomes(
-    questions: Sequence[Question], *, seconds: float, engine: str = "flint", jobs: int = 1
-) -> Iterator[Outcome]:
-    """Decide questions in worker processes, each within some seconds, and yield what became of each, in order."""
+Ask = Callable[[Sequence[Question]], Iterable[Outcome]]
+"""What decides questions, in their order."""
+
+
+@contextmanager
+def asking(*, seconds: float, engine: str = "flint", jobs: int = 1) -> Iterator[Ask]:
+    """Give what decides questions in worker processes, each within some seconds; the processes end with the block."""
     workers = [_Worker(engine) for _ in range(jobs)]
     free: queue.Queue[_Worker] = queue.Queue()
     for worker in workers:
@@ -91,11 +94,19 @@ def outcomes(
 
     threads = ThreadPoolExecutor(jobs)
     try:
-        yield from threads.map(decide, questions)
+        yield lambda questions: threads.map(decide, questions)
     finally:
         threads.shutdown(cancel_futures=True)
         for worker in workers:
             worker.stop()
+
+
+def outcomes(
+    questions: Sequence[Question], *, seconds: float, engine: str = "flint", jobs: int = 1
+) -> Iterator[Outcome]:
+    """Decide questions likewise, and yield what became of each."""
+    with asking(seconds=seconds, engine=engine, jobs=jobs) as ask:
+        yield from ask(questions)
 
 
 class _Worker:

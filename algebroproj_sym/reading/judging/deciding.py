@@ -8,7 +8,7 @@ from itertools import chain, islice
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import entries, free_symbols
-from algebroproj_sym.proving import Outcome, Question
+from algebroproj_sym.proving import Ask, Outcome, Question
 from algebroproj_sym.proving.letters.deciding import NOWHERE
 from algebroproj_sym.proving.reals.prove import often_agree
 from algebroproj_sym.proving.statements import has_functions
@@ -57,10 +57,10 @@ class Asked:
     answers: list[Outcome] = field(default_factory=list)
 
 
-def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
+def decide(asked: Sequence[Asked], ask: Ask) -> None:
     """Decide every link, first as it stands, then in other ways, then with single changes."""
     failing: list[tuple[Asked, Way, Outcome]] = []
-    for each, found in zip(asked, _answered(asked, seconds, jobs), strict=True):
+    for each, found in zip(asked, _answered(asked, ask), strict=True):
         each.answers = [answer for _, answer in found]
         place = _place_of_proof(each.answers)
         each.link = replace(_link_of(each, each.answers[place], each.ways[place]), asked=found[place][0])
@@ -71,7 +71,7 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         [] if way.doubt in (A_CONDITION, NOT_GIVEN) else likely_repairs(way, chained=each.chained)
         for each, way, _ in failing
     ]
-    found = answers([way for changes in candidates for _, way in changes], seconds, jobs)
+    found = answers([way for changes in candidates for _, way in changes], ask)
     for (each, way, refutation), changes in zip(failing, candidates, strict=True):
         tried = [(repair, changed, *found.pop(0)) for repair, changed in changes]
         proved = (one for one in tried if one[3].verdict == "proved")
@@ -85,7 +85,7 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
         if each.gives and each.link.verdict != "follows" and not any(_says(each.link)):
             rests = rests_of(each.ways[0].vocabulary, each.ways[0].right)
             each.link = Link("definition", NOT_DERIVED if each.claimed else "", rests_on=rests)
-    _suggest([each for each in asked if _may_be_misprinted(each)], seconds, jobs)
+    _suggest([each for each in asked if _may_be_misprinted(each)], ask)
     for each in asked:
         is_open = each.link.verdict == "not decided" or (each.link.verdict == "independent" and each.anew)
         is_open = (each.may_give and is_open) or (each.names and each.link.verdict in ("not decided", "independent"))
@@ -94,18 +94,13 @@ def decide(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
             each.link = Link("definition", why, rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
 
 
-def _answered(asked: Sequence[Asked], seconds: float, jobs: int) -> list[list[Answer]]:
-    """Return what became of all ways; those under equations are asked where no earlier one is a proof without doubt."""
+def _answered(asked: Sequence[Asked], ask: Ask) -> list[list[Answer]]:
+    """Return what became of all ways: each link is asked in one way after the other, until there is a proof."""
     found: list[list[Answer]] = [[((), UNASKED)] * len(each.ways) for each in asked]
-    for with_equations in (False, True):
-        open_ways = [
-            (one, place)
-            for one, each in enumerate(asked)
-            for place, way in enumerate(each.ways[: _first_proof(found[one])])
-            if bool(way.under) is with_equations
-        ]
-        told = answers([asked[one].ways[place] for one, place in open_ways], seconds, jobs)
-        for (one, place), answer in zip(open_ways, told, strict=True):
+    for place in range(max((len(each.ways) for each in asked), default=0)):
+        open_links = [one for one, answered in enumerate(found) if place < _first_proof(answered)]
+        told = answers([asked[one].ways[place] for one in open_links], ask)
+        for one, answer in zip(open_links, told, strict=True):
             found[one][place] = answer
     return found
 
@@ -127,12 +122,12 @@ def _may_be_misprinted(asked: Asked) -> bool:
     return not asked.link.suggestion and (is_open or (asked.link.verdict == "definition" and asked.claimed))
 
 
-def _suggest(asked: Sequence[Asked], seconds: float, jobs: int) -> None:
+def _suggest(asked: Sequence[Asked], ask: Ask) -> None:
     """Tell by which change links would follow in the other ways; their verdicts remain as they are."""
     candidates = [
         [*islice(chain.from_iterable(map(repairs_in, each.ways, each.answers)), MOST_ASKED)] for each in asked
     ]
-    found = answers([way for changes in candidates for _, way in changes], seconds, jobs)
+    found = answers([way for changes in candidates for _, way in changes], ask)
     for each, changes in zip(asked, candidates, strict=True):
         tried = [(repair, way, found.pop(0)[1]) for repair, way in changes]
         proved = (one for one in tried if one[2].verdict == "proved" and not is_trivial(one[1]))

@@ -46,6 +46,7 @@ from algebroproj_sym.reading.judging.introducing import (
 )
 from algebroproj_sym.reading.judging.memory import Memory, where_of
 from algebroproj_sym.reading.judging.questions import (
+    asking_once,
     rests_of,
     stated_by,
     used_by,
@@ -122,7 +123,8 @@ def read_document(
     reader = _Pass(survey)
     readings, asked = reader.all()
     asked = [each for each in asked if lines is None or readings[each.reading].line in lines]
-    decide(asked, seconds, jobs)
+    with asking_once(seconds, jobs) as ask:
+        decide(asked, ask)
     for each in asked:
         links = list(readings[each.reading].links)
         links[each.place] = each.link

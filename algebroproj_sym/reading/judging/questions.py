@@ -1,17 +1,18 @@
 """What is asked of the prover: whether two sides are equal, with all definitions put in."""
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import islice
 from typing import Any
 
 import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import TooLargeError, entries, over, require_bounded, shape, text
-from algebroproj_sym.proving import Outcome, Question, outcomes
+from algebroproj_sym.proving import Ask, Outcome, Question, asking
 from algebroproj_sym.proving.reals.matrices import real_text
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.proving.statements import has_functions
@@ -426,26 +427,40 @@ def _text(value: Any) -> str:
     return written(term_of(value, "the equation")) if value.atoms(type(sympy.E)) else text(value)
 
 
-def answers(ways: Sequence[Way], seconds: float, jobs: int) -> list[tuple[tuple[Question, ...], Outcome]]:
+@contextmanager
+def asking_once(seconds: float, jobs: int) -> Iterator[Ask]:
+    """Give what decides questions as `asking` does, and each of them once."""
+    with asking(seconds=seconds, jobs=jobs) as ask:
+        known: dict[str, Outcome] = {}
+
+        def told(questions: Sequence[Question]) -> list[Outcome]:
+            new = {repr(each): each for each in questions if repr(each) not in known}
+            known.update(zip(new, ask([*new.values()]), strict=True))
+            return [known[repr(each)] for each in questions]
+
+        yield told
+
+
+def answers(ways: Sequence[Way], ask: Ask) -> list[tuple[tuple[Question, ...], Outcome]]:
     """Return the questions of each way with the outcome; one that cannot be asked is open."""
     asked = [asked_under(each) for each in ways]
-    questions = {repr(question): question for group in asked if isinstance(group, list) for question in group}
-    found = outcomes([*questions.values()], seconds=seconds, jobs=min(jobs, len(questions))) if questions else ()
-    decided = dict(zip(questions, found, strict=True))
+    told = iter(ask([question for group in asked if isinstance(group, list) for question in group]))
     return [
-        (
-            tuple(each),
-            _at_each_step(way, _with_letters(each, _without_opposite_roots(_of_entries(_of_way(way, each, decided))))),
-        )
+        (tuple(each), _of_questions(way, each, [*islice(told, len(each))]))
         if isinstance(each, list)
         else ((), Outcome("open", "none", 0.0, each))
         for way, each in zip(ways, asked, strict=True)
     ]
 
 
-def _of_way(way: Way, questions: Sequence[Question], decided: Mapping[str, Outcome]) -> list[Outcome]:
+def _of_questions(way: Way, questions: Sequence[Question], told: Sequence[Outcome]) -> Outcome:
+    """Return what the outcomes of all questions of a way come to."""
+    found = _without_opposite_roots(_of_entries(_without_squares(way, told)))
+    return _at_each_step(way, _with_letters(questions, found))
+
+
+def _without_squares(way: Way, found: Sequence[Outcome]) -> Sequence[Outcome]:
     """Return the outcomes of a way: a sum of squares that is zero proves nothing of complex numbers."""
-    found = [decided[repr(each)] for each in questions]
     given = [side for each in way.under for side in (each.left, each.right)]
     if not any(map(_is_of_squares, found)) or not complex_letters_in(way.vocabulary, *way.sides, *given):
         return found

@@ -24,6 +24,16 @@ def read(latex: str) -> list[str | None]:
         r"\begin{equation}\begin{aligned}[t] a &= b \\ c &= d \end{aligned}\end{equation}",
         r"\be a = b \ee \bea c &=& d \eea",
         r"\beq a = b \eeq \[ {\small c = d} \]",
+        r"\newcommand{\eq}[1]{\begin{equation}#1\end{equation}} \eq{a = b} \eq{c = d}",
+        r"\newcommand\eqn[2]{\begin{equation}\label{#1}#2\end{equation}} \eqn{x}{a = b} \eqn{y} { c = d }",
+        r"\def\eq#1{$$#1$$} \eq{a = b} \[ c = d \]",
+        r"\newcommand\ba{\begin{equation}\begin{aligned}} \newcommand\ea{\end{aligned}\end{equation}} \ba a &= b \\ "
+        r"c &= d \ea",
+        r"\newenvironment{eqn}[1][x]{\begin{align}\label{#1}}{\end{align}} \begin{eqn}[y] a &= b \\ c &= d \end{eqn}",
+        r"\newenvironment*{eqn*}{\begin{equation*}}{\end{equation*}} \begin{eqn*} a = b \end{eqn*} \[ c = d \]",
+        r"\newenvironment{mat}{\begin{pmatrix}}{\end{pmatrix}} \newenvironment{note}{\textbf{Note}}{} \begin{note} So "
+        r"$x = y$. \end{note} \[ a = b \] \[ c = d \]",
+        r"\begin{subeqnarray} a &=& b \\ c &=& d \end{subeqnarray}",
         r"\[ \fbox{$a = b$} \] \[ \resizebox{\hsize}{!}{$c = d$} \]",
         r"\[ \scalebox{0.8}{$a = b$} \] \[ c = d \]",
         r"$$ a = b \eqno(1) $$ $$ c = d \leqno{(2)} $$",
@@ -196,3 +206,44 @@ def test_words_that_act_on_a_letter_are_not_left_out(latex: str) -> None:
     (found,) = read_document(document_of(f"$$ {latex} $$"))
     assert found.verdict == "not read"
     assert "act on the formula beside them" in found.reason
+
+
+def test_an_environment_that_nothing_defines_is_a_display_if_it_holds_a_formula_and_no_words() -> None:
+    text = r"""\begin{law}{gas}
+    \label{eq:gas}
+    p &= \frac{n R T}{V} \\
+    q &= \frac{p}{2}
+\end{law}
+\begin{note} Here $a = \frac{b}{c}$. \end{note}
+\begin{sketch} \draw (0, 0) -- (\x, {x = \frac{1}{2}}); \end{sketch}
+\begin{python} a = b.frac(c) \end{python}
+\[ \begin{rows} s = \frac{t}{2} \end{rows} \]"""
+    found = read_document(document_of(text))
+    assert [(each.line, each.read) for each in found[:2]] == [(1, "p = n*R*T/V"), (1, "q = p/2")]
+    assert [each.line for each in found[2:]] == [9]
+
+
+def test_cases_with_a_left_side_are_a_display() -> None:
+    (found,) = read_document(document_of(r"\begin{numcases}{y =} 1 & if $x > 0$ \\ 0 & otherwise \end{numcases}"))
+    assert found.read == "y = Piecewise((1, if x > 0), (0, otherwise))"
+
+
+@pytest.mark.parametrize("body", [r"\be\be", r"\begin{equation}\be", r"\begin{equation} a = b \ee\be"])
+def test_a_display_that_expands_itself_ends(body: str) -> None:
+    text = rf"\newcommand{{\be}}{{{body}}}\newcommand{{\ee}}{{\end{{equation}}}}"
+    assert all(
+        each.read is None or each.read == "a = b" for each in read_document(document_of(rf"{text} \be a = b \ee"))
+    )
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [("0{,}5", "0.5"), ("32{,}45", "32.45"), ("0{,}125", "0.125"), ("12{,}345{,}678", "12345678"), ("12{,}345", None)],
+)
+def test_a_comma_in_braces_stands_before_decimals_or_thousands(latex: str, expected: str | None) -> None:
+    assert read(rf"\[ a = {latex} b \]") == [expected and f"a = {expected}*b"]
+
+
+def test_lines_are_those_of_the_file_where_a_display_is_expanded() -> None:
+    text = "\\newcommand{\\eq}[2]{\\begin{equation}\n#1 = #2\n\\end{equation}}\n\\eq{a}\n{b}\n\\[\nc = d \\]"
+    assert [(each.line, each.read) for each in read_document(document_of(text))] == [(4, "a = b"), (6, "c = d")]

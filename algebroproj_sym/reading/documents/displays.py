@@ -10,6 +10,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from algebroproj_sym.reading.documents.environments import ENVIRONMENTS, OPTIONED, unknown_displays, with_displays
 from algebroproj_sym.reading.documents.escapes import escapes_rows, escapes_subscripts, unescaped, with_marks
 from algebroproj_sym.reading.documents.files import (
     MAX_CHARACTERS,
@@ -28,11 +29,6 @@ _PICTURE = re.compile(r"\s*\\begin\{(?:tikzpicture|picture|tikzcd|pspicture)\}")
 MAX_DISPLAY = 50_000
 MAX_WORDS = 2_000
 
-_WITH_OPTIONS = "alignat", "xalignat", "xxalignat", "IEEEeqnarray", "empheq"
-_ENVIRONMENTS = (
-    *("equation", "align", "gather", "multline", "flalign", "eqnarray", "displaymath", "dmath", "math"),
-    *_WITH_OPTIONS,
-)
 _OPTIONS = re.compile(r"\*?\s*(?:\[(?:[^\[\]]|\[[^\]]*\])*\])?\s*\{[^{}]*\}")
 """What stands behind the beginning of an environment that says how many columns it has, or of which kind it is."""
 _HEADS = (
@@ -41,7 +37,7 @@ _HEADS = (
 )
 """Where a section, a slide or what stands behind a rule begins."""
 _BEGIN = re.compile(
-    rf"\\begin\{{({'|'.join(_ENVIRONMENTS)})(\*?)\}}|\\\[(?!-?[\d.]+(?:em|ex|pt|[cm]m|in|pc)\])|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
+    rf"\\begin\{{({'|'.join(ENVIRONMENTS)})(\*?)\}}|\\\[(?!-?[\d.]+(?:em|ex|pt|[cm]m|in|pc)\])|\$\$|\\\(|(?<!\\)\$|\\(?:begin|end)\{{subequations\}}"
     rf"|(?P<head>{_HEADS})"
 )
 _AFTER_BREAKS = r"(?<!\\)\$", r"(?<!(?<!\\)\\)\$"
@@ -186,8 +182,7 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
     >>> [(each.line, each.latex) for each in document_of("Let\n\\[ a = b \\]\nand $c$.").formulas]
     [(2, ' a = b '), (3, 'c')]
     """
-    starts = tuple(match.end() for match in re.finditer(r"^|\n", text))
-    numbered = lines or tuple(map(Line, range(1, len(starts) + 1)))
+    numbered = lines or tuple(map(Line, range(1, text.count("\n") + 2)))
     if latex:
         plain = _ROOM_IN_MARK.sub(r"\1\3\2", _INDENTS.sub(_blank, text))
         plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(without_comments(plain))))
@@ -198,6 +193,8 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
         )
         plain = with_marks(_INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain))
     written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain), rows=escapes_rows(plain))
+    plain = with_displays(plain)
+    starts = tuple(match.end() for match in re.finditer(r"^|\n", plain))
     macros, spans = macros_in(plain)
     changes = redefinitions(plain)
     for begin, end in spans:
@@ -306,9 +303,9 @@ def _formulas(
     written: Callable[[str], str],
 ) -> Iterator[Display]:
     changes = changes[::-1]
-    openers, closers = _own_environments(macros)
+    unknown = unknown_displays(text)
     pattern = _BEGIN.pattern.replace(*_AFTER_BREAKS) if written is str else _BEGIN.pattern
-    begin = re.compile("|".join([pattern, *(rf"({re.escape(name)})(?![a-zA-Z])" for name in openers)]))
+    begin = re.compile("|".join([pattern, *map(re.escape, sorted(unknown, key=len, reverse=True))]))
     place, words, part, group, groups = 0, "", 0, 0, 0
     following = _Following(text)
     while match := begin.search(text, place):
@@ -328,13 +325,13 @@ def _formulas(
             words += f"\n{HEADING}{title.group()}.\n" if title else f"\n{HEADING}\n"
             place = title.end() if title else place
             continue
-        name, star = openers.get(mark, match[1] or ""), match[2] or ""
-        if name in _WITH_OPTIONS and (options := _OPTIONS.match(text, place)):
+        name, star = match[1] or "", match[2] or ""
+        if name in OPTIONED and (options := _OPTIONS.match(text, place)):
             place = options.end()
-        endings = [rf"\end{{{name}{star}}}", *closers.get(name, ())] if name else [_PARTNERS[mark]]
-        end, ending = min((following(ending, place), ending) for ending in endings)
+        ending = rf"\end{{{name}{star}}}" if name else (_PARTNERS | unknown)[mark]
+        end = following(ending, place)
         inline = mark in ("$", r"\(") or (written is not str and mark == "$$" and _is_mention(text, place, end))
-        environment = "inline" if inline else name or "display"
+        environment = "inline" if inline else "align" if mark in unknown else name or "display"
         apart = inline and _PARAGRAPH.search(text, place, end) is not None
         if end - place > MAX_DISPLAY or end == len(text) or apart:
             if not inline:
@@ -348,6 +345,7 @@ def _formulas(
         after = _HTML.sub(_blank, text[end + len(ending) : end + len(ending) + 300])
         pieces, reason = _expanded(without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")
+        numbered = numbered or (mark in unknown and _LABEL.search(inside) is not None)
         where = document.line_of(match.start())
         yield Display(where, environment, inside, pieces, reason, words, _up_to_formula(after), part, numbered, group)
         words = words + f"${inside}$" if inline else ""
@@ -380,19 +378,6 @@ def _expanded(latex: str, place: int, macros: Mapping[str, Macro]) -> tuple[tupl
         return tuple(tidied(expanded(pieces_of(latex, place), macros))), ""
     except UnreadableError as error:
         return (), str(error)
-
-
-def _own_environments(macros: Mapping[str, Macro]) -> tuple[dict[str, str], dict[str, list[str]]]:
-    """Return the macros that begin an environment, with its name, and those that end one."""
-    openers: dict[str, str] = {}
-    closers: dict[str, list[str]] = {}
-    for name, macro in macros.items():
-        if match := re.fullmatch(r"\s*\\(begin|end)\{(\w+)\*?\}\s*", macro.body):
-            if match[2] in _ENVIRONMENTS and match[1] == "begin":
-                openers[name] = match[2]
-            elif match[2] in _ENVIRONMENTS:
-                closers.setdefault(match[2], []).append(name)
-    return openers, closers
 
 
 def tag_of(latex: str, after: str) -> str:

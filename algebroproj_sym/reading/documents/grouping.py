@@ -15,26 +15,32 @@ _INDEX = re.compile(r"\w|\{[\w,|+-]*\}")
 
 
 def grouped(pieces: Sequence[Piece]) -> list[Piece]:
-    r"""Return pieces in which ``140{,}000`` is a number, ``f{(x)}`` a value, and ``(x_k)_e`` a letter.
+    r"""Return pieces in which ``140{,}000`` and ``0{,}5`` are numbers, ``f{(x)}`` a value, and ``(x_k)_e`` a letter.
 
-    The comma in ``1{,}000`` may be a decimal one.
+    The comma in ``1{,}000`` may stand before decimals or thousands.
 
     Examples
     --------
-    >>> [_text(grouped(pieces_of(each))) for each in ("140{,}000", "R_1{(t)}", r"(x_k)_e + (\bar{P})_e", "1{,}000")]
-    ['140000', 'R_1(t)', '{x}_{k,e} + {\\bar{P}}_{e}', '1{,}000']
+    >>> [_text(grouped(pieces_of(each))) for each in ("140{,}000", "32{,}45", "1{,}000")]
+    ['140000', '32.45', '1{,}000']
+    >>> [_text(grouped(pieces_of(each))) for each in ("R_1{(t)}", r"(x_k)_e + (\bar{P})_e")]
+    ['R_1(t)', '{x}_{k,e} + {\\bar{P}}_{e}']
     """
     out = list[Piece]()
     place, depth = 0, 0
     while place < len(pieces):
         text = pieces[place].text
-        if text == "," and not depth and out and out[-1].text.isdigit() and (more := _thousands(pieces[place:][:40])):
-            out += more
-            place += len(more) * 4 // 3
+        digits = out and out[-1].text.isdigit()
+        if text in (",", "{") and digits and (length := _thousands(pieces[place:][:40], listed=depth > 0)):
+            out += [each for each in pieces[place : place + length] if each.text.isdigit()]
+            place += length
             continue
         end = _end_of(pieces, place) if text in _CLOSING else place
         inside = pieces[place + 1 : end]
         if text == "{" and _text(inside) == "," and _is_thousand(out, pieces[end + 1 :][:9]):
+            place = end + 1
+        elif text == "{" and _text(inside) == "," and _is_decimal(out, pieces[end + 1 :][:40]):
+            out.append(Piece(".", pieces[place].place))
             place = end + 1
         elif text == "{" and _is_in_brackets(inside) and _is_behind_letter(out):
             out += inside
@@ -75,16 +81,22 @@ MOST_WITHIN = 60
 
 
 def _is_thousand(before: Sequence[Piece], behind: Sequence[Piece]) -> bool:
-    """Whether a comma parts thousands: 000 follows more than one digit, or more groups do."""
-    digits = len(_text(before[-4:])) - len(_text(before[-4:]).rstrip("0123456789"))
-    several = re.match(r"\d{3}\{,\}\d{3}", _text(behind)) is not None
-    return digits > 0 and (several or (digits > 1 and re.match(r"000(?!\d)", _text(behind)) is not None))
+    """Whether a comma parts thousands: 000 follows more than one digit."""
+    return re.search(r"\d\d$", _text(before[-2:])) is not None and re.match(r"000(?!\d)", _text(behind)) is not None
 
 
-def _thousands(behind: Sequence[Piece]) -> list[Piece]:
-    """Return the digits of several groups of three that commas part; one group may be a fraction, or a list."""
-    groups = re.match(r"(?:,\d{3}){2,}(?![\d,])", _text(behind))
-    return [each for each in behind[: groups.end()] if each.text != ","] if groups else []
+def _is_decimal(before: Sequence[Piece], behind: Sequence[Piece]) -> bool:
+    """Whether a comma stands before decimals: they are no group of three, or zero stands before it."""
+    whole = re.search(r"(?<![\d.}])\d+$", _text(before[-40:]))
+    decimals = re.match(r"\d+(?![\d.]|\{,\})", _text(behind))
+    return whole is not None and decimals is not None and (len(decimals[0]) != 3 or whole[0] == "0")
+
+
+def _thousands(behind: Sequence[Piece], *, listed: bool) -> int:
+    """Return how many pieces several groups of three take that commas part; one group may be a fraction, or a list."""
+    comma = r"\{,\}" if listed else r"(?:,|\{,\})"
+    groups = re.match(rf"(?:{comma}\d{{3}}){{2,}}(?![\d,])", _text(behind))
+    return groups.end() if groups else 0
 
 
 def _is_in_brackets(inside: Sequence[Piece]) -> bool:

@@ -20,6 +20,7 @@ _DOCUMENT_COMMAND = re.compile(
     r"\\(?:New|Renew|Provide|Declare)DocumentCommand\s*\{?\s*(\\[a-zA-Z]+)\s*\}?\s*\{\s*(O\{[^{}]*\})?([m\s]*)\}\s*\{"
 )
 _DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
+_ENVIRONMENT = re.compile(r"\\(?:re)?newenvironment\*?\s*\{([a-zA-Z]+\*?)\}")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
 _ALPHABET = re.compile(r"\\DeclareMathAlphabet\s*\{\s*(\\[a-zA-Z]+)\s*\}(?:\s*\{[^{}]*\}){2}\s*\{[a-z]?bx?\}")
 _BOLD_ONES = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb)\s*(?:\{\s*)?[a-zA-Z]")
@@ -52,6 +53,13 @@ _OF_PACKAGES = {
     **{rf"\m{style}": (1, rf"\math{style}{{#1}}") for style in ("rm", "cal", "bb", "sf", "scr", "frak")},
     **dict.fromkeys((r"\cr", r"\tabularnewline"), (0, r"\\")),
     **{rf"\{name}": (1, rf"\begin{{{name}}}#1\end{{{name}}}") for name in ("matrix", "pmatrix", "cases")},
+    **{rf"\begin{{{name}}}": (1, r"\begin{equation}#1\begin{cases}") for name in ("numcases", "subnumcases")},
+    **dict.fromkeys((r"\end{numcases}", r"\end{subnumcases}"), (0, r"\end{cases}\end{equation}")),
+    **{
+        rf"\{mark}{{{name}}}": (0, rf"\{mark}{{eqnarray}}")
+        for mark in ("begin", "end")
+        for name in ("subeqnarray", "darray")
+    },
     **{
         rf"\{name.title()}": (0, rf"\{name}")
         for name in ("dot", "ddot", "bar", "hat", "tilde", "vec", "check", "breve")
@@ -100,6 +108,7 @@ _GROUPS = re.compile(
     r"(?P<opens>\\begin\s*\{[^{}]*\}|\\begingroup\b|\\bgroup\b|(?<!\\)\{)|\\end\s*\{[^{}]*\}|\\endgroup\b|\\egroup\b|(?<!\\)\}"
 )
 _PARAMETER = re.compile(r"#([1-9])")
+_OPENING = re.compile(r"\s*\{")
 _ENDS_COMMAND = re.compile(r"\\[a-zA-Z]+$")
 
 
@@ -175,12 +184,8 @@ def redefinitions(text: str) -> list[tuple[int, str, Macro]]:
 def _begun(text: str) -> Iterator[tuple[str, int, str | None, int, int]]:
     """Yield name, count, default, the place of the definition, negative for an operator, and that of the body."""
     for match in _COMMAND.finditer(text):
-        place, count, default = match.end(), 0, None
-        if counted := _COUNT.match(text, place):
-            place, count = counted.end(), int(counted[1])
-            if given := _DEFAULT.match(text, place):
-                place, default = given.end(), given[1]
-        if body := re.compile(r"\s*\{").match(text, place):
+        place, count, default = _parameters(text, match.end())
+        if body := _OPENING.match(text, place):
             yield match[1] or match[2], count, default, match.start(), body.end()
     for match in _DEFINITION.finditer(text):
         if text[match.end() : match.end() + 1] == "{":
@@ -188,9 +193,42 @@ def _begun(text: str) -> Iterator[tuple[str, int, str | None, int, int]]:
     for match in _DOCUMENT_COMMAND.finditer(text):
         default = match[2][2:-1] if match[2] else None
         yield match[1], match[3].count("m") + (default is not None), default, match.start(), match.end()
+    for match in _ENVIRONMENT.finditer(text):
+        place, count, default = _parameters(text, match.end())
+        for mark, many in (("begin", count), ("end", 0)):
+            if (body := _OPENING.match(text, place)) and (end := _closing(text, body.end())):
+                yield rf"\{mark}{{{match[1]}}}", many, default if many else None, match.start(), body.end()
+                place = end + 1
     for match in _OPERATOR.finditer(text):
-        if body := re.compile(r"\s*\{").match(text, match.end()):
+        if body := _OPENING.match(text, match.end()):
             yield match[1], 0, None, -match.start() or -1, body.end()
+
+
+def _parameters(text: str, place: int) -> tuple[int, int, str | None]:
+    """Return where the parameters end that a definition has behind its name, how many there are, and the default."""
+    counted = _COUNT.match(text, place)
+    if counted is None:
+        return place, 0, None
+    given = _DEFAULT.match(text, counted.end())
+    return (given or counted).end(), int(counted[1]), given[1] if given else None
+
+
+def filled_in(macro: Macro, text: str, place: int) -> tuple[str, int] | None:
+    """Return what a macro stands for that is called before a place of a text, and where its arguments end."""
+    arguments = list[str]()
+    for number in range(macro.count):
+        if number == 0 and macro.default is not None:
+            given = _DEFAULT.match(text, place)
+            arguments.append(given[1] if given else macro.default)
+            place = given.end() if given else place
+            continue
+        opening = _OPENING.match(text, place)
+        end = _closing(text, opening.end()) if opening else None
+        if opening is None or end is None:
+            return None
+        arguments.append(text[opening.end() : end])
+        place = end + 1
+    return _PARAMETER.sub(lambda found: _put_in(found, arguments), macro.body.replace("\n", " ")), place
 
 
 def _closing(text: str, start: int) -> int | None:

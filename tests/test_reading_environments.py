@@ -33,6 +33,8 @@ def read(latex: str) -> list[str | None]:
         r"\newenvironment*{eqn*}{\begin{equation*}}{\end{equation*}} \begin{eqn*} a = b \end{eqn*} \[ c = d \]",
         r"\newenvironment{mat}{\begin{pmatrix}}{\end{pmatrix}} \newenvironment{note}{\textbf{Note}}{} \begin{note} So "
         r"$x = y$. \end{note} \[ a = b \] \[ c = d \]",
+        r"\[ \left.\begin{aligned} a &= b \\ c &= d \end{aligned}\right\} \quad (1) \]",
+        r"\begin{equation} \left. \begin{array}{rcl} a &=& b \\ c &=& d \end{array} \right\} \label{x} \end{equation}",
         r"\begin{subeqnarray} a &=& b \\ c &=& d \end{subeqnarray}",
         r"\[ \fbox{$a = b$} \] \[ \resizebox{\hsize}{!}{$c = d$} \]",
         r"\[ \scalebox{0.8}{$a = b$} \] \[ c = d \]",
@@ -247,3 +249,23 @@ def test_a_comma_in_braces_stands_before_decimals_or_thousands(latex: str, expec
 def test_lines_are_those_of_the_file_where_a_display_is_expanded() -> None:
     text = "\\newcommand{\\eq}[2]{\\begin{equation}\n#1 = #2\n\\end{equation}}\n\\eq{a}\n{b}\n\\[\nc = d \\]"
     assert [(each.line, each.read) for each in read_document(document_of(text))] == [(4, "a = b"), (6, "c = d")]
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\forall x: f(x) = a",
+        r"\forall x \in S: \quad f(x) = a",
+        r"\forall x, y \in \{1, 2\}, f(x) = a",
+        r"\forall x\, f(x) = a",
+        r"f(x) = a \quad \forall x > 0",
+    ],
+)
+def test_what_holds_for_all_is_read(latex: str) -> None:
+    assert read(rf"\[ {latex} \]") == ["f(x) = a"]
+
+
+def test_no_display_with_a_relation_is_lost() -> None:
+    (found,) = read_document(document_of(r"\[ \forall x. f(x) = a \]"))
+    assert (found.verdict, found.reason) == ("not read", "line 1: no equation is found in it")
+    assert read(r"\[ \text{These are words.} \]") == []

@@ -15,7 +15,7 @@ class Pairs:
     r"""The delimiters behind ``\left`` that have no partner yet.
 
     Bars are told apart.  A bracket that has no partner in its row may close one of a row before it; a lone one before a
-    subscript says where a value is taken, as a bar does.
+    subscript says where a value is taken, as a bar does.  A brace behind rows says that they belong together.
     """
 
     def __init__(self) -> None:
@@ -45,7 +45,8 @@ class Pairs:
         elif opening == "." and closing in CLOSING and self._hanging:
             self._hanging -= 1
         elif opening == "." and closing in CLOSING:
-            bracket = waiting.pop()
-            out.append(renamed(bracket, "|" if waiting.next == "_" else closing))
+            bracket, inside = waiting.pop(), [each.text for each in out[start - 1 :] if not each.text.isspace()]
+            rows = closing == r"\}" and inside and inside[0].startswith(r"\begin{") and inside[-1].startswith(r"\end{")
+            out += [] if rows else [renamed(bracket, "|" if waiting.next == "_" else closing)]
         else:
             out.append(piece)

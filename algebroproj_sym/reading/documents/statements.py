@@ -24,7 +24,8 @@ _WORDS = (r"\text", r"\mbox", r"\textrm", r"\textnormal", r"\intertext", r"\shor
 _WIDE = (r"\quad", r"\qquad")
 _OPENS = re.compile(r"\b(?:for|if|when|where|with|at|and|or|as|all|every|any)\s*$")
 _BEGINS = re.compile(
-    r"\b(?:if|when|for|cases?|unless|provided|suppos\w+|assum\w+|otherwise|else|not|never|neither)\b", re.IGNORECASE
+    r"\b(?:if|when|for|cases?|unless|provided|suppos\w+|assum\w+|otherwise|else|not|never|neither)\b|\\forall",
+    re.IGNORECASE,
 )
 """Words before an equation that are a condition of it."""
 _IF = re.compile(r"\b(?:if|when|for|unless)\s*$", re.IGNORECASE)
@@ -89,6 +90,9 @@ def statements(document: Document) -> list[Statement]:
                     own = f"{counter}{chr(96 + letter)}" if display.within and letter <= 26 else str(counter)
                     number = number or own
             label = label_of("".join(rows)) or label_of(display.latex)
+            if not parts and has_relation(display.pieces):
+                lost = "no equation is found in it"
+                found.append(Statement(display, number, label, (), display.latex, reason=lost))
             for pieces, condition in parts:
                 if display.pieces and all(piece.text in _STEPS for piece in _without_idle(pieces)):
                     arrow = True
@@ -363,8 +367,9 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
             text == "}" or text in CLOSING or text.startswith(r"\end{")
         )
         if depth <= 0 and text == r"\forall":
-            yield part, "".join(piece.text for piece in column[place:])
-            part, place = [], len(column)
+            end = len(column) if _without_idle(part) else _end_of_quantifier(column, place)
+            yield part, "".join(piece.text for piece in column[place:end])
+            part, place = [], end
             continue
         if depth <= 0 and text in _WORDS and not _is_script(part):
             end = _group_end(column, place + 1)
@@ -383,6 +388,18 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
             part.append(column[place])
         place += 1
     yield part, ""
+
+
+def _end_of_quantifier(column: Sequence[Piece], start: int) -> int:
+    r"""Return the place behind the sign that ends ``\forall x \in S`` before an equation; its own end for none."""
+    depth, last = 0, max((i for i, each in enumerate(column) if each.text == r"\in"), default=start)
+    for place in range(start + 1, len(column)):
+        text = column[place].text
+        depth += (text in OPENING) - (text in CLOSING)
+        ends = text in (":", *_SPACES) or (text == "," and place > last)
+        if ends and not depth and _without_idle(column[start + 1 : place]):
+            return place + 1
+    return len(column)
 
 
 def _is_between_digits(column: Sequence[Piece], place: int) -> bool:

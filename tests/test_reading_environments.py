@@ -269,3 +269,9 @@ def test_no_display_with_a_relation_is_lost() -> None:
     (found,) = read_document(document_of(r"\[ \forall x. f(x) = a \]"))
     assert (found.verdict, found.reason) == ("not read", "line 1: no equation is found in it")
     assert read(r"\[ \text{These are words.} \]") == []
+
+
+def test_a_quotation_in_markdown_is_read() -> None:
+    text = "Words.\n\n> A law:\n>\n> $$\n> a = b\n> $$\n\n$$ c\n> d $$\n"
+    found = read_document(document_of(text, latex=False))
+    assert [(each.line, each.read) for each in found] == [(5, "a = b"), (9, "c > d")]

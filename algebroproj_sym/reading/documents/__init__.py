@@ -1,1 +1,1 @@
-"""Documents: a file becomes `displays`, with its `macros` expanded; a display becomes `statements`."""
+"""Documents: a file becomes `displays`, with its `macros` and `environments` expanded, and these `statements`."""

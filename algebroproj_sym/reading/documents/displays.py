@@ -68,6 +68,8 @@ _STRUCK_IN_MARKDOWN = re.compile(
 )
 """What an author takes back."""
 _FRONT_MATTER = re.compile(r"\A---[ \t]*\n.*?\n---[ \t]*\n", re.DOTALL)
+_QUOTE = re.compile(r"(?:\A|(?<=\n\n))(?:[ ]{0,3}>[^\n]*(?:\n|\Z))+")
+"""Lines of Markdown that are a quotation: the first one stands behind an empty line."""
 _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
@@ -188,9 +190,8 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
         plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(without_comments(plain))))
         plain = _without_versions(plain)
     else:
-        plain = _STRUCK_IN_MARKDOWN.sub(
-            _blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(_HIDDEN.sub(_blank, _FRONT_MATTER.sub(_blank, text))))
-        )
+        plain = _QUOTE.sub(_unquoted, _HIDDEN.sub(_blank, _FRONT_MATTER.sub(_blank, text)))
+        plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(plain)))
         plain = with_marks(_INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain))
     written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain), rows=escapes_rows(plain))
     plain = with_displays(plain)
@@ -252,6 +253,11 @@ class _Following:
 
 def _blank(found: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", found.group())
+
+
+def _unquoted(found: re.Match[str]) -> str:
+    """Return a quotation without its marks, each line at its place."""
+    return re.sub(r"^(?:[ ]{0,3}>)+", lambda marks: " " * len(marks[0]), found[0], flags=re.MULTILINE)
 
 
 def _uncited(found: re.Match[str]) -> str:

@@ -10,6 +10,7 @@ from sympy import Symbol
 
 from algebroproj_sym.expressions import NotRationalError, ParseError, evaluate, free_symbols, parse
 from algebroproj_sym.proving import Outcome
+from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.judging.questions import (
     OTHER_SHAPES,
     Way,
@@ -32,6 +33,8 @@ MOST_REPAIRS_OF_LETTERS = 40
 MOST_ASKED = 16
 """How many changes of a relation are asked of the prover that no point refutes, in all the ways that prove and refute
 nothing."""
+MOST_APART = 2
+"""How many letters may stand on one side alone for changes to be tried."""
 MOST_CONSTRAINTS = 4
 """Under how many constraints a change is tried: under more, the proofs take too long."""
 MOST_PUT_IN = 12
@@ -43,7 +46,13 @@ def likely_repairs(way: Way, *, chained: bool) -> list[Repaired]:
     """Return the changes after which the sides agree at some points.
 
     They are the same after it only in a chain, where the side before is given, and if the change is within a side.
+    Nothing is changed if several letters stand on one side alone: no single change brings them to the other.
     """
+    if (
+        ZERO not in way.sides
+        and len(way.vocabulary.letters_of(way.left) ^ way.vocabulary.letters_of(way.right)) > MOST_APART
+    ):
+        return []
     changed = [
         (each, other)
         for each, other in _changed(way)

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 
-from algebroproj_sym.reading.lexing.pieces import Piece, pieces_of
+from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
 
 _NAME = re.compile(
     r"((?:\\(?:hat|bar|tilde|vec|mathbf|boldsymbol|bm|overline)\s*)*"
@@ -17,12 +17,12 @@ _INDEX = re.compile(r"\w|\{[\w,|+-]*\}")
 def grouped(pieces: Sequence[Piece]) -> list[Piece]:
     r"""Return pieces in which ``140{,}000`` and ``0{,}5`` are numbers, ``f{(x)}`` a value, and ``(x_k)_e`` a letter.
 
-    The comma in ``1{,}000`` may stand before decimals or thousands.
+    It raises `UnreadableError` for ``1{,}000``: the comma may stand before decimals or thousands.
 
     Examples
     --------
-    >>> [_text(grouped(pieces_of(each))) for each in ("140{,}000", "32{,}45", "1{,}000")]
-    ['140000', '32.45', '1{,}000']
+    >>> [_text(grouped(pieces_of(each))) for each in ("140{,}000", "32{,}45")]
+    ['140000', '32.45']
     >>> [_text(grouped(pieces_of(each))) for each in ("R_1{(t)}", r"(x_k)_e + (\bar{P})_e")]
     ['R_1(t)', '{x}_{k,e} + {\\bar{P}}_{e}']
     """
@@ -39,7 +39,11 @@ def grouped(pieces: Sequence[Piece]) -> list[Piece]:
         inside = pieces[place + 1 : end]
         if text == "{" and _text(inside) == "," and _is_thousand(out, pieces[end + 1 :][:9]):
             place = end + 1
-        elif text == "{" and _text(inside) == "," and _is_decimal(out, pieces[end + 1 :][:40]):
+        elif text == "{" and _text(inside) == "," and digits and _text(pieces[end + 1 : end + 2]).isdigit():
+            if not _is_decimal(out, pieces[end + 1 :][:40]):
+                raise UnreadableError(
+                    "a comma between digits may stand before decimals or thousands", pieces[place].place
+                )
             out.append(Piece(".", pieces[place].place))
             place = end + 1
         elif text == "{" and _is_in_brackets(inside) and _is_behind_letter(out):

@@ -39,11 +39,26 @@ def _arguments(kind: str, given: tuple[Any, ...], *, numbers: bool = False) -> t
     return arguments, shape_of(kind, [shape_in(part) for part in arguments])
 
 
-class _Shown:
-    """What the printers of SymPy need, which take the names of some of these functions for others."""
+class _OfParts:
+    """A function of matrices, with what the printers of SymPy need, which take the names of some of these for others.
+
+    One of a number, such as a derivative, may be another class than that of a matrix.
+    """
 
     kind: ClassVar[str]
+    takes_numbers: ClassVar[bool] = False
+    of_number: ClassVar[Any] = None
     args: tuple[Any, ...]
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__()
+        for name, value in options.items():
+            setattr(cls, name, value)
+
+    def __new__(cls, *given: Any) -> Any:
+        arguments, _ = _arguments(cls.kind, given, numbers=cls.takes_numbers)
+        is_other = cls.of_number and not isinstance(arguments[0], sympy.MatrixBase | sympy.MatrixExpr)
+        return sympy.Basic.__new__(cls.of_number if is_other else cls, *arguments)
 
     def _latex(self, printer: Any) -> str:
         return rf"\operatorname{{{self.kind}}}\left({', '.join(map(printer._print, self.args))}\right)"
@@ -52,12 +67,8 @@ class _Shown:
         return prettyForm(str(self))
 
 
-class _OfMatrices(_Shown, sympy.MatrixExpr):  # type: ignore[misc]
+class _OfMatrices(_OfParts, sympy.MatrixExpr):  # type: ignore[misc]
     """A matrix that is a function of matrices."""
-
-    def __new__(cls, *given: Any) -> Any:
-        arguments, _ = _arguments(cls.kind, given)
-        return sympy.Basic.__new__(cls, *arguments)
 
     @property
     def shape(self) -> tuple[Any, Any]:
@@ -66,18 +77,13 @@ class _OfMatrices(_Shown, sympy.MatrixExpr):  # type: ignore[misc]
         return sympy.sympify(rows), sympy.sympify(columns)
 
 
-class _Scalar(_Shown, sympy.Expr):  # type: ignore[misc]
+class _Scalar(_OfParts, sympy.Expr):  # type: ignore[misc]
     """A number that is a function of matrices."""
 
-    takes_numbers: ClassVar[bool] = False
     is_commutative = True
 
-    def __new__(cls, *given: Any) -> Any:
-        arguments, _ = _arguments(cls.kind, given, numbers=cls.takes_numbers)
-        return sympy.Basic.__new__(cls, *arguments)
 
-
-class Dot(_Scalar):
+class Dot(_Scalar, kind="dot"):
     """The scalar product of two vectors, a number.
 
     Examples
@@ -88,135 +94,83 @@ class Dot(_Scalar):
     Dot(a, b) + 1
     """
 
-    kind = "dot"
 
-
-class Norm(_Scalar):
+class Norm(_Scalar, kind="norm"):
     """The length of a vector, a number; statements are decided where only its square matters."""
 
-    kind = "norm"
 
-
-class Cross(_OfMatrices):
+class Cross(_OfMatrices, kind="cross"):
     """The cross product of two vectors of 3 components."""
 
-    kind = "cross"
 
-
-class Skew(_OfMatrices):
+class Skew(_OfMatrices, kind="skew"):
     """The matrix of the cross product: ``Skew(a) * b`` is ``Cross(a, b)``."""
 
-    kind = "skew"
 
-
-class Vee(_OfMatrices):
+class Vee(_OfMatrices, kind="vee"):
     """The vector of the skew part of a 3 x 3 matrix: ``Vee(Skew(a))`` is ``a``."""
 
-    kind = "vee"
 
-
-class Outer(_OfMatrices):
+class Outer(_OfMatrices, kind="outer"):
     """The outer product of two vectors, ``a * b.T``."""
 
-    kind = "outer"
 
-
-class Adjugate(_OfMatrices):
+class Adjugate(_OfMatrices, kind="adj"):
     """The transpose of the matrix of cofactors."""
 
-    kind = "adj"
 
-
-class Vec(_OfMatrices):
+class Vec(_OfMatrices, kind="vec"):
     """The columns of a matrix, one below the other."""
 
-    kind = "vec"
 
-
-class QuaternionProduct(_OfMatrices):
+class QuaternionProduct(_OfMatrices, kind="qmul"):
     """Hamilton's product of two quaternions (w, x, y, z)."""
 
-    kind = "qmul"
 
-
-class QuaternionConjugate(_OfMatrices):
+class QuaternionConjugate(_OfMatrices, kind="conj"):
     """The quaternion (w, -x, -y, -z)."""
 
-    kind = "conj"
 
-
-class RotationOf(_OfMatrices):
+class RotationOf(_OfMatrices, kind="rotation"):
     """The rotation matrix of a quaternion that is not zero: it takes v to the vector part of q v q**-1."""
 
-    kind = "rotation"
 
-
-class Pure(_OfMatrices):
+class Pure(_OfMatrices, kind="pure"):
     """The quaternion (0, v) of a vector of 3 components."""
 
-    kind = "pure"
 
-
-class VectorPart(_OfMatrices):
+class VectorPart(_OfMatrices, kind="imag"):
     """The vector (x, y, z) of a quaternion."""
 
-    kind = "imag"
 
-
-class Exponential(_OfMatrices):
+class Exponential(_OfMatrices, kind="exp"):
     """The exponential of ``Skew(v)``, ``Hat(x)`` or ``LittleAdjoint(x)``: a rotation, a pose, the adjoint of a pose."""
 
-    kind = "exp"
 
-
-class LeftJacobian(_OfMatrices):
+class LeftJacobian(_OfMatrices, kind="jl"):
     """The series ``1 + M/2! + M**2/3! + ...`` of the matrix M of a rotation vector or of a motion.
 
     ``exp(Skew(v + d))`` is ``exp(Skew(LeftJacobian(v)*d))*exp(Skew(v))`` up to squares of d: perturbed on the left.
     """
 
-    kind = "jl"
 
-
-class RightJacobian(_OfMatrices):
+class RightJacobian(_OfMatrices, kind="jr"):
     """The left Jacobian of the opposite vector: it is that of a perturbation on the right."""
 
-    kind = "jr"
 
-
-class _Derivative(_OfMatrices):
-    """A derivative, of a matrix or of a number."""
-
-    of_number: ClassVar[type[_Scalar]]
-
-    def __new__(cls, *given: Any) -> Any:
-        arguments, _ = _arguments(cls.kind, given, numbers=True)
-        is_matrix = isinstance(arguments[0], sympy.MatrixBase | sympy.MatrixExpr)
-        return sympy.Basic.__new__(cls if is_matrix else cls.of_number, *arguments)
-
-
-class DirectionalNumber(_Scalar):
+class DirectionalNumber(_Scalar, kind="diff", takes_numbers=True):
     """The derivative of a number along a letter."""
 
-    kind = "diff"
-    takes_numbers = True
 
-
-class LeftPerturbedNumber(_Scalar):
+class LeftPerturbedNumber(_Scalar, kind="ldiff", takes_numbers=True):
     """The derivative of a number at a rotation that is perturbed on the left."""
 
-    kind = "ldiff"
-    takes_numbers = True
 
-
-class RightPerturbedNumber(_Scalar):
+class RightPerturbedNumber(_Scalar, kind="rdiff", takes_numbers=True):
     """The derivative of a number at a rotation that is perturbed on the right."""
 
-    kind = "rdiff"
-    takes_numbers = True
 
-
-class Directional(_Derivative):
+class Directional(_OfMatrices, kind="diff", takes_numbers=True, of_number=DirectionalNumber):
     """The derivative of a matrix or a number by e, where a letter v is ``v + e*d``: of the form, the letter and d.
 
     Examples
@@ -227,37 +181,22 @@ class Directional(_Derivative):
     ((3, 1), False, (3, 1))
     """
 
-    kind = "diff"
-    of_number = DirectionalNumber
 
-
-class LeftPerturbed(_Derivative):
+class LeftPerturbed(_OfMatrices, kind="ldiff", takes_numbers=True, of_number=LeftPerturbedNumber):
     """The derivative of a form by e, where a rotation R is ``exp(skew(e*d))*R``: of the form, R and d."""
 
-    kind = "ldiff"
-    of_number = LeftPerturbedNumber
 
-
-class RightPerturbed(_Derivative):
+class RightPerturbed(_OfMatrices, kind="rdiff", takes_numbers=True, of_number=RightPerturbedNumber):
     """The derivative of a form by e, where a rotation R is ``R*exp(skew(e*d))``: of the form, R and d."""
 
-    kind = "rdiff"
-    of_number = RightPerturbedNumber
 
-
-class Hat(_OfMatrices):
+class Hat(_OfMatrices, kind="hat"):
     """The 4 x 4 matrix of a motion (t, v): ``[[Skew(v), t], [0, 0]]``."""
 
-    kind = "hat"
 
-
-class LittleAdjoint(_OfMatrices):
+class LittleAdjoint(_OfMatrices, kind="ad"):
     """The 6 x 6 matrix of a motion (t, v): ``[[Skew(v), Skew(t)], [0, Skew(v)]]``."""
 
-    kind = "ad"
 
-
-class BigAdjoint(_OfMatrices):
+class BigAdjoint(_OfMatrices, kind="Ad"):
     """The 6 x 6 matrix of a pose ``[[R, t], [0, 1]]``: ``[[R, Skew(t)*R], [0, R]]``."""
-
-    kind = "Ad"

@@ -8,7 +8,7 @@ import sympy
 from sympy.matrices.expressions import blockmatrix, diagonal, dotproduct, hadamard, kronecker
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from algebroproj_sym.expressions.letters.notation import _Derivative, _OfMatrices, _Scalar, shape_in, size_of
+from algebroproj_sym.expressions.letters.notation import _OfMatrices, _Scalar, shape_in, size_of
 from algebroproj_sym.expressions.letters.terms import LetterError, Term, made, number, require_no_number
 from algebroproj_sym.expressions.quotient import over
 from algebroproj_sym.expressions.symbols import is_name
@@ -145,8 +145,7 @@ _READERS: Mapping[Any, Callable[[Reading, Any], Term]] = {
 }
 
 _CLASSES: Mapping[str, Any] = {
-    **{kind.kind: kind for base in (_Scalar, _OfMatrices) for kind in base.__subclasses__() if kind is not _Derivative},
-    **{kind.kind: kind for kind in _Derivative.__subclasses__()},
+    **{kind.kind: kind for base in (_Scalar, _OfMatrices) for kind in base.__subclasses__()},
     "transpose": sympy.Transpose,
     "trace": sympy.Trace,
     "det": sympy.Determinant,

@@ -11,7 +11,6 @@ from algebroproj_sym.replaying.reals.comparisons import comparisons, equations
 from algebroproj_sym.replaying.reals.terms import (
     COMPLEX,
     Term,
-    UnreadableError,
     constant,
     function,
     negative,
@@ -54,12 +53,8 @@ def real_statements(record: Mapping[str, Any]) -> list[dict[str, Any]]:
     """
     names = frozenset(texts(record["complex"]))
     require(UNIT not in names, f"{UNIT} is the imaginary unit, and no variable")
-    try:
-        sides = [_parts(read(record[side]), names) for side in ("lhs", "rhs")]
-        conditions = _conditions(record, names)
-    except UnreadableError as error:
-        raise Rejected(f"a text cannot be read: {error}") from None
-    stated = {"relation": record["relation"], **conditions}
+    sides = [_parts(read(record[side]), names) for side in ("lhs", "rhs")]
+    stated = {"relation": record["relation"], **_conditions(record, names)}
     (left, left_im), (right, right_im) = sides
     if left_im is None and right_im is None:
         return [{"lhs": written(left), "rhs": written(right), **stated}]

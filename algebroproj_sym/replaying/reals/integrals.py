@@ -22,7 +22,6 @@ from algebroproj_sym.replaying.reals.definitions import (
 from algebroproj_sym.replaying.reals.proofs import require_proof
 from algebroproj_sym.replaying.reals.terms import (
     Term,
-    UnreadableError,
     negative,
     over,
     plus,
@@ -101,11 +100,7 @@ def evaluated(term: Term, antiderivatives: Mapping[Term, Term]) -> Term:
 
 def antiderivative(integral: Term, text: Any, names: frozenset[str]) -> Term:
     """Return a claimed antiderivative, if it and the integrand are composed of continuous functions."""
-    require(isinstance(text, str), "expected the text of an antiderivative")
-    try:
-        whole = read(text)
-    except UnreadableError as error:
-        raise Rejected(str(error)) from None
+    whole = read(text)
     require(not (kinds(whole) | kinds(integral.args[0])) & NOT_CONTINUOUS, "expected continuous functions")
     require(integral.value not in names, f"expected another variable of integration than {integral.value}")
     require(whole.symbols() <= names | {integral.value}, "an antiderivative has a symbol that does not occur")
@@ -173,10 +168,7 @@ def require_antiderivative(
     proofs = {"ordered", "at the ends", "from end to end", "between the ends"}
     require_keys(entry, {"antiderivative", "given", "order", *proofs})
     require_proof(before, at_the_ends(integral, whole), entry["at the ends"])
-    try:
-        given = [pair for text in texts(entry["given"]) for pair in comparisons(text)]
-    except UnreadableError as error:
-        raise Rejected(str(error)) from None
+    given = [pair for text in texts(entry["given"]) for pair in comparisons(text)]
     require(entry["order"] in ("up", "down", ""), "expected the order up or down, or none")
     require(bool(entry["order"]) == (entry["ordered"] is not None), "expected a proof of the order, where there is one")
     if entry["order"]:

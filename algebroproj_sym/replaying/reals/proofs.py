@@ -22,10 +22,10 @@ from algebroproj_sym.replaying.reals.definitions import (
 )
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import LAWS, MOST_BITS, Step
-from algebroproj_sym.replaying.reals.terms import CALCULUS, Term, UnreadableError, negative, read
+from algebroproj_sym.replaying.reals.terms import CALCULUS, Term, negative, read
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
-from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
+from algebroproj_sym.replaying.rejection import NotReplayable, require
 from algebroproj_sym.replaying.text import natural, number, texts
 
 DEEPEST = 24
@@ -76,14 +76,6 @@ def apply(theory: Theory, step: Step) -> None:
     law(theory, step)
 
 
-def _read(text: Any) -> Term:
-    require(isinstance(text, str), "expected the text of a term")
-    try:
-        return read(text)
-    except UnreadableError as error:
-        raise Rejected(str(error)) from None
-
-
 def _symbol(theory: Theory, name: Any) -> Element:
     require(isinstance(name, str) and name not in theory.applications and name != "pi", "expected a symbol")
     return theory.variable(name)
@@ -108,7 +100,7 @@ def mean_value(theory: Theory, step: Step) -> None:
 
 
 def _parts(step: Step) -> tuple[str, Term, Term]:
-    return step["variable"], _read(step["function"]), _read(step["from"])
+    return step["variable"], read(step["function"]), read(step["from"])
 
 
 def between(theory: Theory, step: Step) -> tuple[Theory, list[Condition]]:
@@ -120,7 +112,7 @@ def between(theory: Theory, step: Step) -> tuple[Theory, list[Condition]]:
     require(step["relation"] in (">", ">="), "expected the relation > or >=")
     up = theory.holds(">=", x - a)
     require(up or theory.holds(">=", a - x), "it is not known on which side of the start the variable is")
-    given = [pair for text in texts(step["given"]) for pair in _comparisons(text)]
+    given = [pair for text in texts(step["given"]) for pair in comparisons(text)]
     symbols = frozenset({name}).union(*(term.symbols() for term in (whole, start, *(term for _, term in given))))
     inner = Theory(symbols, theory.depth + 1)
     for relation, term in given:
@@ -130,13 +122,6 @@ def between(theory: Theory, step: Step) -> tuple[Theory, list[Condition]]:
     slope = derivative(whole, name)
     asked = (step["relation"], slope if up else negative(slope))
     return inner, [*conditions(whole), *smoothness(whole, name), asked]
-
-
-def _comparisons(text: str) -> tuple[Condition, ...]:
-    try:
-        return comparisons(text)
-    except UnreadableError as error:
-        raise Rejected(str(error)) from None
 
 
 def _enter(theory: Theory, inner: Theory, name: str, start: Term, relation: str, term: Term) -> None:
@@ -156,7 +141,7 @@ def _enter(theory: Theory, inner: Theory, name: str, start: Term, relation: str,
 
 def on_a_range(theory: Theory, step: Step) -> None:
     """Conclude F(x) > 0 if x is between the first and the last of some numbers, and F is positive between any two."""
-    name, whole = step["variable"], _read(step["function"])
+    name, whole = step["variable"], read(step["function"])
     x = _symbol(theory, name)
     require(whole.symbols() == {name}, "expected a function of the variable alone")
     ends = [number(text) for text in texts(step["ends"])]

@@ -18,7 +18,7 @@ from algebroproj_sym.replaying.reals.integrals import (
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.laws import MOST_BITS
 from algebroproj_sym.replaying.reals.proofs import require_proof
-from algebroproj_sym.replaying.reals.terms import CALCULUS, COMPLEX, Term, UnreadableError, negative, read, written
+from algebroproj_sym.replaying.reals.terms import CALCULUS, COMPLEX, Term, negative, read, written
 from algebroproj_sym.replaying.reals.theory import RESERVED, Theory
 from algebroproj_sym.replaying.reals.values import UndecidedError, UndefinedError, holds, value_of
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require, require_keys
@@ -153,11 +153,8 @@ KEYS = {"lhs", "rhs", "relation", "assumptions", "constraints", "nonzero"}
 def statement_of(record: Mapping[str, Any]) -> Statement:
     """Return the statement of a record; integrals without ends are differentiated."""
     require(record["relation"] in RELATIONS, f"there is no relation {record['relation']!r:.20}")
-    try:
-        given = (*_given(record),)
-        sides, domain = [read(record["lhs"]), read(record["rhs"])], list[Condition]()
-    except UnreadableError as error:
-        raise Rejected(f"a text cannot be read: {error}") from None
+    given = (*_given(record),)
+    sides, domain = [read(record["lhs"]), read(record["rhs"])], list[Condition]()
     require(not any(any(term.integrals()) for _, term in given), "a condition has an integral")
     tied = tied_to_variable([*sides, *(term for _, term in given)], given)
     if tied:
@@ -299,11 +296,7 @@ def _require_at(statement: Statement, point: Any, proof: Mapping[str, Any], *, f
 
 
 def _number(text: Any) -> Term:
-    require(isinstance(text, str), "expected the text of a number")
-    try:
-        found = read(text)
-    except UnreadableError as error:
-        raise Rejected(f"a number cannot be read: {error}") from None
+    found = read(text)
     require(not found.symbols() and not kinds(found) & (CALCULUS | COMPLEX), "expected a real number")
     return found
 

@@ -22,6 +22,8 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from algebroproj_sym.replaying.rejection import Rejected, require
+
 MOST_TOKENS = 4_000
 MOST_CHARACTERS = 40_000
 MOST_DIGITS = 400
@@ -85,7 +87,7 @@ def has_parts(text: str) -> bool:
     return bool(_PART.search(text))
 
 
-class UnreadableError(ValueError):
+class UnreadableError(Rejected):
     """A text is not a term: where, what was expected there, and what was found."""
 
     def __init__(self, position: int, expected: str, got: str) -> None:
@@ -175,8 +177,8 @@ def over(above: Term, below: Term) -> Term:
     return Term("/", None, (above, below))
 
 
-def read(text: str) -> Term:
-    """Read a term.
+def read(text: Any) -> Term:
+    """Read a term; what is no text of one is rejected.
 
     Examples
     --------
@@ -187,6 +189,7 @@ def read(text: str) -> Term:
     ...
     algebroproj_sym.replaying.reals.terms.UnreadableError: position 4: expected '(', got 'x'
     """
+    require(isinstance(text, str), "expected the text of a term")
     return _Reader(text).whole()
 
 

@@ -15,7 +15,7 @@ from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.polynomial import BITS, Polynomial, constant
 from algebroproj_sym.replaying.reals.definitions import expanded
 from algebroproj_sym.replaying.reals.intervals import Intervals
-from algebroproj_sym.replaying.reals.terms import Term, UnreadableError, read
+from algebroproj_sym.replaying.reals.terms import Term, read
 from algebroproj_sym.replaying.reals.values import Numbers, UndecidedError, UndefinedError
 from algebroproj_sym.replaying.rejection import Rejected, require
 from algebroproj_sym.replaying.text import parse_polynomial
@@ -186,11 +186,7 @@ class Theory:
 
     def read(self, text: Any) -> Element:
         """Read a term, which must be known to be defined."""
-        require(isinstance(text, str), "expected the text of a term")
-        try:
-            return self.term(read(text))
-        except UnreadableError as error:
-            raise Rejected(str(error)) from None
+        return self.term(read(text))
 
     def term(self, term: Term, granted: bool = False) -> Element:
         """Return a term as a rational function of symbols and applications.

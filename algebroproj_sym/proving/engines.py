@@ -6,8 +6,7 @@ powers; a ring knows its generators and how to embed a constant, factor, and lis
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import gcd, lcm
-from typing import Any, Protocol
+from typing import Any
 
 import flint
 from sympy import QQ
@@ -15,64 +14,47 @@ from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyRing
 
 from algebroproj_sym.expressions.exact import fmpq, fraction
+from algebroproj_sym.proving.polynomials import content_of
 
 
-class Ring(Protocol):
-    """Polynomials over Q in named variables."""
+class Ring:
+    """Polynomials over Q in named variables: FLINT's `fmpq_mpoly`."""
 
     generators: tuple[Any, ...]
 
     def __init__(self, names: Sequence[str]) -> None:
-        """Make the ring in the named variables."""
+        self._context = flint.fmpq_mpoly_ctx.get(tuple(names), flint.Ordering.lex)
+        self.generators = tuple(self._context.gens())
 
     def constant(self, value: Fraction) -> Any:
         """Return a rational number as a polynomial."""
-
-    def factor(self, polynomial: Any) -> tuple[Fraction, list[tuple[Any, int]]]:
-        """Return the content and the irreducible factors with their multiplicities."""
-
-    def unit(self, polynomial: Any) -> Fraction:
-        """Return the rational number that makes a polynomial primitive, with a positive leading coefficient."""
-
-    def terms(self, polynomial: Any) -> dict[tuple[int, ...], Fraction]:
-        """Return the coefficients by exponent vector."""
-
-    def polynomial(self, terms: Mapping[tuple[int, ...], Fraction]) -> Any:
-        """Return the polynomial with the given coefficients by exponent vector."""
-
-
-class _OfFlint:
-    """FLINT's `fmpq_mpoly`."""
-
-    def __init__(self, names: Sequence[str]) -> None:
-        self._context = flint.fmpq_mpoly_ctx.get(tuple(names), flint.Ordering.lex)
-        self.generators: tuple[Any, ...] = tuple(self._context.gens())
-
-    def constant(self, value: Fraction) -> Any:
         return self._context.constant(fmpq(value))
 
     def factor(self, polynomial: Any) -> tuple[Fraction, list[tuple[Any, int]]]:
+        """Return the content and the irreducible factors with their multiplicities."""
         content, factors = polynomial.factor()
         return fraction(content), [(factor, int(multiplicity)) for factor, multiplicity in factors]
 
     def unit(self, polynomial: Any) -> Fraction:
-        values = polynomial.coeffs()
-        scale = Fraction(gcd(*(int(v.p) for v in values)), lcm(*(int(v.q) for v in values)))
-        return scale if values[0] > 0 else -scale
+        """Return the rational number that makes a polynomial primitive, with a positive leading coefficient."""
+        scale = fraction(content_of(polynomial))
+        return scale if polynomial.leading_coefficient() > 0 else -scale
 
     def terms(self, polynomial: Any) -> dict[tuple[int, ...], Fraction]:
+        """Return the coefficients by exponent vector."""
         return {tuple(map(int, powers)): fraction(value) for powers, value in polynomial.to_dict().items()}
 
     def polynomial(self, terms: Mapping[tuple[int, ...], Fraction]) -> Any:
+        """Return the polynomial with the given coefficients by exponent vector."""
         return self._context.from_dict({powers: fmpq(value) for powers, value in terms.items()})
 
 
-class _OfSympy:
+class _OfSympy(Ring):
     """SymPy's sparse polynomial rings."""
 
     def __init__(self, names: Sequence[str]) -> None:
         self._ring = PolyRing(tuple(names), QQ, lex)
-        self.generators: tuple[Any, ...] = tuple(self._ring.gens)
+        self.generators = tuple(self._ring.gens)
 
     def constant(self, value: Fraction) -> Any:
         return self._ring.ground_new(_rational(value))
@@ -102,7 +84,7 @@ def _fraction(value: Any) -> Fraction:
     return Fraction(int(value.numerator), int(value.denominator))
 
 
-_RINGS: dict[str, type[Ring]] = {"flint": _OfFlint, "sympy": _OfSympy}
+_RINGS: dict[str, type[Ring]] = {"flint": Ring, "sympy": _OfSympy}
 ENGINES = tuple(_RINGS)
 
 

@@ -77,23 +77,6 @@ def exported(record: Mapping[str, Any], made: Object | str = "", replayed: Repla
     """Return the theorems of a claim of the ledger, which is replayed unless that was done.
 
     `made` is how its derivation makes the derived form, or why that is not known.
-
-    Examples
-    --------
-    >>> from algebroproj_sym.replaying import declaration_digest
-    >>> record = {
-    ...     "paper": "demo", "number": "1.1", "section": "1", "title": "a square", "kind": "identity",
-    ...     "expected": "proved", "printed": "(x**2 - 1)/(x - 1)", "derived": "x + 1", "corrected": None, "where": {},
-    ...     "setting": {}, "instead": None, "note": "", "quote": None, "verdict": "proved", "hypotheses": ["x - 1"],
-    ...     "counterexample": None, "certificate": {"method": "normal form", "denominators": ["x - 1"]},
-    ...     "engine": "flint"}
-    >>> record["declaration"] = declaration_digest(record)
-    >>> print(exported(record).theorems[0].statement)
-    forall x : R,
-    x - 1 <> 0 ->
-    (x ^ 2 - 1) / (x - 1) = x + 1
-    >>> exported({**record, "derived": "x + 2"}).reason
-    'the evidence does not replay: the digest differs from that of the declaration'
     """
     replayed = replayed or replay_claim(record)
     if replayed.status == "replayed":

@@ -164,13 +164,7 @@ def rational(value: Fraction) -> str:
 
 
 def digits(value: int) -> str:
-    """Return a natural number; a long one in hexadecimal digits, which Coq reads in linear time.
-
-    Examples
-    --------
-    >>> digits(31), digits(2**80)
-    ('31', '0x100000000000000000000')
-    """
+    """Return a natural number; a long one in hexadecimal digits, which Coq reads in linear time."""
     return str(value) if value < LONG else hex(value)
 
 
@@ -180,13 +174,7 @@ def listed(items: Sequence[str], separator: str = "; ") -> str:
 
 
 def exponent_list(exponents: Sequence[int]) -> str:
-    """Return exponents.
-
-    Examples
-    --------
-    >>> exponent_list([2, 0, -1]), exponent_list([])
-    ('[2; 0; -1]%Z', '[]')
-    """
+    """Return exponents."""
     return listed([*map(str, exponents)]) + ("%Z" if exponents else "")
 
 

@@ -38,14 +38,7 @@ _SAID = {
 
 
 def said(literal: Literal | Regular) -> str:
-    """Return what a literal says, as a formula.
-
-    Examples
-    --------
-    >>> from algebroproj_sym.exporting.terms import integer, name
-    >>> said(Literal("Unequal", (name("x"), integer(1))))
-    'x <> 1'
-    """
+    """Return what a literal says, as a formula."""
     if isinstance(literal, Regular):
         return f"regular_matrix {listed([listed([formula(term) for term in row]) for row in literal.rows])}"
     texts = [formula(term) for term in literal.terms]

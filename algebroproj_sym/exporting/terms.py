@@ -46,13 +46,7 @@ def number(value: Fraction) -> Term:
 
 
 def name(text: str) -> Term:
-    """Return a name.
-
-    Examples
-    --------
-    >>> name("x") is name("x")
-    True
-    """
+    """Return a name."""
     return _made("name", (), text)
 
 
@@ -99,13 +93,7 @@ def remade(term: Term, parts: Sequence[Term]) -> Term:
 
 
 def in_rows(entries: Sequence[Entry], width: int) -> list[Sequence[Entry]]:
-    """Return the rows of a matrix.
-
-    Examples
-    --------
-    >>> in_rows("abcd", 2)
-    ['ab', 'cd']
-    """
+    """Return the rows of a matrix."""
     return [entries[start : start + width] for start in range(0, len(entries), width)]
 
 
@@ -120,13 +108,7 @@ def names(terms: Iterable[Term]) -> dict[str, None]:
 
 
 def size(terms: Iterable[Term]) -> int:
-    """Return the number of subterms, those that occur twice counted twice.
-
-    Examples
-    --------
-    >>> size([difference(name("x"), name("x"))])
-    4
-    """
+    """Return the number of subterms, those that occur twice counted twice."""
     found: dict[Term, int] = {}
     roots = [*terms]
     for term in _parts_first(roots):
@@ -197,14 +179,7 @@ def used(definitions: Mapping[str, Term], terms: Iterable[Term]) -> Definitions:
 
 
 def inlined(terms: Sequence[Term], definitions: Mapping[str, Term]) -> list[Term]:
-    """Return terms with all definitions written out.
-
-    Examples
-    --------
-    >>> [x] = inlined([name("a")], {"b": name("x"), "a": negative(name("b"))})
-    >>> x.parts[0].value
-    'x'
-    """
+    """Return terms with all definitions written out."""
     known = Definitions()
     for called, value in definitions.items():
         (known[called],) = substituted([value], known)

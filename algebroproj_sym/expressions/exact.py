@@ -19,11 +19,5 @@ def fmpq_matrix(rows: Sequence[Sequence[Fraction]]) -> flint.fmpq_mat:
 
 
 def fraction(value: Any) -> Fraction:
-    """Return FLINT's rational number as a fraction.
-
-    Examples
-    --------
-    >>> fraction(fmpq(Fraction(1, 3)) + 1)
-    Fraction(4, 3)
-    """
+    """Return FLINT's rational number as a fraction."""
     return Fraction(int(value.p), int(value.q))

@@ -92,13 +92,6 @@ def ring(engine: str, names: Sequence[str]) -> Ring:
     """Return the polynomial ring over Q in the named variables, of which there may be none.
 
     It raises `ValueError` if there is no such engine.
-
-    Examples
-    --------
-    >>> polynomials = ring("sympy", ["x", "y"])
-    >>> x, y = polynomials.generators
-    >>> polynomials.factor(x**2 - y**2)[1]
-    [(x - y, 1), (x + y, 1)]
     """
     if engine not in _RINGS:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")

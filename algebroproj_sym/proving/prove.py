@@ -60,17 +60,6 @@ def prove(
     They are not text here, and symbols that are listed as assumptions stand for the plain ones of their names.  With
     constraints the verdict may be ``"open"``; without them it never is for lack of a method.  It is open where no point
     satisfies constraints, hypotheses and assumptions: anything is true there.
-
-    Examples
-    --------
-    >>> x, y = sympy.symbols("x y")
-    >>> proof = prove((x**2 - y**2) / (x - y), x + y)
-    >>> proof.verdict, proof.hypotheses
-    ('proved', (x - y,))
-    >>> prove(x**3, x, constraints=[x**2 - 1]).certificate["witness"]
-    {'x': '1'}
-    >>> prove(x, 0, nonzero=[x - x]).certificate["reason"]
-    'nonzero[0] is always zero, so no point satisfies the conditions'
     """
     if engine not in ENGINES:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")

@@ -79,16 +79,6 @@ def replay_identity(record: Mapping[str, Any]) -> Replayed:
     """Check whether the verdict on an identity from elsewhere follows from its evidence.
 
     It is as ``algebroproj check FILE.json --format json`` writes it.
-
-    Examples
-    --------
-    >>> record = {
-    ...     "file": "demo.json", "name": "square", "lhs": "(a + b)^2", "rhs": "a^2 + b^2", "constraints": [],
-    ...     "nonzero": [], "verdict": "refuted", "expected": None, "method": "counterexample", "reason": None,
-    ...     "hypotheses": [], "counterexample": {"a": "1", "b": "-1"},
-    ...     "certificate": {"method": "counterexample", "left": ["0"], "right": ["2"]}}
-    >>> replay_identity(record).status
-    'replayed'
     """
     status, reason = _judged(require_identity, record)
     file, name, verdict, constraints = _named(record, "file", "name", "verdict", "constraints")

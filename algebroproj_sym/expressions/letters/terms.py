@@ -67,16 +67,6 @@ def made(kind: str, *parts: Term, value: Any = None) -> Term:
     """Return a term of some parts.
 
     It raises `LetterError` if the parts do not fit together.
-
-    Examples
-    --------
-    >>> a = Term("letter", (3, 1), (), "a")
-    >>> made("product", a, made("transpose", a)).shape
-    (3, 3)
-    >>> made("product", a, a)
-    Traceback (most recent call last):
-    ...
-    algebroproj_sym.expressions.letters.terms.LetterError: product: expected factors that fit, got shapes 3x1 and 3x1
     """
     return Term(kind, shape_of(kind, [part.shape for part in parts], value), parts, value)
 

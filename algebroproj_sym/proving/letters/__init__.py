@@ -105,11 +105,6 @@ def prove_texts(
     """Decide a statement that is given as text, with letters such as ``{"R": "3x3 rotation", "v": "nx1"}``.
 
     It raises `LetterError` if a text is not of the grammar, or a letter is not declared well.
-
-    Examples
-    --------
-    >>> prove_texts("dot(R*a, R*b)", "dot(a, b)", {"R": "3x3 rotation", "a": "3x1", "b": "3x1"}).verdict
-    'proved'
     """
     if engine not in ENGINES:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")

@@ -73,21 +73,6 @@ def decide(statement: Statement, engine: str = "flint") -> Found:
 
     It raises `LetterError` if a norm is not squared, or entries are needed and a letter is too large for them.  It
     raises `UndefinedError` if what is inverted has no inverse anywhere.
-
-    Examples
-    --------
-    >>> from algebroproj_sym.expressions.letters import parse_letters
-    >>> from algebroproj_sym.proving.letters.properties import declared_letters
-    >>> def asked(left, right, shape, **properties):
-    ...     letters = declared_letters(dict.fromkeys(properties, shape), properties)
-    ...     sides = (parse_letters(text, dict.fromkeys(properties, shape)) for text in (left, right))
-    ...     return decide(Statement(*sides, letters))
-    >>> found = asked("R.T*R", "eye(n)", ("n", "n"), R="orthogonal")
-    >>> found.verdict, found.scope
-    ('proved', 'for every size')
-    >>> found = asked("det(R)", "1", (3, 3), R="orthogonal")
-    >>> found.verdict, len(found.point.letters["R"])
-    ('refuted', 3)
     """
     return _Question(statement, engine).found()
 

@@ -102,18 +102,7 @@ class Proof:
 
 
 def proof_in_words(algebra: Algebra, claim: Poly, rules: Sequence[Rule]) -> Proof | None:
-    """Return why a polynomial is zero; None if that was not found.
-
-    Examples
-    --------
-    >>> from algebroproj_sym.expressions.letters import parse_letters
-    >>> from algebroproj_sym.proving.letters.properties import Letter
-    >>> from algebroproj_sym.proving.letters.rules import rules_for
-    >>> algebra = Algebra({"R": Letter("R", ("n", "n"), frozenset({"orthogonal"}))})
-    >>> claim = algebra.poly(parse_letters("R.T*R*R - R", {"R": ("n", "n")}))
-    >>> proof_in_words(algebra, claim, rules_for(algebra, [claim], [])).record(algebra)
-    {'rules': [{'rule': 'orthogonal columns', 'of': ['R']}], 'sums': [[{'of': 0, 'right': 'R'}]]}
-    """
+    """Return why a polynomial is zero; None if that was not found."""
     return _Search(algebra, rules).result(claim)
 
 

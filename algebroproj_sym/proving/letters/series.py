@@ -58,14 +58,6 @@ def without_series(statement: Statement) -> tuple[list[Term], Statement]:
     """Return the angles of a statement, as vectors or numbers, and the statement in numbers that stand for series.
 
     It raises `LetterError` if there is an exponential of another matrix, or a name is taken.
-
-    Examples
-    --------
-    >>> from algebroproj_sym.proving.letters.properties import declared_letters
-    >>> left, right = (parse_letters(text, {"v": (3, 1)}) for text in ("jr(v)", "jl(-v)"))
-    >>> angles, rest = without_series(Statement(left, right, declared_letters({"v": (3, 1)}, {})))
-    >>> [*map(letters_text, angles)], [*map(letters_text, rest.constraints)]
-    (['v'], ['(1 - dot(v, v)*c3_1)**2 + dot(v, v)*c2_1**2 - 2*c2_1'])
     """
     return _Translation(statement).result()
 

@@ -33,21 +33,9 @@ MOST_ENDS = 2
 MOST_PARTS = 40
 """How many parts a side may have whose derivative is factored."""
 
-NUMBERS = [
-    *map(
-        read,
-        ("0", "1", "-1", "2", "1/2", "-1/2", "-2", "3/5", "sqrt(2)/2", "exp(1)", "1/3", "3", "sqrt(3)/2", "sqrt(2)"),
-    )
-]
-ANGLES = [
-    *map(
-        read,
-        (
-            "0", "pi/2", "pi", "pi/4", "pi/3", "pi/6", "-pi/2", "-pi", "2*pi/3", "-pi/4", "3*pi/4", "-pi/3", "3*pi/2",
-            "2*pi", "-2*pi", "1", "-1", "1/2",
-        ),
-    )
-]  # fmt: skip
+_NUMBERS = "0 1 -1 2 1/2 -1/2 -2 3/5 sqrt(2)/2 exp(1) 1/3 3 sqrt(3)/2 sqrt(2)"
+_ANGLES = "0 pi/2 pi pi/4 pi/3 pi/6 -pi/2 -pi 2*pi/3 -pi/4 3*pi/4 -pi/3 3*pi/2 2*pi -2*pi 1 -1 1/2"
+NUMBERS, ANGLES = ([*map(read, texts.split())] for texts in (_NUMBERS, _ANGLES))
 TURNING = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 
 Point = Mapping[str, Term]

@@ -100,15 +100,7 @@ class _Evaluation:
             return [[parts[0][term.value[0]][term.value[1]]]]
         if term.kind == "block":
             return self.block(parts, term.value[0])
-        if term.kind == "product":
-            return reduce(self.product, parts)
-        if term.kind == "kron":
-            return reduce(_kron, parts)
-        if term.kind in FUNCTIONS:
-            return self.of_angle(term)
-        function = getattr(self, term.kind)
-        result: Rows = function(*parts)
-        return result
+        return self.of_angle(term) if term.kind in FUNCTIONS else _OF_ENTRIES[term.kind](self, *parts)
 
     def of_angle(self, term: Term) -> Rows:
         """Return a function of an angle, at a multiple of the one that is known."""
@@ -163,7 +155,7 @@ class _Evaluation:
         return [[self.one if i == j else self.zero for j in range(size)] for i in range(size)]
 
     def inverse(self, matrix: Rows) -> Rows:
-        divisor = self.minor(matrix, range(len(matrix)), range(len(matrix)), {})
+        divisor = self.det(matrix)
         return [[self.field.divide(entry, divisor) for entry in row] for row in self.adj(matrix)]
 
     def minor(self, matrix: Rows, rows: Sequence[int], columns: Sequence[int], known: dict[Any, Any]) -> Any:
@@ -180,8 +172,8 @@ class _Evaluation:
             known[key] = total
         return known[key]
 
-    def det(self, matrix: Rows) -> Rows:
-        return [[self.minor(matrix, range(len(matrix)), range(len(matrix)), {})]]
+    def det(self, matrix: Rows) -> Any:
+        return self.minor(matrix, range(len(matrix)), range(len(matrix)), {})
 
     def adj(self, matrix: Rows) -> Rows:
         places, known = range(len(matrix)), dict[Any, Any]()
@@ -192,23 +184,8 @@ class _Evaluation:
 
         return [[cofactor(i, j) for i in places] for j in places]
 
-    def transpose(self, matrix: Rows) -> Rows:
-        return [[*column] for column in zip(*matrix, strict=True)]
-
-    def trace(self, matrix: Rows) -> Rows:
-        return [[reduce(add, (row[place] for place, row in enumerate(matrix)))]]
-
-    def dot(self, left: Rows, right: Rows) -> Rows:
-        return self.product(self.transpose(left), right)
-
-    def outer(self, left: Rows, right: Rows) -> Rows:
-        return [[a * b for (b,) in right] for (a,) in left]
-
     def diag(self, vector: Rows) -> Rows:
         return [[value if i == j else self.zero for j in range(len(vector))] for i, (value,) in enumerate(vector)]
-
-    def vec(self, matrix: Rows) -> Rows:
-        return [[entry] for column in zip(*matrix, strict=True) for entry in column]
 
     def skew(self, vector: Rows) -> Rows:
         (x,), (y,), (z,) = vector
@@ -217,28 +194,6 @@ class _Evaluation:
     def vee(self, matrix: Rows) -> Rows:
         half = self.field.lift(Fraction(1, 2))
         return [[half * (matrix[i][j] - matrix[j][i])] for i, j in ((2, 1), (0, 2), (1, 0))]
-
-    def cross(self, left: Rows, right: Rows) -> Rows:
-        return self.product(self.skew(left), right)
-
-    def pure(self, vector: Rows) -> Rows:
-        return [[self.zero], *vector]
-
-    def imag(self, quaternion: Rows) -> Rows:
-        return quaternion[1:]
-
-    def conj(self, quaternion: Rows) -> Rows:
-        return [quaternion[0], *([-entry] for (entry,) in quaternion[1:])]
-
-    def qmul(self, left: Rows, right: Rows) -> Rows:
-        (a,), (b,), (c,), (d,) = left
-        (w,), (x,), (y,), (z,) = right
-        return [
-            [a * w - b * x - c * y - d * z],
-            [a * x + b * w + c * z - d * y],
-            [a * y - b * z + c * w + d * x],
-            [a * z + b * y - c * x + d * w],
-        ]
 
     def rotation(self, quaternion: Rows) -> Rows:
         (w,), (x,), (y,), (z,) = quaternion
@@ -254,10 +209,7 @@ class _Evaluation:
         rows = [[*row, *t] for row, t in zip(self.skew(motion[3:]), motion[:3], strict=True)]
         return [*rows, [self.zero] * 4]
 
-    def ad(self, motion: Rows) -> Rows:
-        return self.adjoint(self.skew(motion[3:]), self.skew(motion[:3]))
-
-    def Ad(self, pose: Rows) -> Rows:  # noqa: N802
+    def adjoint_of_pose(self, pose: Rows) -> Rows:
         rotation = [row[:3] for row in pose[:3]]
         return self.adjoint(rotation, self.product(self.skew([row[3:] for row in pose[:3]]), rotation))
 
@@ -279,3 +231,44 @@ def _is_scalar(rows: Rows) -> bool:
 
 def _kron(left: Rows, right: Rows) -> Rows:
     return [[a * b for a in upper for b in lower] for upper in left for lower in right]
+
+
+def _transposed(matrix: Rows) -> Rows:
+    return [[*column] for column in zip(*matrix, strict=True)]
+
+
+def _hamilton(left: Rows, right: Rows) -> Rows:
+    (a,), (b,), (c,), (d,) = left
+    (w,), (x,), (y,), (z,) = right
+    return [
+        [a * w - b * x - c * y - d * z],
+        [a * x + b * w + c * z - d * y],
+        [a * y - b * z + c * w + d * x],
+        [a * z + b * y - c * x + d * w],
+    ]
+
+
+_OF_ENTRIES: Mapping[str, Callable[..., Rows]] = {
+    "sum": _Evaluation.sum,
+    "product": lambda own, *parts: reduce(own.product, parts),
+    "kron": lambda own, *parts: reduce(_kron, parts),
+    "transpose": lambda own, m: _transposed(m),
+    "trace": lambda own, m: [[reduce(add, (row[place] for place, row in enumerate(m)))]],
+    "det": lambda own, m: [[own.det(m)]],
+    "adj": _Evaluation.adj,
+    "dot": lambda own, u, v: own.product(_transposed(u), v),
+    "outer": lambda own, u, v: [[a * b for (b,) in v] for (a,) in u],
+    "diag": _Evaluation.diag,
+    "vec": lambda own, m: [[entry] for column in _transposed(m) for entry in column],
+    "skew": _Evaluation.skew,
+    "vee": _Evaluation.vee,
+    "cross": lambda own, u, v: own.product(own.skew(u), v),
+    "pure": lambda own, v: [[own.zero], *v],
+    "imag": lambda own, q: q[1:],
+    "conj": lambda own, q: [q[0], *([-entry] for (entry,) in q[1:])],
+    "qmul": lambda own, p, q: _hamilton(p, q),
+    "rotation": _Evaluation.rotation,
+    "hat": _Evaluation.hat,
+    "ad": lambda own, x: own.adjoint(own.skew(x[3:]), own.skew(x[:3])),
+    "Ad": _Evaluation.adjoint_of_pose,
+}

@@ -67,12 +67,12 @@ def _path(program: str) -> str:
 
 def compiled(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Compiled]:
     """Compile files of theorems, named without suffix, after the lemmas, and yield what became of each."""
-    yield from _each(_compiled, folder, names, jobs)
+    yield from _each(lambda name: _run("coqc", folder, name, "-q", f"{name}.v")[0], names, jobs)
 
 
 def checked(folder: Path, names: Sequence[str], jobs: int = 1) -> Iterator[Compiled]:
     """Have compiled files checked by coqchk, and compare the axioms that it lists with those that may be there."""
-    yield from _each(_checked, folder, names, jobs)
+    yield from _each(lambda name: _checked(folder, name), names, jobs)
 
 
 def assumptions(folder: Path, allowed: frozenset[str] = ALLOWED) -> Compiled:
@@ -83,13 +83,9 @@ def assumptions(folder: Path, allowed: frozenset[str] = ALLOWED) -> Compiled:
     return replace(found, axioms=axioms(output), error=assumed(axioms(output), allowed))
 
 
-def _each(judge: Callable[[Path, str], Compiled], folder: Path, names: Sequence[str], jobs: int) -> Iterator[Compiled]:
+def _each(judge: Callable[[str], Compiled], names: Sequence[str], jobs: int) -> Iterator[Compiled]:
     with ThreadPoolExecutor(jobs) as pool:
-        yield from pool.map(lambda name: judge(folder, name), names)
-
-
-def _compiled(folder: Path, name: str) -> Compiled:
-    return _run("coqc", folder, name, "-q", f"{name}.v")[0]
+        yield from pool.map(judge, names)
 
 
 def _checked(folder: Path, name: str) -> Compiled:

@@ -44,6 +44,7 @@ MOST_STEPS = 4
 MOST_OF_SEARCH = 3_000_000
 
 
+@dataclass(eq=False)
 class Problem:
     """A question about numerators over a field of rational functions, which has met every denominator of both sides.
 
@@ -51,34 +52,26 @@ class Problem:
     that satisfy the constraints, and `admits` tells of which points the question is.
     """
 
-    def __init__(
-        self,
-        field: RationalFunctionField,
-        left: Expression,
-        right: Expression,
-        numerators: Sequence[Any],
-        constraints: Sequence[Any],
-        nonzero: Sequence[Any],
-        seed: int,
-        given: Sequence[Mapping[sympy.Symbol, Fraction]] = (),
-        admits: Callable[[RealPoint], bool] = lambda point: True,
-        engine: str = "flint",
-    ) -> None:
-        self.field = field
-        self.left, self.right = left, right
-        self.numerators = numerators
-        self.hypotheses = [*field.factors, *nonzero]
-        self.seed = seed
-        self.given = given
-        self.admits = admits
-        self.engine = engine
-        names = (*(f"x{place}" for place in range(len(field.symbols))), "spare")
+    field: RationalFunctionField
+    left: Expression
+    right: Expression
+    numerators: Sequence[Any]
+    constraints: Sequence[Any]
+    nonzero: Sequence[Any]
+    seed: int
+    given: Sequence[Mapping[sympy.Symbol, Fraction]] = ()
+    admits: Callable[[RealPoint], bool] = lambda point: True
+    engine: str = "flint"
+
+    def __post_init__(self) -> None:
+        names = (*(f"x{place}" for place in range(len(self.field.symbols))), "spare")
         self.context = flint.fmpq_mpoly_ctx.get(names, flint.Ordering.degrevlex)
-        self.claims = [*map(self._into, numerators)]
-        self.generators = [*map(self._into, constraints)]
-        factors = (factor for polynomial in self.hypotheses for factor, _ in self._into(polynomial).factor()[1])
+        self.claims = [*map(self._into, self.numerators)]
+        self.generators = [*map(self._into, self.constraints)]
+        hypotheses = [*self.field.factors, *self.nonzero]
+        factors = (factor for polynomial in hypotheses for factor, _ in self._into(polynomial).factor()[1])
         self.units = [*{str(factor): factor for factor in factors}.values()]
-        self.frame = self._frame([*numerators, *constraints, *self.hypotheses])
+        self.frame = self._frame([*self.numerators, *self.constraints, *hypotheses])
         self.goals, self.zeros, self.units_at_origin = (
             [*map(self.frame.restricted, polynomials)] for polynomials in (self.claims, self.generators, self.units)
         )

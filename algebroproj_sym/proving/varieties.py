@@ -7,6 +7,7 @@ proves nothing.
 
 import random
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, product
 from typing import Any
@@ -120,24 +121,24 @@ def value_at(polynomial: Any, point: Sequence[Value]) -> Value:
     return total
 
 
+@dataclass
 class _Start:
     """One attempt: values for the variables, one after the other."""
 
-    def __init__(
-        self, context: Any, generator: random.Random, attempt: int, extension: bool, further: bool, work: Work
-    ) -> None:
-        self._context = context
-        self._work = work
-        self._variables = context.gens()
-        self._generator = generator
-        self._attempt = attempt
-        self._may_extend = extension
+    _context: Any
+    _generator: random.Random
+    _attempt: int
+    _may_extend: bool
+    _further: bool
+    _work: Work
+
+    def __post_init__(self) -> None:
+        self._variables = self._context.gens()
         self._known: list[tuple[int, Any]] = []
         self._root: int | None = None
         self._minimal: Any = None
-        self._scale = Fraction(1, 2 ** (attempt // 4 % SCALES)) if further else Fraction(1)
-        self._further = further
-        self._together = further and attempt % 4 == 2
+        self._scale = Fraction(1, 2 ** (self._attempt // 4 % SCALES)) if self._further else Fraction(1)
+        self._together = self._further and self._attempt % 4 == 2
 
     def completed(self, constraints: list[Any]) -> list[Value]:
         dependent = self._dependent(constraints)

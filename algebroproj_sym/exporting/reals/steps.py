@@ -98,12 +98,15 @@ def _product(theory: Written, scale: str, powers: Mapping[str, int], relation: s
     return proof
 
 
+def _identity(theory: Written, step: Step, relation: str) -> tuple[str, str]:
+    """Return proofs of what multiplies an identity, and of what it adds."""
+    multiplier = _product(theory, digits(step["scale"]), step["multiplier"], relation)
+    return multiplier, _combined(theory, step["cofactors"])
+
+
 def _follows(theory: Written, step: Step) -> str:
     zero, power = theory.shown(theory.polynomial(step["zero"])), step["exponent"]
-    whole, combined = (
-        _product(theory, digits(step["scale"]), step["multiplier"], "!="),
-        _combined(theory, step["cofactors"]),
-    )
+    whole, combined = _identity(theory, step, "!=")
     if not power:
         return f"absurd_by _ _ {whole} {combined} ltac:(matching)"
     return f"zero_by _ {zero} {power} _ {whole} {combined} ltac:(matching)"
@@ -111,10 +114,7 @@ def _follows(theory: Written, step: Step) -> str:
 
 def _sign(theory: Written, step: Step) -> str:
     polynomial = theory.shown(theory.polynomial(step["polynomial"]))
-    whole, combined = (
-        _product(theory, digits(step["scale"]), step["multiplier"], ">"),
-        _combined(theory, step["cofactors"]),
-    )
+    whole, combined = _identity(theory, step, ">")
     proof, positive = "", False
     for weight, root, powers in step["sum"]:
         square = theory.polynomial(root)
@@ -148,10 +148,7 @@ def _rational(value: Fraction) -> str:
 
 
 def _nonzero(theory: Written, step: Step) -> str:
-    whole, combined = (
-        _product(theory, digits(step["scale"]), step["multiplier"], "!="),
-        _combined(theory, step["cofactors"]),
-    )
+    whole, combined = _identity(theory, step, "!=")
     factor, polynomial = (theory.shown(theory.polynomial(step[key])) for key in ("factor", "polynomial"))
     return f"nonzero_by_factor _ {factor} {polynomial} _ {whole} {combined} ltac:(matching)"
 

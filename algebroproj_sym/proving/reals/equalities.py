@@ -97,8 +97,6 @@ def unified(knowledge: Knowledge) -> None:
             assert sin is not None
             assert cos is not None
             found.append((known.args[1] * cos + known.args[0] * sin, 2))
-        elif known.function == "atan":
-            _secant(knowledge, theory.field.symbol(name), known.args[0])
     for count, (first, degree) in enumerate(found):
         for second, other in found[:count]:
             for left, right in ((first, second), (-first, -second), (first, -second), (-first, second)):
@@ -112,17 +110,6 @@ def unified(knowledge: Knowledge) -> None:
                         texts = knowledge.said(left), knowledge.said(right)
                         knowledge.step("equal powers", left=texts[0], right=texts[1], degree=power)
                     break
-
-
-def _secant(knowledge: Knowledge, arc: Element, argument: Element) -> None:
-    """Find that cos(atan u)*sqrt(1 + u**2) = 1, where the root occurs."""
-    theory = knowledge.theory
-    one, cos = theory.number(1), theory.named("cos", arc)
-    root = theory.named("root", argument * argument + one, degree=2)
-    if root is None or cos is None or knowledge.zero(root * cos - one, quick=True):
-        return
-    if knowledge.zero(root * root * cos * cos - one) and knowledge.positive(root * cos):
-        knowledge.step("equal powers", left=knowledge.said(root * cos), right="1", degree=2)
 
 
 def _proportional(knowledge: Knowledge) -> None:

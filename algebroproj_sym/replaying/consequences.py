@@ -61,8 +61,8 @@ class Question:
 
 
 def is_zero(value: Any) -> bool:
-    """Whether a number, which may lie in an extension, is zero."""
-    return value.is_zero if isinstance(value, Residue) else bool(value == 0)
+    """Whether a number, which may lie in an extension, or a rational function is zero."""
+    return value.is_zero if isinstance(value, Residue | Element) else bool(value == 0)
 
 
 def numbers_of(certificate: Mapping[str, Any]) -> Algebra:

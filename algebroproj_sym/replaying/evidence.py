@@ -7,6 +7,7 @@ the name of the form, the certificate and the other parts of the evidence; it re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
+from math import prod
 from typing import Any, TypeAlias
 
 from algebroproj_sym.replaying.consequences import Question, Sides, require_consequence, require_divisors
@@ -320,10 +321,7 @@ def _along(statement: Statement, field: Field, vectors: Sequence[Sequence[Elemen
     products = []
     for row in rows:
         for vector in vectors:
-            total = field.number(Fraction(0))
-            for a, b in zip(row, vector, strict=True):
-                total = total + a * b
-            products.append(total)
+            products.append(sum((a * b for a, b in zip(row, vector, strict=True)), field.number(Fraction(0))))
     return products
 
 
@@ -496,9 +494,7 @@ def vanishing_refuted(statement: Statement, form: str, certificate: Certificate)
     require_keys(certificate, {"method", "derived", "product of the factors"})
     require(not statement.form("derived").shape, "expected a scalar that vanishes")
     algebra = at_point(_counterexample(statement))
-    derived, product = statement.side("derived", algebra)[0], Fraction(1)
-    for factor in statement.side(form, algebra):
-        product *= factor
+    derived, product = statement.side("derived", algebra)[0], prod(statement.side(form, algebra), start=Fraction(1))
     require(
         derived == number(certificate["derived"]), "the recorded value of the derived expression at the point is wrong"
     )

@@ -17,6 +17,7 @@ Which names are letters, with their shapes, is given; other names are numbers.
 import re
 from collections.abc import Mapping
 from fractions import Fraction
+from math import prod
 
 from algebroproj_sym.expressions.bounds import MAX_CHARACTERS, MAX_DIGITS, MAX_NESTING
 from algebroproj_sym.expressions.letters.terms import (
@@ -118,10 +119,7 @@ class _Parser:
                 factor = number(1 / factor.value) if _is_number(factor) else made("power", factor, value=-1)
             factors.append(factor)
         if len(factors) > 1 and all(map(_is_number, factors)):
-            product = Fraction(1)
-            for factor in factors:
-                product *= factor.value
-            return number(product)
+            return number(prod(factor.value for factor in factors))
         return factors[0] if len(factors) == 1 else made("product", *factors)
 
     def sign(self) -> Term:

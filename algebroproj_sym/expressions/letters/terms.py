@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from math import prod
 from operator import attrgetter
 from typing import Any, TypeAlias
 
@@ -154,10 +155,7 @@ def _kron(shapes: Sequence[Shape], value: Any) -> Shape:
     sizes = [size for shape in shapes for size in shape]
     if not all(isinstance(size, int) for size in sizes):
         raise LetterError(f"kron: expected matrices of fixed size, got shapes {_shown(shapes)}")
-    rows, columns = 1, 1
-    for shape in shapes:
-        rows, columns = rows * int(shape[0]), columns * int(shape[1])
-    return rows, columns
+    return prod(int(rows) for rows, _ in shapes), prod(int(columns) for _, columns in shapes)
 
 
 def _vec(shapes: Sequence[Shape], value: Any) -> Shape:

@@ -8,12 +8,12 @@ from functools import partial
 from itertools import product
 from typing import Any
 
-from algebroproj_sym.replaying.consequences import Question, require_consequence
+from algebroproj_sym.replaying.consequences import Question, is_zero, require_consequence
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Element, Field
 from algebroproj_sym.replaying.letters.derivatives import without_derivatives
 from algebroproj_sym.replaying.letters.matrices import Coordinates, Entries, Matrix, has_properties
-from algebroproj_sym.replaying.letters.reading import Node, Size, changed, constant, made, parts_of, read
+from algebroproj_sym.replaying.letters.reading import Node, changed, constant, made, parts_of, read
 from algebroproj_sym.replaying.letters.series import has_functions, without_functions
 from algebroproj_sym.replaying.letters.statement import (
     Statement,
@@ -108,7 +108,7 @@ class _AtPoint:
         entry = (lambda name, text: number(text)) if turn is None else turn.read
         letters = {name: _rows(point[name], partial(entry, name)) for name in given.letters}
         for name, letter in given.letters.items():
-            shape = tuple(_sized(size, sizes) for size in letter.shape)
+            shape = tuple(size if isinstance(size, int) else sizes[size] for size in letter.shape)
             same = (len(letters[name]), len(letters[name][0])) == shape
             require(same and has_properties(letter, letters[name]), f"{name} is not what it is declared to be")
         numbers = {name: entry(name, point[name]) for name in symbols}
@@ -129,10 +129,6 @@ class _AtPoint:
         letters = turn.names & statement.letters.keys()
         plain = all(statement.letters[name].properties <= {"skew"} for name in letters)
         require(plain, "a letter with properties is a multiple of an angle")
-
-
-def _sized(size: Size, sizes: Mapping[str, int]) -> int:
-    return size if isinstance(size, int) else sizes[size]
 
 
 def _rows(value: Any, entry: Callable[[Any], Fraction] = number) -> Matrix:
@@ -278,12 +274,8 @@ def _expanded(free: Mapping[str, Coordinates], given: Mapping[str, Any], algebra
         node = read(given[name], {})
         require(node.shape == (len(rows), len(rows[0])), f"{name} is expanded into another shape")
         for own, other in zip(_flat(rows), _flat(shown.of(node)), strict=True):
-            require(_is_zero(own - other), f"{name} is not expanded into its entries")
+            require(is_zero(own - other), f"{name} is not expanded into its entries")
     return Entries(algebra, letters, {})
-
-
-def _is_zero(value: Any) -> bool:
-    return bool(value.is_zero if hasattr(value, "is_zero") else value == 0)
 
 
 def _flat(matrix: Matrix) -> list[Any]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from itertools import combinations
 from typing import Any, TypeAlias
 
@@ -117,12 +118,9 @@ class Entries:
         return size if isinstance(size, int) else self.sizes[size]
 
     def _function(self, kind: str, parts: list[Matrix]) -> Matrix:
-        first, *others = parts
         if kind in ("sum", "product", "kron"):
-            join = {"sum": _added, "product": self._times, "kron": _kron}[kind]
-            for other in others:
-                first = join(first, other)
-            return first
+            join: Callable[[Matrix, Matrix], Matrix] = {"sum": _added, "product": self._times, "kron": _kron}[kind]
+            return reduce(join, parts)
         vectors = [[row[0] for row in part] for part in parts]
         result = _OF_ONE_OR_TWO[kind](self, *(vectors if kind in _OF_COMPONENTS else parts))
         return [[entry] for entry in result] if kind in _VECTORS else result
@@ -131,25 +129,16 @@ class Entries:
         for one, other in ((left, right), (right, left)):
             if len(one) == len(one[0]) == 1:
                 return [[one[0][0] * entry for entry in row] for row in other]
-        return [
-            [self._total(a * b for a, b in zip(row, c, strict=True)) for c in zip(*right, strict=True)] for row in left
-        ]
-
-    def _total(self, values: Any) -> Any:
-        total = self.zero
-        for value in values:
-            total = total + value
-        return total
+        columns = [*zip(*right, strict=True)]
+        return [[sum((a * b for a, b in zip(row, c, strict=True)), self.zero) for c in columns] for row in left]
 
     def _power(self, base: Matrix, exponent: int) -> Matrix:
         if exponent < 0:
             divisor = self._determinant(base)
             base = [[entry / divisor for entry in row] for row in self._adjugate(base)]
         size = range(len(base))
-        result = [[self.one if i == j else self.zero for j in size] for i in size]
-        for _ in range(abs(exponent)):
-            result = self._times(result, base)
-        return result
+        one = [[self.one if i == j else self.zero for j in size] for i in size]
+        return reduce(self._times, [base] * abs(exponent), one)
 
     def _determinant(self, matrix: Matrix) -> Any:
         """Return the determinant: minors of the first rows, each from those with a row less."""
@@ -157,9 +146,12 @@ class Entries:
         minors: dict[tuple[int, ...], Any] = {(): self.one}
         for height, row in enumerate(matrix):
             minors = {
-                columns: self._total(
-                    (row[c] if (height + k) % 2 == 0 else -row[c]) * minors[columns[:k] + columns[k + 1 :]]
-                    for k, c in enumerate(columns)
+                columns: sum(
+                    (
+                        (row[c] if (height + k) % 2 == 0 else -row[c]) * minors[columns[:k] + columns[k + 1 :]]
+                        for k, c in enumerate(columns)
+                    ),
+                    self.zero,
                 )
                 for columns in combinations(range(len(matrix)), height + 1)
             }
@@ -182,12 +174,9 @@ class Entries:
         half = self.algebra.number(Fraction(1, 2))
         return [half * (m[2][1] - m[1][2]), half * (m[0][2] - m[2][0]), half * (m[1][0] - m[0][1])]
 
-    def _diagonal(self, v: Sequence[Any]) -> Matrix:
-        return [[value if i == j else self.zero for j in range(len(v))] for i, value in enumerate(v)]
-
     def _rotation(self, q: Sequence[Any]) -> Matrix:
         """Return the matrix that takes v to q v q**-1, column by column."""
-        square = self._total(value * value for value in q)
+        square = sum((value * value for value in q), self.zero)
         conjugate = [q[0], *(-value for value in q[1:])]
         units = ([self.one if i == k else self.zero for i in range(4)] for k in (1, 2, 3))
         columns = [_hamilton(_hamilton(q, unit), conjugate)[1:] for unit in units]
@@ -222,12 +211,12 @@ _VECTORS = ("cross", "vee", "vec", "qmul", "conj", "pure", "imag")
 _OF_COMPONENTS = ("hat", "ad", "cross", "skew", "diag", "dot", "outer", "qmul", "conj", "rotation", "pure", "imag")
 _OF_ONE_OR_TWO: Mapping[str, Callable[..., Any]] = {
     "transpose": lambda entries, m: _transposed(m),
-    "trace": lambda entries, m: [[entries._total(m[k][k] for k in range(len(m)))]],
+    "trace": lambda entries, m: [[sum((m[k][k] for k in range(len(m))), entries.zero)]],
     "det": lambda entries, m: [[entries._determinant(m)]],
     "adj": lambda entries, m: entries._adjugate(m),
-    "dot": lambda entries, a, b: [[entries._total(x * y for x, y in zip(a, b, strict=True))]],
+    "dot": lambda entries, a, b: [[sum((x * y for x, y in zip(a, b, strict=True)), entries.zero)]],
     "outer": lambda entries, a, b: [[x * y for y in b] for x in a],
-    "diag": lambda entries, v: entries._diagonal(v),
+    "diag": lambda entries, v: [[x if i == j else entries.zero for j in range(len(v))] for i, x in enumerate(v)],
     "cross": lambda entries, a, b: _crossed(a, b),
     "skew": lambda entries, v: entries._skew(v),
     "vee": lambda entries, m: entries._vee(m),

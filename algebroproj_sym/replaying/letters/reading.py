@@ -15,6 +15,7 @@ An atom is a number, a name, a sum in parentheses, or a function of some; ``eye`
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
+from math import prod
 from typing import Any, NamedTuple, TypeAlias
 
 from algebroproj_sym.replaying.rejection import NotReplayable, Rejected, require
@@ -195,10 +196,7 @@ def _fixed_shape(kind: str, shapes: list[tuple[int, int]], value: Any, wrong: st
         require(len(shapes) == 1, wrong)
         return shapes[0][0] * shapes[0][1], 1
     if kind == "kron":
-        rows, columns = 1, 1
-        for height, width in shapes:
-            rows, columns = rows * height, columns * width
-        return rows, columns
+        return prod(height for height, _ in shapes), prod(width for _, width in shapes)
     require(len({*value}) == 1, wrong)
     lines = [shapes[place : place + value[0]] for place in range(0, len(shapes), value[0])]
     for line in lines:
@@ -297,10 +295,7 @@ class _Reader:
         if len(factors) == 1:
             return factors[0]
         if all(factor.kind == "number" for factor in factors):
-            total = Fraction(1)
-            for factor in factors:
-                total *= factor.value
-            return constant(total)
+            return constant(prod(factor.value for factor in factors))
         return made("product", *factors)
 
     def signed(self) -> Node:

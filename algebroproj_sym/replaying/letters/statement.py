@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -119,12 +119,9 @@ def _square_of_length(node: Node) -> Node | None:
     return made(node.kind, *squares, value=node.value) if len(squares) == len(node.parts) else None
 
 
-def without_definitions(statement: Statement) -> Statement:
+def without_definitions(statement: Statement, sizes: Set[str] | None = None) -> Statement:
     """Put for each letter without properties, or number, that a constraint defines what it is; sizes are kept."""
-    return _without_definitions(statement, statement.sizes)
-
-
-def _without_definitions(statement: Statement, sizes: set[str]) -> Statement:
+    sizes = statement.sizes if sizes is None else sizes
     for place, constraint in enumerate(statement.constraints):
         for name, value in _definitions(constraint):
             if name.kind == "letter" and statement.letters[name.value].properties:
@@ -134,7 +131,7 @@ def _without_definitions(statement: Statement, sizes: set[str]) -> Statement:
             others = statement.constraints[:place] + statement.constraints[place + 1 :]
             letters = {other: letter for other, letter in statement.letters.items() if other != name.value}
             rest = replace(statement, constraints=others, letters=letters)
-            return _without_definitions(rest.every(lambda node, n=name, v=value: _put(node, n, v)), sizes)
+            return without_definitions(rest.every(lambda node, n=name, v=value: _put(node, n, v)), sizes)
     return statement
 
 

@@ -6,6 +6,7 @@ numbers are taken out of it, as texts of their own.
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
@@ -218,11 +219,9 @@ class Words:
                 raise Rejected("the determinant of a multiple of a matrix of any size")
             self.is_sized = True
             result = self.power(Poly(NUMBER, {(numbers, ()): value}), poly.shape[0])
-        for atom in word:
-            one = self._atom(atom)
-            name = min(one.text(), self.transpose(one).text())
-            result = self.times(result, self.number(f"det[{name}]"))
-        return result
+        parts = (self._atom(atom) for atom in word)
+        names = (min(part.text(), self.transpose(part).text()) for part in parts)
+        return reduce(self.times, (self.number(f"det[{name}]") for name in names), result)
 
     def _has_square_factors(self, poly: Poly) -> bool:
         shapes = (self.atoms[atom].shape for _, word in poly.terms for atom in word)
@@ -238,9 +237,7 @@ class Words:
             return self.times(self.constant(1 / value), self._inverted(base))
         (((numbers, word), value),) = poly.terms.items()
         result = self.times(self._reciprocal(Poly(NUMBER, {(numbers, ()): value})), self.constant(1, poly.shape))
-        for atom in reversed(word):
-            result = self.times(result, self._inverse_of(atom))
-        return result
+        return reduce(self.times, map(self._inverse_of, reversed(word)), result)
 
     def _inverse_of(self, atom: str) -> Poly:
         one = self._atom(atom)
@@ -255,11 +252,9 @@ class Words:
         value, base = self._normal(poly)
         if len(base.terms) > 1:
             return self.times(self.constant(1 / value), self._one_over(base))
-        result = self.constant(1 / value)
         (((numbers, _), _),) = base.terms.items()
-        for name in numbers:
-            result = self.times(result, self.inside[name] if name in self.inside else self._one_over(self.number(name)))
-        return result
+        parts = (self.inside[name] if name in self.inside else self._one_over(self.number(name)) for name in numbers)
+        return reduce(self.times, parts, self.constant(1 / value))
 
     def _one_over(self, poly: Poly) -> Poly:
         name = f"reciprocal[{poly.text()}]"
@@ -271,10 +266,7 @@ class Words:
     def power(self, poly: Poly, exponent: int) -> Poly:
         """Return a power."""
         base = poly if exponent >= 0 else self.inverse(poly)
-        result = self.constant(1, poly.shape)
-        for _ in range(abs(exponent)):
-            result = self.times(result, base)
-        return result
+        return reduce(self.times, [base] * abs(exponent), self.constant(1, poly.shape))
 
     def adjugate(self, poly: Poly) -> Poly:
         """Return the adjugate, of a product factor by factor; that of a number is one."""
@@ -287,10 +279,8 @@ class Words:
         if len(poly.terms) == 1 and self._has_square_factors(poly):
             (((numbers, word), value),) = poly.terms.items()
             if len(word) != 1 and not numbers and value == 1:
-                result = self.constant(1, poly.shape)
-                for atom in reversed(word):
-                    result = self.times(result, self.adjugate(self._atom(atom)))
-                return result
+                parts = (self.adjugate(self._atom(atom)) for atom in reversed(word))
+                return reduce(self.times, parts, self.constant(1, poly.shape))
         name, turned = f"adj[{poly.text()}]", f"adj[{self.transpose(poly).text()}]"
         opposite = f"adj[{self.plus(self.constant(0, poly.shape), poly, -1).text()}]"
         if turned == opposite:
@@ -336,16 +326,13 @@ class Words:
         if kind == "symbol":
             return self.number(value)
         if kind == "letter":
-            word = self.letter(value)
-            return self.times(self.constant(1), word)
+            return self.times(self.constant(1), self.letter(value))
         if kind in ("eye", "zeros"):
             return self.constant(int(kind == "eye"), node.shape)
         parts = [self.poly(part) for part in node.parts]
         first = parts[0]
         if kind in ("sum", "product"):
-            for other in parts[1:]:
-                first = self.plus(first, other) if kind == "sum" else self.times(first, other)
-            return first
+            return reduce(self.plus if kind == "sum" else self.times, parts)
         if kind == "power":
             return self.power(first, value)
         if kind in ("dot", "outer", "cross"):

@@ -39,10 +39,8 @@ UNITS = (">", "!=")
 
 def _combined(theory: Theory, cofactors: Mapping[str, Any]) -> Element:
     """Return a combination of what is zero."""
-    total = theory.number(0)
-    for place, text in cofactors.items():
-        total = total + theory.polynomial(text) * _product(theory, {place: 1}, ("=",))
-    return total
+    products = (theory.polynomial(text) * _product(theory, {place: 1}, ("=",)) for place, text in cofactors.items())
+    return sum(products, theory.number(0))
 
 
 def _same(left: Element, right: Element) -> None:

@@ -8,6 +8,8 @@ shown to be defined first.
 import re
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import reduce
+from operator import add
 from typing import Any, NamedTuple, Self
 
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
@@ -217,10 +219,7 @@ class Theory:
             return self.term(definition, granted)
         args = [self.term(part, granted) for part in term.args]
         if kind == "+":
-            total = args[0]
-            for other in args[1:]:
-                total = total + other
-            return total
+            return reduce(add, args)
         if kind == "-":
             return -args[0]
         if kind == "*":

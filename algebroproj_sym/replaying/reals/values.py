@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import partial, reduce
 from math import isqrt
 from typing import Any
 
@@ -173,9 +174,7 @@ def value_of(term: Term, point: Mapping[str, Any], numbers: Numbers) -> Any:
     args = [value_of(part, point, numbers) for part in term.args]
     first = args[0]
     if kind == "+":
-        for other in args[1:]:
-            first = numbers.operation("plus", first, other)
-        return first
+        return reduce(partial(numbers.operation, "plus"), args)
     if kind == "-":
         return numbers.operation("times", _MINUS_ONE, first)
     if kind == "*":

@@ -274,14 +274,6 @@ def test_an_algebraic_number_of_a_high_degree_is_told_from_its_conjugates(lhs, r
     assert prove(lhs, rhs.replace("2", "-2")).verdict == "refuted"
 
 
-@pytest.mark.parametrize(
-    ("lhs", "rhs"), [("asin(1/2)**2", "pi**2/36"), ("acos(1/2)*acos(-1/2)", "2*pi**2/9"), ("log(acos(-1))", "log(pi)")]
-)
-def test_arcs_that_are_parts_of_a_turn_are_multiplied(lhs, rhs):
-    assert prove(lhs, rhs).verdict == "proved"
-    assert prove(lhs, f"{rhs} + 1/1000").verdict == "refuted"
-
-
 # -- points of exact numbers -------------------------------------------------------------------------------------------
 
 AT_EXACT_POINTS = {

@@ -6,26 +6,22 @@ vanish; where they do, they are a further constraint.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields
-from itertools import count, islice
+from itertools import count
 from typing import Any, Literal, Self
 
 from algebroproj_sym.proving.combination import System
 from algebroproj_sym.proving.consequences import Case, Cofactors, End
 from algebroproj_sym.proving.elimination import MAX_LENGTH, Elimination
 from algebroproj_sym.proving.polynomials import EffortExceededError
-from algebroproj_sym.proving.varieties import real_points, value_at
 
 MOST_CASES = 60
 DEEPEST = 9
-POINTS = 4
-TRIES = 40
 
 
 def case_distinction(known: Elimination, goal: Any, seed: int, *, real: bool = False) -> Case | None:
     """Return how a goal follows from what is known, by cases; None if that is not found.
 
-    Points, which the seed chooses, tell which factors of a goal vanish.  Only of `real` numbers may zeros be taken
-    apart that are sums of squares.
+    Only of `real` numbers may zeros be taken apart that are sums of squares; the seed chooses points for that.
 
     Examples
     --------
@@ -75,22 +71,6 @@ class _Branch(Elimination):
 
     def _end(self) -> End | None:
         return End(1, self.one, {}) if self.goal == 0 else self.is_empty
-
-    def simplest(self, goal: Any) -> Any:
-        """Return an irreducible factor that is zero at some points of the case, or all if none is at all of them."""
-        if goal.is_constant():
-            return goal
-        factors = [factor for factor, _ in goal.factor()[1] if factor not in self.units]
-        if len(factors) < 2:
-            return factors[0] if factors else self.one
-        points = list(islice(self._points(), POINTS))
-        zero = [factor for factor in factors if points and all(value_at(factor, point) == 0 for point in points)]
-        return zero[0] if zero else goal
-
-    def _points(self) -> Iterator[Sequence[Any]]:
-        for point in real_points(self.members, self.context, self.seed, TRIES):
-            if all(value_at(unit, point) != 0 for unit in self.units):
-                yield point
 
     def _distinguished(self) -> tuple[Case, Case] | None:
         choice = next(self._choices(), None) if self.depth else None

@@ -198,14 +198,8 @@ class Elimination:
         """Take a variable out of the goal."""
         after, power, quotient = self._without(self.goal, step)
         if power:
-            goal = self.simplest(after)
-            factor = divmod(after, goal)[0] if after != 0 else self.one
-            self.steps.append(Step("goal", goal, step.slope**power, {step.place: quotient}, factor))
-            self.goal = goal
-
-    def simplest(self, goal: Any) -> Any:
-        """Return a factor of a goal that may take its place."""
-        return goal
+            self.steps.append(Step("goal", after, step.slope**power, {step.place: quotient}, self.one))
+            self.goal = after
 
     def _solve_pair(self) -> bool:
         for pair in self.pairs():

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
-from math import pi
 
 from algebroproj_sym.proving.reals.arcs import (
     ARCS,
@@ -36,23 +35,8 @@ def are_equal(knowledge: Knowledge, left: Element, right: Element) -> bool:
         constant_zero(knowledge, goal)
         or _by_powers(knowledge, left, right)
         or by_angle(knowledge, goal, _related)
-        or _by_known_arcs(knowledge, goal)
         or _by_logarithms(knowledge, goal)
     )
-
-
-def _by_known_arcs(knowledge: Knowledge, goal: Element) -> bool:
-    """Show that a number is zero after finding which of its arcs are simple parts of a turn."""
-    theory, found = knowledge.theory, False
-    if not knowledge.is_number(knowledge.signed(goal)):
-        return False
-    for name, known in [*theory.applications.items()]:
-        if known.function in ARCS:
-            arc = theory.field.symbol(name)
-            part = Fraction(knowledge.value_of(arc) / pi).limit_denominator(MOST_NUMBERS)
-            found |= by_angle(knowledge, arc - theory.pi * theory.number(part), _related)
-    _proportional(knowledge)
-    return found and knowledge.zero(goal)
 
 
 def _related(knowledge: Knowledge) -> None:

@@ -171,6 +171,15 @@ class Element:
             raise Rejected("expected a polynomial")
         return self.numerator * self.field.powers(self.exponents)
 
+    def cancelled(self) -> tuple[Polynomial, dict[int, int]]:
+        """Return the numerator and the powers of factors, after a division by factors in the denominator."""
+        numerator, powers = self.numerator, dict(self.exponents)
+        for place in powers:
+            factor = self.field.factors[place]
+            while powers[place] < 0 and numerator and (quotient := numerator.quotient(factor)) is not None:
+                numerator, powers[place] = quotient, powers[place] + 1
+        return numerator, powers
+
     def __add__(self, other: Element) -> Element:
         if self.is_zero or other.is_zero:
             return other if self.is_zero else self

@@ -7,7 +7,7 @@ reach the next exponent's bits; where it reaches the free bit, the computation e
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import reduce
 from heapq import heapify, heappop, heappush
 from math import gcd
@@ -175,6 +175,15 @@ def _count(more: int) -> None:
 def _require_exact(monomials: int) -> None:
     if monomials & _FREE:
         raise NotReplayable("an exponent is too large")
+
+
+def powers_of(monomial: int) -> Iterator[tuple[int, int]]:
+    """Yield the places of the variables of a monomial, with their powers."""
+    place = 0
+    while monomial:
+        if power := monomial & ((1 << BITS) - 1):
+            yield place, power
+        monomial, place = monomial >> BITS, place + 1
 
 
 def constant(value: int) -> Polynomial:

@@ -16,7 +16,7 @@ from algebroproj_sym.exporting.reals.formulas import called
 from algebroproj_sym.exporting.reals.writing import Enclosed, Written
 from algebroproj_sym.exporting.refusal import Silent
 from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import BITS
+from algebroproj_sym.replaying.polynomial import BITS, powers_of
 
 DECIMALS = 10**5
 PI = Fraction(3141592, 10**6), Fraction(3141593, 10**6)
@@ -46,8 +46,7 @@ def _element(theory: Written, element: Element) -> Enclosed:
     low = high = Fraction(0)
     proofs = []
     for monomial, coefficient in element.numerator.terms.items():
-        powers = [(names[place], monomial >> BITS * place & (1 << BITS) - 1) for place in names]
-        factors = [name for name, power in powers for _ in range(power)]
+        factors = [names[place] for place, power in powers_of(monomial) for _ in range(power)]
         if factors:
             found = reduce(lambda left, right: _product(theory, left, right), [_name(theory, name) for name in factors])
             ends = sorted((coefficient * found.low, coefficient * found.high))

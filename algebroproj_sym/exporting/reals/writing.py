@@ -13,7 +13,7 @@ from algebroproj_sym.exporting.gallina import digits
 from algebroproj_sym.exporting.reals.formulas import APPLIED, SIGNS, called, formula, root
 from algebroproj_sym.exporting.refusal import NotExportable
 from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import BITS, Polynomial
+from algebroproj_sym.replaying.polynomial import Polynomial, powers_of
 from algebroproj_sym.replaying.reals.definitions import Condition, expanded
 from algebroproj_sym.replaying.reals.terms import Term
 from algebroproj_sym.replaying.reals.terms import power as raised
@@ -89,9 +89,7 @@ class Written(Theory):
         terms = []
         for monomial, coefficient in sorted(polynomial.terms.items(), reverse=True):
             factors = [] if abs(coefficient) == 1 and monomial else [digits(abs(coefficient))]
-            for place, name in enumerate(names):
-                if power := monomial >> BITS * place & (1 << BITS) - 1:
-                    factors.append(name if power == 1 else f"{name} ^ {power}")
+            factors += [names[place] if n == 1 else f"{names[place]} ^ {n}" for place, n in powers_of(monomial)]
             terms.append(("- " if coefficient < 0 else "+ ") + " * ".join(factors))
         return " ".join(terms).removeprefix("+ ") or "0"
 
@@ -115,11 +113,7 @@ class Written(Theory):
         """Return P, K and M, where the element times K is P times M, and P stands in the fact."""
         fact = self.fact(relation, element)
         parity = relation in (">", ">=")
-        numerator, powers = element.numerator, dict(element.exponents)
-        for place in powers:
-            factor = self.field.factors[place]
-            while numerator and powers[place] < 0 and (rest := numerator.quotient(factor)) is not None:
-                numerator, powers[place] = rest, powers[place] + 1
+        numerator, powers = element.cancelled()
         kept = {place: power if power > 0 else -power % 2 * parity for place, power in powers.items()}
         whole = numerator * self.field.powers({place: power for place, power in kept.items() if power})
         monomial = max(whole.terms)

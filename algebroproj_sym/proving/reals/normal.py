@@ -33,11 +33,7 @@ def normalised(knowledge: Knowledge) -> None:
 
 def _monomials(knowledge: Knowledge, element: Element) -> dict[Key, Fraction]:
     """Return the coefficients of an argument, by monomial."""
-    numerator, powers = element.numerator, dict(element.exponents)
-    for place in powers:
-        factor = knowledge.theory.field.factors[place]
-        while powers[place] < 0 and numerator and (quotient := numerator.quotient(factor)) is not None:
-            numerator, powers[place] = quotient, powers[place] + 1
+    numerator, powers = element.cancelled()
     numerator = numerator * knowledge.theory.field.powers({place: n for place, n in powers.items() if n > 0})
     below = tuple(sorted((place, n) for place, n in powers.items() if n < 0))
     return {(monomial, below): Fraction(value, element.denominator) for monomial, value in numerator.terms.items()}

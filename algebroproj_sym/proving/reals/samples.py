@@ -8,12 +8,11 @@ from fractions import Fraction
 from typing import Any
 
 from algebroproj_sym.replaying.field import Element
-from algebroproj_sym.replaying.polynomial import BITS, Polynomial
+from algebroproj_sym.replaying.polynomial import Polynomial, powers_of
 from algebroproj_sym.replaying.reals.terms import Term
 from algebroproj_sym.replaying.reals.theory import Theory
 from algebroproj_sym.replaying.reals.values import Numbers, value_of
 
-MASK = (1 << BITS) - 1
 CLOSE = 1e-7
 
 NEARLY_ZERO = 1e-10
@@ -102,11 +101,9 @@ class Sample:
         names = [*theory.field.places]
         total = size = 0.0
         for monomial, coefficient in polynomial.terms.items():
-            term, place = float(coefficient), 0
-            while monomial:
-                if power := monomial & MASK:
-                    term *= self._value(theory, names[place]) ** power
-                monomial, place = monomial >> BITS, place + 1
+            term = float(coefficient)
+            for place, power in powers_of(monomial):
+                term *= self._value(theory, names[place]) ** power
             total += term
             size += abs(term)
         return total, size

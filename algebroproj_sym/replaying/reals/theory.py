@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, Self
 
 from algebroproj_sym.replaying.evaluation import Algebra, evaluate
 from algebroproj_sym.replaying.field import Element, Field
-from algebroproj_sym.replaying.polynomial import BITS, Polynomial, constant
+from algebroproj_sym.replaying.polynomial import Polynomial, constant, powers_of
 from algebroproj_sym.replaying.reals.definitions import expanded
 from algebroproj_sym.replaying.reals.intervals import Intervals
 from algebroproj_sym.replaying.reals.terms import Term, read
@@ -112,11 +112,7 @@ class Theory:
         terms = []
         for monomial, coefficient in sorted(polynomial.terms.items(), reverse=True):
             factors = [] if abs(coefficient) == 1 and monomial else [str(abs(coefficient))]
-            place = 0
-            while monomial:
-                power = monomial & ((1 << BITS) - 1)
-                factors += [names[place] if power == 1 else f"{names[place]}**{power}"] if power else []
-                monomial, place = monomial >> BITS, place + 1
+            factors += [names[place] if n == 1 else f"{names[place]}**{n}" for place, n in powers_of(monomial)]
             terms.append(("-" if coefficient < 0 else "+", "*".join(factors)))
         text = "".join(f" {sign} {term}" for sign, term in terms)
         return "0" if not terms else text[3:] if terms[0][0] == "+" else f"-{text[3:]}"
@@ -137,13 +133,9 @@ class Theory:
 
     def signed(self, element: Element, *, parity: bool = True) -> Polynomial:
         """Return a polynomial with the sign of an element, or only zero where that is, without a positive content."""
-        numerator, powers = element.numerator, dict(element.exponents)
-        if not numerator:
-            return numerator
-        for place in powers:
-            factor = self.field.factors[place]
-            while powers[place] < 0 and (quotient := numerator.quotient(factor)) is not None:
-                numerator, powers[place] = quotient, powers[place] + 1
+        if not element.numerator:
+            return element.numerator
+        numerator, powers = element.cancelled()
         kept = {place: power if power > 0 else -power % 2 * parity for place, power in powers.items() if power}
         whole = numerator * self.field.powers({place: power for place, power in kept.items() if power})
         return whole.divided(abs(whole.content()))
@@ -364,12 +356,9 @@ class Theory:
         total: Any = Fraction(0)
         for monomial, coefficient in polynomial.terms.items():
             term: Any = Fraction(coefficient)
-            place = 0
-            while monomial:
-                if power := monomial & ((1 << BITS) - 1):
-                    value = self._number_of(names[place], numbers, found)
-                    term = numbers.operation("times", term, numbers.raised(value, power))
-                monomial, place = monomial >> BITS, place + 1
+            for place, power in powers_of(monomial):
+                value = self._number_of(names[place], numbers, found)
+                term = numbers.operation("times", term, numbers.raised(value, power))
             total = numbers.operation("plus", total, term)
         return total
 

@@ -28,6 +28,12 @@ Places: TypeAlias = tuple[int, ...]
 _INFINITE = frozenset((sympy.zoo, sympy.nan, sympy.oo, -sympy.oo))
 
 
+def _noting(operation: str, name: str) -> Any:
+    """Return SymPy's method of matrices, which notes what it does."""
+    method = getattr(sympy.ImmutableDenseMatrix, name)
+    return lambda *operands: noted(operation, operands, method(*operands))
+
+
 class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
     """SymPy's matrix, except that a product does not ask of every entry whether it is finite.
 
@@ -69,34 +75,18 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
             return [self[place] for place in range(len(self))[key]]
         return noted("part", (self, key), found)
 
-    def __add__(self, other: Any) -> Any:
-        """Return the sum."""
-        return noted("plus", (self, other), super().__add__(other))
-
-    def __sub__(self, other: Any) -> Any:
-        """Return the difference."""
-        return noted("minus", (self, other), super().__sub__(other))
-
-    def __neg__(self) -> Any:
-        """Return the negative."""
-        return noted("negated", (self,), super().__neg__())
-
-    def __mul__(self, other: Any) -> Any:
-        """Return the product with a matrix or a scalar."""
-        return noted("times", (self, other), super().__mul__(other))
-
     def __rmul__(self, other: Any) -> Any:
         """Return the product with a scalar."""
         return noted("times", (other, self), super().__rmul__(other))
 
-    def __truediv__(self, other: Any) -> Any:
-        """Return the quotient by a scalar."""
-        return noted("divided", (self, other), super().__truediv__(other))
-
-    def transpose(self) -> Any:
-        """Return the transpose."""
-        return noted("transposed", (self,), super().transpose())
-
+    __add__ = _noting("plus", "__add__")
+    __sub__ = _noting("minus", "__sub__")
+    __neg__ = _noting("negated", "__neg__")
+    __mul__ = _noting("times", "__mul__")
+    __truediv__ = _noting("divided", "__truediv__")
+    transpose = _noting("transposed", "transpose")
+    row_join = _noting("beside", "row_join")
+    col_join = _noting("above", "col_join")
     T = property(transpose)
 
     def row(self, i: int) -> Any:
@@ -106,14 +96,6 @@ class Matrix(sympy.ImmutableDenseMatrix):  # type: ignore[misc]
     def col(self, j: int) -> Any:
         """Return a column."""
         return noted("part", (self, (slice(None), j)), super().col(j))
-
-    def row_join(self, other: Any) -> Any:
-        """Return both side by side."""
-        return noted("beside", (self, other), super().row_join(other))
-
-    def col_join(self, other: Any) -> Any:
-        """Return one above the other."""
-        return noted("above", (self, other), super().col_join(other))
 
     subs = noting(sympy.ImmutableDenseMatrix.subs)
     xreplace = noting(sympy.ImmutableDenseMatrix.xreplace)

@@ -61,13 +61,6 @@ def prove_letters(
     letters may be.  It raises `LetterError` if shapes do not fit, a property is unknown, or a name is not declared.  It
     raises `UndefinedError` if what is inverted has no inverse anywhere.  It raises `ValueError` if the engine is
     unknown.
-
-    Examples
-    --------
-    >>> R = sympy.MatrixSymbol("R", 3, 3)
-    >>> proof = prove_letters(R.T * R, sympy.Identity(3), properties={R: "rotation"})
-    >>> proof.verdict, proof.scope
-    ('proved', 'for every size')
     """
     if engine not in ENGINES:
         raise ValueError(f"engine: expected one of {', '.join(ENGINES)}, got {engine!r}")

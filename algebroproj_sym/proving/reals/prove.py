@@ -133,15 +133,6 @@ def decided(record: Mapping[str, Any], witness: Mapping[str, Fraction] | None = 
     """Return a statement, as the replay has it, with its verdict and evidence.
 
     A witness is a point at which both sides are defined and the conditions hold, where no search would find one.
-
-    Examples
-    --------
-    >>> question = dict(relation="=", assumptions=[], constraints=[], nonzero=[])
-    >>> found = decided({"lhs": "cos(2*x)", "rhs": "1 - 2*sin(x)**2", **question})
-    >>> found["verdict"], found["hypotheses"]
-    ('proved', [])
-    >>> decided({"lhs": "sqrt(x**2)", "rhs": "x", **question})["counterexample"]
-    {'x': '-2'}
     """
     try:
         statement = statement_of(record)

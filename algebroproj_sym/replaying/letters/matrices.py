@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
-from itertools import combinations
+from itertools import combinations, repeat
 from typing import Any, TypeAlias
 
 from algebroproj_sym.replaying.evaluation import Algebra
@@ -138,7 +138,7 @@ class Entries:
             base = [[entry / divisor for entry in row] for row in self._adjugate(base)]
         size = range(len(base))
         one = [[self.one if i == j else self.zero for j in size] for i in size]
-        return reduce(self._times, [base] * abs(exponent), one)
+        return reduce(self._times, repeat(base, abs(exponent)), one)
 
     def _determinant(self, matrix: Matrix) -> Any:
         """Return the determinant: minors of the first rows, each from those with a row less."""

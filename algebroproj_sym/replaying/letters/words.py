@@ -7,7 +7,7 @@ numbers are taken out of it, as texts of their own.
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import reduce
-from itertools import pairwise
+from itertools import pairwise, repeat
 from typing import NamedTuple, TypeAlias
 
 from algebroproj_sym.replaying.letters.reading import NUMBER, Letter, Node, Shape, Size
@@ -266,7 +266,7 @@ class Words:
     def power(self, poly: Poly, exponent: int) -> Poly:
         """Return a power."""
         base = poly if exponent >= 0 else self.inverse(poly)
-        return reduce(self.times, [base] * abs(exponent), self.constant(1, poly.shape))
+        return reduce(self.times, repeat(base, abs(exponent)), self.constant(1, poly.shape))
 
     def adjugate(self, poly: Poly) -> Poly:
         """Return the adjugate, of a product factor by factor; that of a number is one."""

@@ -75,6 +75,11 @@ class Premise:
         return frozenset((*symbols_in(self.left), *symbols_in(self.right)))
 
     @property
+    def sides(self) -> tuple[Formula, Formula]:
+        """Both of them."""
+        return self.left, self.right
+
+    @property
     def both_ways(self) -> tuple[tuple[Formula, Formula], ...]:
         """Its sides, in both orders."""
         return (self.left, self.right), (self.right, self.left)
@@ -122,7 +127,7 @@ class Premise:
         Of the wanted letters alone, if so said.
         """
         difference: Formula = Tree("sum", [self.left, Token("SIGN", "-"), self.right])
-        hidden = frozenset().union(*(vocabulary.letters_of(each.tree) for each in vocabulary.used_in(difference)))
+        hidden = vocabulary.letters_of(*(each.tree for each in vocabulary.used_in(difference)))
         letters = {*symbols_in(difference)} & vocabulary.letters_of(difference) - hidden
         factors = factors_of_zero(self.left, self.right)
         letters = {each for each in letters if not leave_a_choice(factors, each) and (each in wanted or not alone)}
@@ -140,6 +145,11 @@ class Premise:
         except UNCOMPUTED:
             return None
         return None
+
+
+def sides_of(premises: Iterable[Premise]) -> list[Formula]:
+    """Return the sides of equations, one after the other."""
+    return [side for each in premises for side in each.sides]
 
 
 def said_by(definition: Definition) -> Premise:

@@ -80,20 +80,23 @@ class Vocabulary:
         self.wholes = wholes
         self.gamma = gamma
         self.parities: frozenset[str] = frozenset()
+        """The whole numbers that are even or odd in the exponent of -1, and times pi."""
         self.reals = reals
         self.complexes = complexes
         self.imaginary = imaginary
         self.numbers: Numbers = "real"
         self.rows: int | None = None
+        """How many rows vectors and matrices have if nothing else says it."""
         self.dependence = dependence
         self.euler = euler
         self.uncomputed: Values | None = None
         self.definitions: dict[str, Definition] = {}
         self._sizes = {**sizes, **given.sizes}
         self.kinds = kinds
-        self._properties = {**properties, **given.properties}
+        self.properties = {**properties, **given.properties}
         self.names = Identifiers(given.letters)
-        self._values: dict[str, Any] = {}
+        self.values: dict[str, Any] = {}
+        """What symbols stand for that have been computed."""
         self._mentioned: set[str] = set()
         self._parts = 0
         self._behind: dict[str, frozenset[str]] = {}
@@ -101,23 +104,28 @@ class Vocabulary:
     def copied(self) -> Self:
         """Return the vocabulary with the definitions that there are now."""
         found = copy(self)
-        found.definitions, found._values = dict(self.definitions), dict(self._values)
+        found.definitions, found.values = dict(self.definitions), dict(self.values)
         found._mentioned, found._behind, found.uncomputed = set(), {}, None
+        return found
+
+    def changed(self, **attributes: Any) -> Self:
+        """Return the vocabulary with other attributes, by which letters may have other values."""
+        found = self.copied()
+        found.forget()
+        vars(found).update(attributes)
         return found
 
     def with_identity(self, *trees: Formula) -> Vocabulary | None:
         """Return the vocabulary in which a lone I is the identity matrix; None if there is none, or if it is given."""
-        letters = {symbol for tree in trees for symbol in self.letters_of(tree) if self.is_like_identity(symbol)}
-        given = {*self.definitions, *self._properties, *self._sizes, *self.kinds.named}
+        letters = {*filter(self.is_like_identity, self.letters_of(*trees))}
+        given = {*self.definitions, *self.properties, *self._sizes, *self.kinds.named}
         if not letters or letters & given or any(map(self._multiplies_identity, trees)):
             return None
-        found = self.copied()
-        found.forget()
         sums = [each for tree in trees for part in tree.find_data("sum") for each in trees_in(part)]
         shapes = {each for each in map(self._shape_of, (*trees, *sums)) if each and each[0] == each[-1]}
+        found = self.changed(properties=self.properties | dict.fromkeys(letters, ("identity",)))
         if len(shapes) == 1:
-            found._values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
-        found._properties = found._properties | dict.fromkeys(letters, ("identity",))
+            found.values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
         return found
 
     def _multiplies_identity(self, tree: Formula) -> bool:
@@ -132,57 +140,10 @@ class Vocabulary:
                 return True
         return False
 
-    def without_hats(self) -> Vocabulary:
-        """Return the vocabulary in which the hat of six entries is not known."""
-        found = self.copied()
-        found.kinds = replace(self.kinds, turning=None)
-        return found
-
-    def with_properties(self, properties: Mapping[str, tuple[str, ...]]) -> Vocabulary:
-        """Return the vocabulary in which some more symbols have properties."""
-        found = self.copied()
-        found._properties = {**found._properties, **properties}
-        return found
-
-    def with_fixed(self, symbols: frozenset[str]) -> Vocabulary:
-        """Return the vocabulary in which some letters are the same whatever is random."""
-        averages = self.kinds.averages
-        found = self.copied()
-        found.kinds = replace(self.kinds, averages=replace(averages, fixed=averages.fixed | symbols))
-        return found
-
     def is_like_identity(self, symbol: str) -> bool:
         r"""Whether a symbol is written as the identity, also of matrices, as ``\mathbb{I}^{sym}`` may be."""
         written = LIKE_IDENTITY.match if symbol in self.kinds.fourth else LIKE_IDENTITY.fullmatch
         return written(symbol) is not None and symbol not in self.kinds.columns
-
-    def with_complex_numbers(self, numbers: Numbers) -> Vocabulary:
-        """Return the vocabulary in which i is the imaginary unit, and other letters stand for complex numbers."""
-        found = self.copied()
-        found.numbers = numbers
-        found.forget()
-        return found
-
-    def with_parities(self, wholes: frozenset[str]) -> Vocabulary:
-        """Return the vocabulary in which whole numbers are even or odd in the exponent of -1, and times pi."""
-        found = self.copied()
-        found.parities = wholes
-        return found
-
-    def with_fields(self, fields: Values, values: Mapping[str, Any]) -> Vocabulary:
-        """Return the vocabulary in which letters are fields, and some have values of their own."""
-        found = self.copied()
-        found.uncomputed = fields
-        found.forget()
-        found._values |= values
-        return found
-
-    def with_rows(self, rows: int) -> Vocabulary:
-        """Return the vocabulary in which vectors and matrices have so many rows, if nothing else says how many."""
-        found = self.copied()
-        found.rows = rows
-        found.forget()
-        return found
 
     def complex_letters(self, symbols: Iterable[str]) -> frozenset[str]:
         """Return the symbols that are the imaginary unit, said to be complex, or given by what is."""
@@ -222,7 +183,7 @@ class Vocabulary:
 
     def forget(self) -> None:
         """Forget the values of all letters and what they depend on, so that they are computed again."""
-        self._values.clear()
+        self.values.clear()
         self._behind.clear()
 
     def define(self, definition: Definition) -> None:
@@ -232,7 +193,7 @@ class Vocabulary:
         self.definitions[definition.symbol] = definition
         self._behind.clear()
         if definition.symbol in self._mentioned:
-            self._values.clear()
+            self.values.clear()
         self._mentioned |= {*definition.symbols}
 
     def drop(self, symbol: str) -> None:
@@ -292,12 +253,10 @@ class Vocabulary:
         tied = (each.others for each in ties if each.others != own)
         return self.depends(every, letter) or any(letter in each and each & every for each in tied)
 
-    def apart_from(self, symbol: str) -> Vocabulary:
+    def apart_from(self, symbol: str) -> Self:
         """Return the vocabulary in which equations with a symbol say of no other letter on what it depends."""
-        found = self.copied()
         ties = tuple(each for each in self.dependence.ties if symbol not in each.others)
-        found.dependence = replace(self.dependence, ties=ties)
-        return found
+        return self.changed(dependence=replace(self.dependence, ties=ties))
 
     def text(self, tree: Formula) -> str:
         """Return a formula as text."""
@@ -339,7 +298,7 @@ class Vocabulary:
         letter = before_condition(symbol)
         if letter in self.kinds.averages.operators or _OF_EVENTS.match(symbol):
             return False
-        return BOLD.search(letter) is not None or symbol in self.kinds.no_numbers or symbol in self._properties
+        return BOLD.search(letter) is not None or symbol in self.kinds.no_numbers or symbol in self.properties
 
     def size_of(self, symbol: str) -> tuple[int, int] | None:
         """Return rows and columns of a symbol; None if nothing says them."""
@@ -362,7 +321,7 @@ class Vocabulary:
 
     def properties_of(self, symbol: str) -> tuple[str, ...]:
         """Return what a symbol is said to be, such as a rotation."""
-        return ("identity",) if _IDENTITY.fullmatch(symbol) else self._properties.get(symbol, ())
+        return ("identity",) if _IDENTITY.fullmatch(symbol) else self.properties.get(symbol, ())
 
     def used_in(self, tree: Formula) -> list[Definition]:
         """Return the definitions on which a formula rests, each before those that use it; expected values have none."""
@@ -384,14 +343,12 @@ class Vocabulary:
                 found[waiting.pop()] = definition
         return list(found.values())
 
-    def letters_of(self, tree: Formula) -> frozenset[str]:
-        """Return the symbols that remain when all definitions are put in."""
-        found = set[str]()
-        for symbols, hidden in (
-            (symbols_in(tree), ()),
-            *((list(each.symbols), each.parameters) for each in self.used_in(tree)),
-        ):
-            found |= {s for s in symbols if s not in hidden and s not in self.given.symbols}
+    def letters_of(self, *trees: Formula) -> frozenset[str]:
+        """Return the symbols of formulas that remain when all definitions are put in."""
+        found = {symbol for tree in trees for symbol in symbols_in(tree)}
+        used = (each for tree in trees for each in self.used_in(tree))
+        found = found.union(*({*each.symbols}.difference(each.parameters) for each in used))
+        found -= {*self.given.symbols}
         unknown = frozenset(s for s in found if s not in self.definitions or not self.definitions[s].usable)
         return unknown - {symbol for symbol in (r"\pi", "e", self.imaginary) if self.constant(symbol) is not None}
 
@@ -409,7 +366,7 @@ class Vocabulary:
         It raises `UnreadableError` if shapes do not fit, a size is not known, or something is read and not computed; or
         if there is too much to put in.
         """
-        values, self._parts = self._values, 0
+        values, self._parts = self.values, 0
         for definition in self.used_in(tree):
             if definition.symbol not in values:
                 values[definition.symbol] = (

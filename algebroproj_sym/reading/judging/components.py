@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import applicable, extended
 from algebroproj_sym.reading.deriving.summation import in_components
-from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import with_rates
@@ -27,7 +26,7 @@ def with_printed_components(standing: Standing, left: Formula, right: Formula) -
                 used = used_by(changing, left, right)
                 if used not in seen and any(each in given for each in used):
                     seen.append(used)
-                    yield Way(left, right, changing, A_VALUE)
+                    yield Way(left, right, changing)
 
 
 def _last_entries(standing: Standing) -> list[Definition]:
@@ -60,4 +59,4 @@ def by_components(standing: Standing, left: Formula, right: Formula) -> Iterator
         if components & {*standing.vocabulary.definitions} - {each.symbol for each in known}:
             return
         reads = f"{shown}, with sums from 1 to 3 over what stands twice in a term as an index"
-        yield Way(ours, theirs, extended(standing.vocabulary, known), A_VALUE, reads)
+        yield Way(ours, theirs, extended(standing.vocabulary, known), reads)

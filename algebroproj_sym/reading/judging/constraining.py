@@ -5,9 +5,8 @@ from itertools import combinations
 
 from lark import Tree
 
-from algebroproj_sym.reading.defining.premises import MOST_NEAR, MOST_TOGETHER, Premise, extended
+from algebroproj_sym.reading.defining.premises import MOST_NEAR, MOST_TOGETHER, Premise, extended, sides_of
 from algebroproj_sym.reading.defining.recognising import differ_in_one_letter
-from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import with_rates
@@ -22,11 +21,9 @@ def under_equations(standing: Standing, left: Formula, right: Formula) -> Iterat
     """
     if any(each.parameters for each in used_by(standing.vocabulary, left, right)):
         return
-    letters = standing.vocabulary.letters_of(left) | standing.vocabulary.letters_of(right)
+    letters = standing.vocabulary.letters_of(left, right)
     near = standing.near(MOST_TOGETHER)
-    speaks = {
-        each: standing.vocabulary.letters_of(each.left) | standing.vocabulary.letters_of(each.right) for each in near
-    }
+    speaks = {each: standing.vocabulary.letters_of(*each.sides) for each in near}
     asserted = [each for place, each in enumerate(near) if is_asserted(standing, each, is_last=place < MOST_NEAR)]
     alone = tuple(each for each in asserted if not (each.gives or each.chained) and speaks[each] <= letters)
     supposed = standing.supposed(left, right)
@@ -48,10 +45,7 @@ def under_equations(standing: Standing, left: Formula, right: Formula) -> Iterat
     while standing.follows and (more := [each for each in asserted if each not in together and speaks[each] & tied]):
         tied = tied.union(*(speaks[each] for each in more))
         together += more
-    if any(
-        differ_in_one_letter((one.left, one.right), (other.left, other.right))
-        for one, other in combinations(together, 2)
-    ):
+    if any(differ_in_one_letter(one.sides, other.sides) for one, other in combinations(together, 2)):
         return
     if together and tuple(together) != alone:
         yield Way(left, right, told, under=(*together, *own))
@@ -70,7 +64,7 @@ def _is_still_so(standing: Standing, premise: Premise) -> bool:
     """Whether no letter of an equation was given since, but by a display that defines it; of a chain, if it is zero."""
     known = standing.vocabulary.definitions
     given = [each for each in premise.symbols if each not in known or known[each].explicit]
-    is_zero = any(side.data == "number" and side.children[0] == "0" for side in (premise.left, premise.right))
+    is_zero = any(side.data == "number" and side.children[0] == "0" for side in premise.sides)
     since = any(standing.given_at.get(symbol, -1) > premise.place for symbol in given)
     return (is_zero or not premise.chained) and not since
 
@@ -79,13 +73,13 @@ def _with_given_letters(standing: Standing, left: Formula, right: Formula, other
     """Yield a relation under an equation in which letters stand for what equations beside it say of them."""
     given = standing.given_beside(left, right)
     told = extended(standing.vocabulary, given)
-    letters = told.letters_of(left) | told.letters_of(right)
-    tied = [each for each in others if (told.letters_of(each.left) | told.letters_of(each.right)) & letters]
+    letters = told.letters_of(left, right)
+    tied = [each for each in others if told.letters_of(*each.sides) & letters]
     symbols = {letter.symbol for letter in given}
     own = {*symbols_in(left), *symbols_in(right)}
     changed = [each for each in tied if symbols & (each.symbols | own)]
     for under in dict.fromkeys(((changed[0],), (*tied,))) if changed else ():
-        yield Way(left, right, told, A_VALUE, under=under)
+        yield Way(left, right, told, under=under)
 
 
 def _with_rates_put_in(
@@ -94,18 +88,17 @@ def _with_rates_put_in(
     r"""Yield a relation under one of its letters with derivatives put in, as ``\dot p = F`` with ``p = m v``."""
     known = standing.vocabulary
     for under in [(each, *own) for each in others] or [(*own,)]:
-        given = [side for each in under for side in (each.left, each.right)]
+        given = sides_of(under)
         told = with_rates(standing, (left, right, *given), known)
         rates = {each.symbol for each in used_by(told, left, right, *given)} - {*known.definitions}
-        letters = frozenset().union(*map(told.letters_of, (left, right, *given[2:])))
-        if under and rates and frozenset().union(*map(told.letters_of, given[:2])) <= letters:
-            yield Way(left, right, told, A_VALUE, under=under)
+        letters = told.letters_of(left, right, *given[2:])
+        if under and rates and told.letters_of(*given[:2]) <= letters:
+            yield Way(left, right, told, under=under)
 
 
 def _has_components(premise: Premise, letters: Collection[str]) -> bool:
     """Whether an equation has a printed matrix, and some letters: it is one for each component."""
-    sides = premise.left, premise.right
-    return bool(letters) and any(_is_printed(part) for side in sides for part in side.iter_subtrees())
+    return bool(letters) and any(_is_printed(part) for side in premise.sides for part in side.iter_subtrees())
 
 
 def _is_printed(tree: Formula) -> bool:

@@ -9,6 +9,7 @@ from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.domains import range_in, ranges_said
 from algebroproj_sym.reading.defining.premises import (
     Premise,
+    sides_of,
 )
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -465,8 +466,7 @@ class _Pass:
             return formula
         first, second, *rest = formula.sides
         symbol, parameters = defined_by(second)
-        known = {*self.memory.asserted, *self.memory.vocabulary.definitions, *self.memory.given.whole.symbols}
-        known = known.union(*map(symbols_in, (first, *rest)))
+        known = self.memory.given_letters.union(self.memory.asserted, *map(symbols_in, (first, *rest)))
         return formula if parameters or symbol in known | {""} else replace(formula, sides=(second, first, *rest))
 
     def _link(
@@ -488,7 +488,7 @@ class _Pass:
             return Link("not decided", f"the word {word!r} beside it may add what nothing above it says", rests), None
         if is_reordered(known.tree if known else left, right):
             return Link("not decided", "the order of the factors may matter", rests), None
-        letters = self.memory.vocabulary.letters_of(left) | self.memory.vocabulary.letters_of(right)
+        letters = self.memory.vocabulary.letters_of(left, right)
         if (spoken := self.memory.arithmetic) and not any(map(self.memory.vocabulary.is_matrix, letters)):
             return Link(
                 "not decided", f"the words {spoken!r} above it may mean an arithmetic of other things", rests
@@ -532,7 +532,7 @@ class _Pass:
     def _is_supposed(self, side: Formula) -> bool:
         """Whether these give a side of the display, or have its value: the prover is asked whether it follows."""
         gives = {each.gives.symbol for each in self._supposed if each.gives}
-        values = [part for each in self._supposed for one in (each.left, each.right) for part in one.iter_subtrees()]
+        values = [part for one in sides_of(self._supposed) for part in one.iter_subtrees()]
         return defined_by(side)[0] in gives or (side.data in ("function", "call") and side in values)
 
     @property

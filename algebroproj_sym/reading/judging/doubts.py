@@ -26,7 +26,6 @@ from algebroproj_sym.reading.prose.words import Beside
 NOT_COMPUTED = "has a value that is not computed"
 NOT_GIVEN = "nothing above it defines its letters"
 A_CONDITION = "it may be a condition that holds in some cases only"
-A_VALUE = "it rests on a value that may belong to another case"
 _MINUS_ONE = Tree("sum", [Token("SIGN", "-"), Tree("number", [Token("NUMBER", "1")])])
 _IMAGINARY = frozenset(("i", "j", r"\imath", r"\jmath", r"\mathbf{i}", r"\mathbf{j}"))
 
@@ -140,12 +139,12 @@ def _doubt_of_letters(
     formula: Parsed, index: int, vocabulary: Vocabulary, used: list[Definition], *, chained: bool
 ) -> str:
     """Return whether letters are not given, so that an equation may be a condition or a new statement."""
-    ours, theirs = (vocabulary.letters_of(side) for side in formula.sides[index : index + 2])
+    ours, theirs = map(vocabulary.letters_of, formula.sides[index : index + 2])
     if bool(ours) != bool(theirs):
         return A_CONDITION
     if chained and theirs <= ours and (index > 0 or ours <= theirs):
         return ""
-    base = frozenset(letter for each in used for letter in vocabulary.letters_of(each.tree))
+    base = vocabulary.letters_of(*(each.tree for each in used))
     if not used and (ours or theirs):
         return NOT_GIVEN
     if new := sorted((ours | theirs) - base):

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from algebroproj_sym.expressions import shape
-from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise
+from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, sides_of
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.fields import (
     ALONG,
@@ -20,7 +20,6 @@ from algebroproj_sym.reading.deriving.fields import (
     with_operators_apart,
 )
 from algebroproj_sym.reading.judging.constraining import is_asserted
-from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.questions import Sides, Way, rests_of, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.lexing.names import bare_name
@@ -82,14 +81,14 @@ def _with_definitions_apart(vocabulary: Vocabulary, apart: Apart) -> Vocabulary:
 
 def _near(standing: Standing, known: Vocabulary, sides: Sides, apart: Apart) -> list[Premise]:
     """Return the last equations above a relation that hold there and share a letter with it."""
-    own = frozenset().union(*map(known.letters_of, sides))
+    own = known.letters_of(*sides)
     found = []
     for place, each in enumerate(standing.near(MOST_UNDER)):
         if not is_asserted(standing, each, is_last=place < MOST_NEAR):
             continue
         with suppress(UnreadableError):
             left, right = apart(each.left), apart(each.right)
-            if own & (known.letters_of(left) | known.letters_of(right)):
+            if own & known.letters_of(left, right):
                 found.append(replace(each, left=left, right=right))
     return found
 
@@ -103,10 +102,10 @@ def _with_fields(
     known: Vocabulary, sides: Sides, under: Sequence[Premise], shown: str, applied: Mapping[str, Applied]
 ) -> Iterator[Way]:
     """Yield a relation with its letters as fields; those that nothing derives may be constant."""
-    trees = [*sides, *(side for each in under for side in (each.left, each.right))]
+    trees = [*sides, *sides_of(under)]
     used = used_by(known, *trees)
     trees += [each.tree for each in used]
-    kinds, letters = _kinds_in(*trees), frozenset().union(*map(known.letters_of, trees))
+    kinds, letters = _kinds_in(*trees), known.letters_of(*trees)
     by = {kind[-1] for kind in kinds - _BY_PLACE}
     if any(each.parameters for each in used) or by & {*known.definitions}:
         return
@@ -123,7 +122,8 @@ def _with_fields(
     said = letters & known.dependence.constant
     for fixed in dict.fromkeys((said | still,) if under else (said, said | still)):
         names = {f"{known.name(each)}{end}" for each in fixed for end in ("", *(f"__{letter}" for letter in SPACE))}
-        fields = known.with_fields(Fields(frozenset(names)), values)
+        fields = known.changed(uncomputed=Fields(frozenset(names)))
+        fields.values |= values
         supposes = [
             f"letters are smooth functions of {', '.join(SPACE)} and t",
             *(f"{known.name(each)} is a component" for each in sorted(values.keys() - vectors)),
@@ -134,13 +134,13 @@ def _with_fields(
             *("u.nabla v is (u.nabla) v" for _ in kinds & {ALONG[1]}),
         ]
         derived = (one for each in under for one in (each, *_derivatives_of(each, fields, kinds)))
-        yield Way(*sides, fields, A_VALUE, shown, tuple(derived), tuple(dict.fromkeys(supposes)))
+        yield Way(*sides, fields, shown, tuple(derived), tuple(dict.fromkeys(supposes)))
 
 
 def _derivatives_of(premise: Premise, fields: Vocabulary, kinds: set[str]) -> Iterator[Premise]:
     """Yield the derivatives of an equation by place, as a divergence, a curl or a gradient, and by time."""
     try:
-        is_vector = any(shape(fields.value(each)) for each in (premise.left, premise.right))
+        is_vector = any(shape(fields.value(each)) for each in premise.sides)
     except UNCOMPUTED:
         return
     by_place = kinds & _BY_PLACE

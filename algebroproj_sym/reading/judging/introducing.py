@@ -8,7 +8,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import free_symbols, letters_in
-from algebroproj_sym.reading.defining.premises import Premise, letter_of, neighbours
+from algebroproj_sym.reading.defining.premises import Premise, letter_of, neighbours, sides_of
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     argument_of,
@@ -58,11 +58,9 @@ def definition_in(
     relation = formula.relations[0]
     left, right = formula.sides[:2] if relation != "=:" else (formula.sides[1], formula.sides[0])
     symbol, parameters = defined_by(left)
-    if _is_of_operator(memory, left):
+    if not symbol or _gives_nothing(memory, statement, left) or symbol in memory.given.whole.symbols:
         return None
-    if not symbol or memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
-        return None
-    if memory.is_of_one_index(formula) or memory.beside.exchanged or (symbol == r"\pi" and not symbols_in(right)):
+    if memory.is_of_one_index(formula) or (symbol == r"\pi" and not symbols_in(right)):
         return None
     explicit = explicit or relation in (":=", "=:") or memory.is_named(statement, memory.given.definitions)
     table = is_table(symbol, right, memory.vocabulary)
@@ -77,7 +75,7 @@ def definition_in(
     again = symbol in memory.vocabulary.definitions and relation not in (":=", "=:")
     if used or again or is_circular(symbol, right, memory.vocabulary):
         return None
-    if not explicit and derivatives_in((left,), memory.vocabulary, memory.survey.occurring):
+    if not explicit and _is_derivative(memory, left):
         return None
     given = symbol, parameters, right, where_of(statement), statement.display.part
     words, place = beside(statement, "").words, statement.display.place
@@ -91,19 +89,19 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
     So does one that names the entries of a matrix: ``x = (q, u) = (a, b, c, d)``, and one that puts numbers in.
     """
     left, right = formula.sides[index], formula.sides[index + 1]
-    if _is_of_operator(memory, left):
+    if _gives_nothing(memory, statement, left):
         return False
     others = [left] if index > 0 else _said_of(memory, left) if not symbols_in(right) else []
     first = index == 0 or (index == 1 and defined_by(left)[0] not in {"", *memory.asserted})
     return (
-        (index == 0 and introduces(memory, statement, formula))
+        (index == 0 and _introduces(memory, statement, formula))
         or (
             is_matrix(right)
             and (index > 0 or _may_be_listed(memory, right))
             and _are_new(memory, introduced_by(right), left, statement)
         )
         or (first and _gives(memory, statement, left, right))
-        or _is_free(memory, statement, left, right, value=index > 0)
+        or _is_free(memory, left, right, value=index > 0)
         or _is_new_value(memory, left, right)
         or (
             memory.survey.shows_components(left, right, statement.display.place)
@@ -111,8 +109,8 @@ def tells(memory: Memory, statement: Statement, formula: Parsed, index: int) -> 
         )
         or (index == 0 and _is_told(memory, left, right))
         or any(_is_instance(memory, each, right) for each in others)
-        or (index == 0 and (_brings(memory, statement, left, right) or _is_rate(memory, statement, left, right)))
-        or (":=" in formula.relations[index:] and not memory.beside.is_rejected)
+        or (index == 0 and (_brings(memory, left, right) or _is_rate(memory, left, right)))
+        or ":=" in formula.relations[index:]
         or tells_hat(left, right)
     )
 
@@ -127,8 +125,7 @@ def relates_new_letters(memory: Memory, formula: Parsed, index: int) -> bool:
     left, right = sides = formula.sides[index : index + 2]
     if formula.relations[index] not in EQUALITIES or operations_in(left) or not says_more_than_a_number(right):
         return False
-    known = memory.seen & memory.tied
-    known = known.union(memory.vocabulary.definitions, memory.given.whole.symbols, *map(_bound_in, sides))
+    known = memory.given_letters.union(memory.seen & memory.tied, *map(_bound_in, sides))
     ours, theirs = ({*symbols_in(each)} - known for each in sides)
     new = ours ^ theirs
     if memory.vocabulary.with_identity(left, right) is not None:
@@ -190,27 +187,34 @@ def _bound_in(tree: Formula) -> set[str]:
 
 def _may_be_listed(memory: Memory, table: Formula) -> bool:
     """Whether nothing has the entries of a matrix that a letter is said to have, and no words doubt it."""
-    return memory.seen.isdisjoint(introduced_by(table)) and not (
-        memory.beside.is_condition or memory.beside.is_rejected
-    )
+    return memory.seen.isdisjoint(introduced_by(table)) and not memory.beside.is_condition
 
 
 def _are_new(memory: Memory, symbols: frozenset[str], other: Formula, statement: Statement) -> bool:
     """Whether nothing was said of letters before, and the other side does not have them."""
-    elsewhere = {*memory.vocabulary.definitions, *memory.given.whole.symbols, *symbols_in(other)}
+    elsewhere = memory.given_letters.union(symbols_in(other))
     return bool(symbols) and not symbols & elsewhere and not memory.said_before(symbols, statement.display.place)
 
 
-def _is_of_operator(memory: Memory, left: Formula) -> bool:
-    r"""Whether a side is what an operator makes of something, as ``\nabla \cdot u``: no equation gives it a meaning."""
-    return not introduced_by(left).isdisjoint(memory.survey.applied)
+def _gives_nothing(memory: Memory, statement: Statement, left: Formula) -> bool:
+    r"""Whether an equation gives no letter, whatever it looks like.
+
+    Words reject it, or letters are not what they were in its sentence.  Or the symbols file says so.  Or its left side
+    is what an operator makes of something, as ``\nabla \cdot u``.
+    """
+    of_operator = not introduced_by(left).isdisjoint(memory.survey.applied)
+    refused = memory.beside.is_rejected or bool(memory.beside.exchanged)
+    return refused or of_operator or memory.is_named(statement, memory.given.statements)
 
 
-def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
+def _is_derivative(memory: Memory, left: Formula) -> bool:
+    """Whether a side is a derivative of what is defined, or has one."""
+    return bool(derivatives_in((left,), memory.vocabulary, memory.survey.occurring))
+
+
+def _introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
     """Whether an equation says what something is of which nothing was said before, though perhaps in a case."""
     left, right = formula.sides[:2] if formula.relations[0] != "=:" else formula.sides[1::-1]
-    if memory.beside.is_rejected or memory.beside.exchanged or memory.is_named(statement, memory.given.statements):
-        return False
     if formula.relations[0] in (":=", "=:"):
         return True
     parameters = defined_by(left)[1]
@@ -222,7 +226,7 @@ def introduces(memory: Memory, statement: Statement, formula: Parsed) -> bool:
         _are_new(memory, introduced_by(left), right, statement)
         and (everywhere or value)
         and bool(symbols_in(right))
-        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
+        and not _is_derivative(memory, left)
         and not memory.beside.is_supposed
     )
 
@@ -240,9 +244,8 @@ def gives_if_open(memory: Memory, statement: Statement, formula: Parsed) -> bool
     again = again and (memory.beside.follows or {*symbols_in(right)} <= old)
     inside = known is not None and _base_of(left) is not left and not memory.survey.meanings.is_label(left)
     renames = memory.beside.follows and bool(defined_by(right)[0])
-    return not (again or inside or renames or _is_of_operator(memory, left)) and _may_give(
-        memory, statement, left, right
-    )
+    excluded = again or inside or renames or _gives_nothing(memory, statement, left)
+    return not excluded and _may_give(memory, statement, left, right)
 
 
 def names_its_letter(memory: Memory, statement: Statement, formula: Parsed) -> bool:
@@ -253,7 +256,7 @@ def names_its_letter(memory: Memory, statement: Statement, formula: Parsed) -> b
     left, right = formula.sides[:2]
     used = memory.equated.union(memory.given.whole.symbols, symbols_in(right), operations_in(right))
     return (
-        not _is_of_operator(memory, left)
+        not _gives_nothing(memory, statement, left)
         and (
             named_on_left(left) not in used | {""}
             or value_on_left(left) not in {"", *memory.equated, *values_in(right)}
@@ -261,9 +264,7 @@ def names_its_letter(memory: Memory, statement: Statement, formula: Parsed) -> b
         and formula.relations[0] in EQUALITIES
         and says_more_than_a_number(right)
         and not is_case_of(defined_by(left)[1], right)
-        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
-        and not (memory.beside.is_rejected or memory.beside.exchanged or memory.beside.is_condition)
-        and not memory.is_named(statement, memory.given.statements)
+        and not (_is_derivative(memory, left) or memory.beside.is_condition)
     )
 
 
@@ -278,11 +279,9 @@ def begins_anew(memory: Memory, right: Formula) -> bool:
 def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
     """Whether a letter stands alone on the left of an equation that is no condition, and that may say what it is."""
     symbol, parameters = _letter_of(left)
-    if not symbol or memory.beside.is_rejected or memory.beside.exchanged:
+    if not symbol or symbol in memory.given.whole.symbols:
         return False
     if not (says_more_than_a_number(right) or memory.survey.is_parameter(statement)):
-        return False
-    if memory.is_named(statement, memory.given.statements) or symbol in memory.given.whole.symbols:
         return False
     is_case = is_case_of(parameters, right) and not memory.survey.are_variables(parameters)
     elsewhere = memory.alone.get(given_by(_base_of(left)), statement.display.part) != statement.display.part
@@ -292,7 +291,7 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
         return False
     if not memory.beside.defines:
         condition = memory.beside.is_condition and not memory.beside.names
-        if condition or derivatives_in((left,), memory.vocabulary, memory.survey.occurring):
+        if condition or _is_derivative(memory, left):
             return False
     others = without_others(left, without_own_indices(left, right))
     by_more = others == right or says_more_than_a_number(others)
@@ -302,7 +301,7 @@ def _may_give(memory: Memory, statement: Statement, left: Formula, right: Formul
 
 def _has_alone(memory: Memory, power: Formula) -> bool:
     """Whether an equation above gives a power, or has its letter without it."""
-    above = [side for each in memory.premises for side in (each.left, each.right)]
+    above = sides_of(memory.premises)
     above += [each.tree for each in memory.vocabulary.definitions.values()]
     others = {symbol for each in above for symbol in symbols_in(put_in(each, {power: Tree("number", [])}))}
     return power in above or not others.isdisjoint(symbols_in(power))
@@ -336,8 +335,8 @@ def _gives(memory: Memory, statement: Statement, left: Formula, right: Formula) 
     is introduced.
     """
     part = statement.display.part
-    if (is_indexed_above(left) or is_step(left, right)) and not (memory.beside.is_rejected or memory.beside.exchanged):
-        above = any(left in (each.left, each.right) and each.part == part for each in memory.premises)
+    if is_indexed_above(left) or is_step(left, right):
+        above = any(left in each.sides and each.part == part for each in memory.premises)
         return not (above or memory.beside.case_of_sentence or left in right.iter_subtrees() or not symbols_in(right))
     if not (gives := _may_give(memory, statement, left, right)) or memory.beside.defines:
         return gives
@@ -370,7 +369,7 @@ def _words_beside(memory: Memory, symbol: str, part: int) -> frozenset[str]:
     return frozenset().union(*said)
 
 
-def _is_free(memory: Memory, statement: Statement, left: Formula, right: Formula, *, value: bool) -> bool:
+def _is_free(memory: Memory, left: Formula, right: Formula, *, value: bool) -> bool:
     """Whether nothing above an equation restricts what stands on its left, so that it can only say what it is.
 
     A letter that other equations use to give theirs is not restricted by them.  The value of a function at one place
@@ -380,16 +379,13 @@ def _is_free(memory: Memory, statement: Statement, left: Formula, right: Formula
     function, parameters = defined_by(without_numbers(left))
     alone = bool(parameters) and memory.survey.has_one_argument(function)
     everywhere = alone or (bool(parameters) and not is_case_of(parameters, right))
-    restricted = memory.tied.union(memory.vocabulary.definitions, memory.given.whole.symbols)
     return (
         bool(symbols)
         and (value or everywhere or not calls)
-        and not symbols & restricted.union(symbols_in(right))
+        and not symbols & memory.restricted.union(symbols_in(right))
         and (says_more_than_a_number(right) or is_arithmetic(right) or alone)
         and not any(is_circular(each, right, memory.vocabulary) for each in symbols)
-        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
-        and not (memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged)
-        and not memory.is_named(statement, memory.given.statements)
+        and not (_is_derivative(memory, left) or memory.beside.is_condition)
     )
 
 
@@ -401,35 +397,30 @@ def _is_new_value(memory: Memory, left: Formula, right: Formula) -> bool:
     is_value = value.data == "norm" or (
         value.data == "inner" and all(len(each.children) == 1 for each in trees_in(value))
     )
-    above = (side for each in memory.premises for side in (each.left, each.right))
+    above = sides_of(memory.premises)
     return (
         is_value
         and bool(symbols_in(right))
         and not (value.data == "norm" and not weighted and {*symbols_in(value)} & {*symbols_in(right)})
         and not any(value == part for side in (right, *above) for part in side.iter_subtrees())
-        and not (
-            memory.beside.follows or memory.beside.is_condition or memory.beside.is_rejected or memory.beside.exchanged
-        )
+        and not (memory.beside.follows or memory.beside.is_condition)
     )
 
 
 def _is_told(memory: Memory, left: Formula, right: Formula) -> bool:
     """Whether words say what a formula with a new letter is, as in "The displacement is $r - s = a b$"."""
-    letters, known = {*symbols_in(left)}, memory.tied.union(memory.vocabulary.definitions, memory.given.whole.symbols)
     return (
         (memory.beside.tells or (memory.beside.defines and left.data in ("inner", "run")))
         and not defined_by(left)[0]
         and not any(part.data in ("opaque", "slope") for part in left.iter_subtrees())
-        and bool(letters - known - {*symbols_in(right)} or left.data == "inner")
+        and bool({*symbols_in(left)}.difference(memory.restricted, symbols_in(right)) or left.data == "inner")
         and says_more_than_a_number(right)
-        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
-        and not (
-            memory.beside.follows or memory.beside.is_condition or memory.beside.is_denied or memory.beside.exchanged
-        )
+        and not _is_derivative(memory, left)
+        and not (memory.beside.follows or memory.beside.is_condition or memory.beside.is_denied)
     )
 
 
-def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+def _brings(memory: Memory, left: Formula, right: Formula) -> bool:
     r"""Whether an equation says what new letters are by one that is known, as ``x = \bar x + e``.
 
     A condition says nothing, nor does one value of a function.  A column says nothing of the entries of another one.
@@ -443,24 +434,20 @@ def _brings(memory: Memory, statement: Statement, left: Formula, right: Formula)
         and bool(introduced_by(left))
         and not introduced_by(left) & {*symbols_in(right)}
         and not (is_case_of(defined_by(left)[1], right) or (left.data == "call" and not defined_by(left)[0]))
-        and not derivatives_in((left,), memory.vocabulary, memory.survey.occurring)
-        and not (memory.beside.case_of_sentence or memory.beside.is_denied or memory.beside.exchanged)
+        and not (_is_derivative(memory, left) or memory.beside.case_of_sentence or memory.beside.is_denied)
         and not (given and memory.beside.follows)
-        and not memory.is_named(statement, memory.given.statements)
     )
 
 
-def _is_rate(memory: Memory, statement: Statement, left: Formula, right: Formula) -> bool:
+def _is_rate(memory: Memory, left: Formula, right: Formula) -> bool:
     r"""Whether a letter that nothing restricts is said to be a derivative, as in ``\frac{dx}{dt} = v``."""
     symbol = defined_by(right)[0]
-    known = memory.tied.union(memory.vocabulary.definitions, memory.given.whole.symbols, free_symbols(left))
     return (
-        symbol not in known | {"", r"\infty"}
+        symbol not in memory.restricted.union(free_symbols(left), ("", r"\infty"))
         and symbol not in " ".join(tokens_in(left, "OPAQUE"))
         and (left.data in ("opaque", "slope") or "'" in named_on_left(left))
         and not _is_of_what_is_given(memory, left)
         and not (memory.beside.follows or memory.beside.is_condition or memory.beside.is_denied)
-        and not (memory.beside.exchanged or memory.is_named(statement, memory.given.statements))
     )
 
 
@@ -474,7 +461,7 @@ def _said_of(memory: Memory, left: Formula) -> list[Formula]:
     """Return what equations above give as a letter."""
     symbol, parameters = defined_by(left)
     known = memory.vocabulary.definitions.get(symbol)
-    pairs = [pair for each in memory.serving for pair in ((each.left, each.right), (each.right, each.left))]
+    pairs = [pair for each in memory.serving for pair in each.both_ways]
     given = [known.tree] if known and not (known.parameters or parameters) else []
     return given + [other for one, other in pairs if symbol and one == left]
 

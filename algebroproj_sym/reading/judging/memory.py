@@ -258,6 +258,16 @@ class Memory:
         """Whether a statement is one of those that the symbols file names."""
         return bool(names & {statement.number, statement.label, str(statement.display.where), "all"} - {""})
 
+    @property
+    def given_letters(self) -> frozenset[str]:
+        """The letters that have a definition, or a value in the symbols file."""
+        return frozenset((*self.vocabulary.definitions, *self.given.whole.symbols))
+
+    @property
+    def restricted(self) -> frozenset[str]:
+        """Likewise, and those that are said to be equal to something, or in some relation."""
+        return self.given_letters | self.tied
+
     def state(self, statement: Statement, formula: Parsed) -> None:
         """Keep an equation that a sentence states within the text, if nothing above it says what its letter is."""
         lone = _lone_in(formula)
@@ -312,10 +322,8 @@ class Memory:
             return
         older, recent = self.premises[:-MOST_PREMISES], self.premises[-MOST_PREMISES:]
         told = extended(self.vocabulary, [each.gives for each in recent if each.gives and each.gives.symbol == symbol])
-        others = [
-            two for each in recent for one, two in ((each.left, each.right), (each.right, each.left)) if one == left
-        ]
-        letters = told.letters_of(left).union(*map(told.letters_of, others if is_named(left) else []))
+        others = [two for each in recent for one, two in each.both_ways if one == left]
+        letters = told.letters_of(left, *(others if is_named(left) else []))
         theirs = self.vocabulary.letters_of(value)
         if not (self.beside.renews or elsewhere or letters <= theirs or theirs <= letters):
             return
@@ -327,7 +335,7 @@ class Memory:
             each
             for each in recent
             if (each.part == part and before != part)
-            or not (left in (each.left, each.right) if is_named(left) else symbol in each.symbols)
+            or not (left in each.sides if is_named(left) else symbol in each.symbols)
         ]
         if known is None:
             return
@@ -387,7 +395,7 @@ class Memory:
         formula = formula.without_set()
         if not formula.relations or statement.condition or {*formula.relations} - {*EQUALITIES}:
             return
-        if self.beside.exchanged or not any(self.vocabulary.letters_of(each) for each in formula.sides):
+        if self.beside.exchanged or not self.vocabulary.letters_of(*formula.sides):
             return
         if self.beside.is_denied or is_update(*formula.sides[:2]) or self.is_of_one_index(formula):
             return
@@ -405,7 +413,7 @@ class Memory:
             found += self.premises_of(statement, formula, formula.sides)[-1:]
         for each in found:
             self.premises.append(each)
-            sides = map(argument_of, (each.left, each.right))
+            sides = map(argument_of, each.sides)
             self.alone |= dict.fromkeys(map(given_by, sides), statement.display.part)
 
     def _contended(self, premise: Premise) -> list[Premise | Definition]:

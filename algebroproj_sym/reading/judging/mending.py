@@ -11,6 +11,7 @@ from sympy import Symbol
 from algebroproj_sym.expressions import NotRationalError, ParseError, evaluate, free_symbols, parse
 from algebroproj_sym.proving import Outcome
 from algebroproj_sym.reading.deriving.rates import ZERO
+from algebroproj_sym.reading.judging.assuming import along_directions_in
 from algebroproj_sym.reading.judging.questions import (
     OTHER_SHAPES,
     Way,
@@ -22,7 +23,6 @@ from algebroproj_sym.reading.judging.questions import (
 )
 from algebroproj_sym.reading.judging.repairs import STRONG, WITHIN, Repair, repairs
 from algebroproj_sym.reading.judging.sampling import POINTS, agree, samples_of
-from algebroproj_sym.reading.judging.ways import along_directions_in
 from algebroproj_sym.reading.parsing.grammar import symbols_in
 
 _NO_SHAPES = ("the shapes", OTHER_SHAPES)
@@ -66,8 +66,8 @@ def likely_repairs(way: Way, *, chained: bool) -> list[Repaired]:
 
 def _changed(way: Way) -> list[Repaired]:
     """Return a way with single changes of its sides, those first that no special case makes."""
-    given = [side for each in way.under for side in (each.left, each.right)]
-    trees = (*way.sides, *given, *(each.tree for each in used_by(way.vocabulary, *way.sides, *given)))
+    trees = (*way.sides, *way.given)
+    trees = (*trees, *(each.tree for each in used_by(way.vocabulary, *trees)))
     symbols = {symbol for tree in trees for symbol in symbols_in(tree)}
     found = [(each, replace(way, right=each.formula)) for each in repairs(way.right, symbols)]
     found += [(each, replace(way, left=each.formula)) for each in repairs(way.left, symbols)]

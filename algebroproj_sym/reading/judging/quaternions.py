@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from algebroproj_sym.reading.deriving.quaternions import AsMatrices
 from algebroproj_sym.reading.judging.constraining import under_equations
-from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.questions import Way
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import with_premises
@@ -37,10 +36,10 @@ def of_quaternions(standing: Standing, formula: Parsed, index: int) -> Iterator[
         elif one is not None and other is not None:
             premises.append(replace(premise, left=one, right=other))
     units = {letter: ("orthogonal",) for of, letter in matrices.letters.items() if "unit" in known.properties_of(of)}
-    bare = bare.with_properties(units)
+    bare = bare.changed(properties=bare.properties | units)
     of_matrices = replace(formula, sides=(left, right), relations=("=",))
     there = replace(standing, vocabulary=bare, premises=premises, own=())
     shown = known.equation(*formula.sides[index : index + 2])
     told = ", ".join(f"{bare.name(letter)} for {known.name(of)}" for of, letter in matrices.letters.items())
     for way in (Way(left, right, bare), *with_premises(there, of_matrices, 0), *under_equations(there, left, right)):
-        yield replace(way, doubt=A_VALUE, reads=f"{shown}, with a matrix for each quaternion: {told}")
+        yield replace(way, reads=f"{shown}, with a matrix for each quaternion: {told}")

@@ -20,7 +20,7 @@ from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
 from algebroproj_sym.reading.defining.domains import is_outside
 from algebroproj_sym.reading.defining.letters import lettered
-from algebroproj_sym.reading.defining.premises import Premise, letter_of
+from algebroproj_sym.reading.defining.premises import Premise, letter_of, sides_of
 from algebroproj_sym.reading.defining.values import Uncomputed, values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import UnsizedError, Vocabulary
 from algebroproj_sym.reading.deriving.components import multiplies_columns
@@ -34,6 +34,7 @@ from algebroproj_sym.replaying.reals.terms import written
 
 Sides = tuple[Formula, Formula]
 OTHER_SHAPES = "its sides have different shapes"
+A_VALUE = "it rests on a value that may belong to another case"
 MOST_CALLS = 200
 """How many values of functions are looked at, to see whether they are taken in their range."""
 
@@ -47,8 +48,6 @@ class Way:
     """Its sides."""
     vocabulary: Vocabulary
     """What its letters stand for."""
-    doubt: str = ""
-    """Why it may not be meant if it fails so."""
     reads: str = ""
     """How it is read otherwise than it stands."""
     under: tuple[Premise, ...] = ()
@@ -57,6 +56,8 @@ class Way:
     """What is taken to hold so: it becomes a hypothesis."""
     last: str = ""
     """The letter up to which it holds, if it goes from each whole number to the next one."""
+    doubt: str = A_VALUE
+    """Why it may not be meant if it fails so; empty if it is a contradiction then."""
 
     @property
     def sides(self) -> Sides:
@@ -69,12 +70,15 @@ class Way:
         return not self.reads and not self.under
 
     @property
+    def given(self) -> list[Formula]:
+        """The sides of the equations under which it is to hold."""
+        return sides_of(self.under)
+
+    @property
     def rests_on(self) -> tuple[str, ...]:
         """The places and words on which it rests."""
-        given = [side for each in self.under for side in (each.left, each.right)]
-        return tuple(
-            dict.fromkeys((*rests_of(self.vocabulary, *self.sides, *given), *(each.where for each in self.under)))
-        )
+        rests = rests_of(self.vocabulary, *self.sides, *self.given)
+        return tuple(dict.fromkeys((*rests, *(each.where for each in self.under))))
 
 
 def used_by(vocabulary: Vocabulary, *trees: Formula) -> list[Definition]:
@@ -98,7 +102,7 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
         return [one for sides in both for one in questions_of(vocabulary, *sides, by_entries=by_entries)]
     if any(map(multiplies_columns, (left, right))):
         raise UnreadableError("two columns side by side may be a product of quaternions")
-    properties = {vocabulary.properties_of(symbol) for tree in (left, right) for symbol in vocabulary.letters_of(tree)}
+    properties = {vocabulary.properties_of(symbol) for symbol in vocabulary.letters_of(left, right)}
     if properties - {(), ("identity",)}:
         raise UnsizedError("a property of a letter, such as being a rotation, does not show in its entries")
     for part in (big for tree in (left, right, *_trees_of(vocabulary, left, right)) for big in tree.find_data("big")):
@@ -155,7 +159,7 @@ def _trees_of(vocabulary: Vocabulary, *trees: Formula) -> list[Formula]:
 
 def complex_letters_in(vocabulary: Vocabulary, *trees: Formula) -> frozenset[str]:
     """Return the letters of formulas that may be complex, or the imaginary unit."""
-    symbols = frozenset().union(*({*symbols_in(each)} | vocabulary.letters_of(each) for each in trees))
+    symbols = vocabulary.letters_of(*trees).union(*map(symbols_in, trees))
     return vocabulary.complex_letters(symbols)
 
 
@@ -370,20 +374,16 @@ def asked_under(way: Way) -> list[Question] | str:
     """Return the questions of a way, with the equations under which it is to hold as constraints."""
     if not way.under:
         return asked_of(way.vocabulary, *way.sides)
-    given = [side for each in way.under for side in (each.left, each.right)]
-    if outside := out_of_range(way.vocabulary, *way.sides, *given):
-        return outside
-    if hides := _hides_an_index(way.vocabulary, *way.sides, *given):
-        return hides
+    every = (*way.sides, *way.given)
+    if refused := out_of_range(way.vocabulary, *every) or _hides_an_index(way.vocabulary, *every):
+        return refused
     plain = way.vocabulary
     kept = (*FUNCTIONS, "root")
     together, apart = with_values(plain, kept), with_values(plain, kept, apart=True)
     for known in (plain, with_values(plain), together, apart):
         with suppress(*_UNASKED):
             questions = questions_of(known, *way.sides, by_entries=True)
-            conditions = [
-                one for each in way.under for one in questions_of(known, each.left, each.right, by_entries=True)
-            ]
+            conditions = [one for each in way.under for one in questions_of(known, *each.sides, by_entries=True)]
             if all(map(_is_rational, [*questions, *conditions])):
                 if (
                     known is together
@@ -396,7 +396,7 @@ def asked_under(way: Way) -> list[Question] | str:
                 return [replace(question, constraints=constraints) for question in questions]
     with suppress(*_UNASKED):
         if any(map(way.vocabulary.is_matrix, way.vocabulary.letters_of(way.left))):
-            return lettered(way.vocabulary, *way.sides, [(each.left, each.right) for each in way.under])
+            return lettered(way.vocabulary, *way.sides, [each.sides for each in way.under])
     return "the equations above it are neither rational nor about vectors"
 
 
@@ -461,8 +461,7 @@ def _of_questions(way: Way, questions: Sequence[Question], told: Sequence[Outcom
 
 def _without_squares(way: Way, found: Sequence[Outcome]) -> Sequence[Outcome]:
     """Return the outcomes of a way: a sum of squares that is zero proves nothing of complex numbers."""
-    given = [side for each in way.under for side in (each.left, each.right)]
-    if not any(map(_is_of_squares, found)) or not complex_letters_in(way.vocabulary, *way.sides, *given):
+    if not any(map(_is_of_squares, found)) or not complex_letters_in(way.vocabulary, *way.sides, *way.given):
         return found
     return [
         Outcome("open", "none", each.seconds, "it is shown for real numbers only") if _is_of_squares(each) else each

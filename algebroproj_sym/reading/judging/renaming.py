@@ -4,12 +4,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
-from algebroproj_sym.reading.defining.premises import MOST_PREMISES, extended
+from algebroproj_sym.reading.defining.premises import MOST_PREMISES, extended, sides_of
 from algebroproj_sym.reading.deriving.arguments import Changed, alike, known_without, premise_without, without_arguments
 from algebroproj_sym.reading.deriving.components import columns_as_letters
 from algebroproj_sym.reading.deriving.multiples import Multiples
 from algebroproj_sym.reading.judging.constraining import under_equations
-from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import solutions, with_premises
@@ -33,7 +32,7 @@ def with_functions_as_letters(standing: Standing, formula: Parsed, index: int) -
 
 def with_columns_as_letters(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     """Yield a relation in which each printed column is a letter, also in the equations above it."""
-    near = [side for each in standing.premises[-MOST_PREMISES:] for side in (each.left, each.right)]
+    near = sides_of(standing.premises[-MOST_PREMISES:])
     known = [each.tree for each in standing.vocabulary.definitions.values()]
     letters = columns_as_letters([*formula.sides[index : index + 2], *known, *near])
     names = {str(letter.children[0]): standing.vocabulary.text(column) for column, letter in letters.items()}
@@ -66,7 +65,7 @@ def _changed(
         *under_equations(bare, left, right),
         *as_its_sentence_supposes(bare, left, right),
     ):
-        yield replace(way, doubt=A_VALUE, reads=f"{known.equation(*way.sides)}, where {told}")
+        yield replace(way, reads=f"{known.equation(*way.sides)}, where {told}")
 
 
 def as_multiples(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -90,4 +89,4 @@ def as_multiples(standing: Standing, left: Formula, right: Formula) -> Iterator[
         if multiples.are_sums(known, sides):
             made = {each: tree for each, tree in multiples.letters.items() if each in wanted}
             named = ", ".join(f"{known.name(each)} is {known.text(tree)}" for each, tree in made.items())
-            yield Way(*sides, known, A_VALUE, f"{known.equation(*sides)}{named and ', where '}{named}")
+            yield Way(*sides, known, f"{known.equation(*sides)}{named and ', where '}{named}")

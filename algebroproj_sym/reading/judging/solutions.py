@@ -21,7 +21,6 @@ from algebroproj_sym.reading.deriving.components import column_of
 from algebroproj_sym.reading.deriving.derivatives import AT_START, has_rate, order_of, unchanged
 from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.judging.constraining import is_asserted
-from algebroproj_sym.reading.judging.doubts import A_VALUE
 from algebroproj_sym.reading.judging.memory import where_of
 from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
@@ -91,7 +90,7 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     lead, initial = _leading(premise, unknown, order, known), _initial_values(standing, unknown, order)
     if lead is None or len(initial) < order or unknown.variable in known.definitions:
         return None
-    letters = frozenset().union(*map(known.letters_of, (premise.left, premise.right, right)))
+    letters = known.letters_of(*premise.sides, right)
     constant = sorted(letters - {*orders, unknown.variable})
     if _move(standing, premise, unknown, initial, constant):
         return None
@@ -101,7 +100,7 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
         for place, where in enumerate(places)
     ]
     values = [(_call(each.order, each.point), each.value) for each in initial]
-    pairs = [(premise.left, premise.right), *values]
+    pairs = [premise.sides, *values]
     ours, theirs = (column_of(*(_put_in(with_exponentials(pair[side]), unknown) for pair in pairs)) for side in (0, 1))
     shown = f"{known.equation(letter_of(unknown.letter), right)}, as the solution of {premise.where}"
     supposes = [f"{premise.where} holds for every {known.name(unknown.variable)}{unchanged(constant, known)}"]
@@ -109,7 +108,7 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     signs = sorted(each for each in premise.symbols & {*orders} if "'" in each or "dot" in each)
     supposes += [f"{known.name(each)} is a derivative by {known.name(unknown.variable)}" for each in signs]
     supposes += [f"{known.equation(each.side, each.value)}, by {each.where}" for each in initial]
-    return Way(ours, theirs, extended(known, solution), A_VALUE, shown, supposes=tuple(supposes))
+    return Way(ours, theirs, extended(known, solution), shown, supposes=tuple(supposes))
 
 
 def _move(
@@ -129,7 +128,6 @@ def _move(
 def _is_of_one(standing: Standing, unknown: _Unknown, premise: Premise, right: Formula) -> bool:
     r"""Whether an equation has a function of one variable at this variable alone, unlike ``\dot x(t) = x(t - T)``."""
     known, formulas = standing.vocabulary, standing.survey.formulas.values()
-    sides = premise.left, premise.right
     calls = [
         (call, [lone(without_brackets(each)) for items in trees_in(call) for each in trees_in(items)])
         for formula in formulas
@@ -138,9 +136,9 @@ def _is_of_one(standing: Standing, unknown: _Unknown, premise: Premise, right: F
         for call in side.find_data("call")
         if str(call.children[0]) in unknown.orders
     ]
-    own = [call for side in sides for call in side.find_data("call")]
+    own = [call for side in premise.sides for call in side.find_data("call")]
     others = [call for call, letters in calls if call in own and letters != [unknown.variable]]
-    used = (each for each in used_by(known, *sides, right) if each.symbol not in unknown.orders)
+    used = (each for each in used_by(known, *premise.sides, right) if each.symbol not in unknown.orders)
     hidden = {symbol for each in used for symbol in symbols_in(each.tree)}
     partly = any(rf"\partial{unknown.letter}/" in each.replace(" ", "") for each in standing.survey.occurring)
     return not (others or partly or hidden & {*unknown.orders}) and all(len(letters) == 1 for _, letters in calls)

@@ -67,4 +67,4 @@ class Standing:
 
     def supposed(self, left: Formula, right: Formula) -> list[Premise]:
         """Return what the sentence of a relation supposes beside it."""
-        return [each for each in self.own if (each.left, each.right) not in ((left, right), (right, left))]
+        return [each for each in self.own if (left, right) not in each.both_ways]

@@ -16,8 +16,8 @@ from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, v
 from algebroproj_sym.reading.deriving.places import at_places, is_at_place
 from algebroproj_sym.reading.deriving.rates import UNCHANGED
 from algebroproj_sym.reading.deriving.solving import solution_of
-from algebroproj_sym.reading.judging.doubts import A_VALUE, doubt_of, doubt_of_premises
-from algebroproj_sym.reading.judging.questions import Way, complex_letters_in, used_by
+from algebroproj_sym.reading.judging.doubts import doubt_of, doubt_of_premises
+from algebroproj_sym.reading.judging.questions import A_VALUE, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.parsing.factors import base_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
@@ -46,7 +46,7 @@ def with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[W
         used = used_by(known, left, right)
         if (ids := tuple(map(id, used))) not in seen:
             seen.append(ids)
-            yield Way(left, right, known, doubt_of_premises(standing.beside, formula, index, known))
+            yield Way(left, right, known, doubt=doubt_of_premises(standing.beside, formula, index, known))
     yield from _with_given_values(standing, left, right)
     yield from _solved_for_values(standing, left, right)
     yield from _with_computed(standing, formula, index)
@@ -82,7 +82,7 @@ def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Ite
         if any(each.role != "definition" for each in values.values()):
             ours, theirs = (with_given(side, values) for side in (left, right))
             for plain in ([], standing.given_beside(left, right)):
-                yield Way(ours, theirs, extended(standing.vocabulary, [*plain, *values.values()]), A_VALUE)
+                yield Way(ours, theirs, extended(standing.vocabulary, [*plain, *values.values()]))
 
 
 def _solved_for_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -96,12 +96,12 @@ def _solved_for_values(standing: Standing, left: Formula, right: Formula) -> Ite
         of_value = {value: Definition(f"{known.text(value)} ", (), value, "", 0, True)}
         letter = with_given(value, of_value)
         for each in (*standing.near(), *standing.supposed(left, right)):
-            sides = [with_given(side, of_value) for side in (each.left, each.right)]
-            if sides != [each.left, each.right] and letter not in sides:
+            sides = [with_given(side, of_value) for side in each.sides]
+            if sides != [*each.sides] and letter not in sides:
                 renamed = replace(each, left=sides[0], right=sides[1])
                 solution = renamed.solved(plain, symbols_in(letter), alone=True)
                 given_with = [] if solution is None else [[solution], [*standing.given, solution]]
-                yield from (Way(letter, other, extended(known, given), A_VALUE) for given in given_with)
+                yield from (Way(letter, other, extended(known, given)) for given in given_with)
 
 
 def _with_computed(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
@@ -128,9 +128,9 @@ def _with_computed(standing: Standing, formula: Parsed, index: int) -> Iterator[
     known = extended(standing.vocabulary, [*made, *given])
     plain = not variables and not any(each.where.startswith(OVER) or each.role == "case" for each in made)
     doubt = doubt_of(standing.beside, formula, index, standing.vocabulary) if plain else A_VALUE
-    yield Way(ours, theirs, known, doubt, under=under)
+    yield Way(ours, theirs, known, under=under, doubt=doubt)
     rated = extended(with_rates(standing, (ours, theirs), told), [*made, *given])
-    yield Way(ours, theirs, rated, A_VALUE, under=under)
+    yield Way(ours, theirs, rated, under=under)
 
 
 def _is_worked_out(tree: Formula) -> bool:
@@ -154,11 +154,10 @@ def from_worked_out(standing: Standing, left: Formula, right: Formula) -> Iterat
     """
     own, wanted = free_symbols(left) | free_symbols(right), {*symbols_in(left), *symbols_in(right)}
     for each in standing.near():
-        sides = each.left, each.right
-        if not any(_is_worked_out(part) for side in sides for part in side.iter_subtrees()):
+        if not any(_is_worked_out(part) for side in each.sides for part in side.iter_subtrees()):
             continue
         beside = replace(standing, premises=[one for one in standing.premises if one.place != each.place])
-        (one, made, _), (other, more, _) = (_worked_out(side, beside, own) for side in sides)
+        (one, made, _), (other, more, _) = (_worked_out(side, beside, own) for side in each.sides)
         made = [*made, *more]
         integrals = {letter.symbol: letter.tree for letter in made if letter.tree.data == "integral"}
         one, other = (with_integrals(side, integrals, standing.vocabulary) for side in (one, other))
@@ -167,7 +166,7 @@ def from_worked_out(standing: Standing, left: Formula, right: Formula) -> Iterat
         known = extended(with_rates(beside, (one, other), beside.told), rates) if rates else standing.vocabulary
         for solution in solutions(replace(each, left=one, right=other), known, wanted):
             where = "; ".join((solution.where, *(letter.where for letter in made)))
-            yield Way(left, right, extended(known, [replace(solution, where=where)]), A_VALUE)
+            yield Way(left, right, extended(known, [replace(solution, where=where)]))
 
 
 def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
@@ -187,19 +186,19 @@ def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Itera
         if made is not None and not _rests_on_what_changes(made, standing.beside):
             where = (f"{each.where} holds for every {standing.vocabulary.name(variable)}",)
             for under in ((made,), (made, each)):
-                yield Way(left, right, standing.vocabulary, A_VALUE, under=under, supposes=where)
+                yield Way(left, right, standing.vocabulary, under=under, supposes=where)
             for solution in solutions(made, standing.vocabulary, {*symbols_in(left), *symbols_in(right)}):
-                yield Way(left, right, extended(standing.vocabulary, [solution]), A_VALUE, supposes=where)
+                yield Way(left, right, extended(standing.vocabulary, [solution]), supposes=where)
 
 
 def solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str]) -> Iterator[Definition]:
     """Yield what an equation says of a number in which it is linear, or else of vectors and matrices."""
-    if share_a_sum(premise.left, premise.right):
+    if share_a_sum(*premise.sides):
         return
     if (solution := premise.solved(vocabulary, wanted)) is not None:
         yield solution
         return
-    factors = factors_of_zero(premise.left, premise.right)
+    factors = factors_of_zero(*premise.sides)
     if are_lone(factors):
         return
     unknown = premise.symbols.intersection(wanted).difference(vocabulary.definitions)
@@ -207,7 +206,7 @@ def solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str])
     factors = [each for each in factors if not vocabulary.is_matrix(base_of(each))]
     numbers = {each: not vocabulary.is_matrix(each) for each in sorted(unknown)}
     values = {
-        each: solution_of(premise.left, premise.right, each, is_number=is_number)
+        each: solution_of(*premise.sides, each, is_number=is_number)
         for each, is_number in numbers.items()
         if not is_number or (has_vectors and not leave_a_choice(factors, each))
     }

@@ -3,8 +3,7 @@
 from collections.abc import Collection, Iterator
 
 from algebroproj_sym.reading.defining.dependence import index_of, letters_of_symbol
-from algebroproj_sym.reading.defining.premises import extended, given_values, with_given
-from algebroproj_sym.reading.judging.doubts import A_VALUE
+from algebroproj_sym.reading.defining.premises import extended, given_values, sides_of, with_given
 from algebroproj_sym.reading.judging.questions import Way, used_by
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.substituting import solutions, with_rates
@@ -24,25 +23,25 @@ def as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) 
         return
     for premises, given in (([], []), (standing.above, standing.given)):
         known = extended(standing.vocabulary, [*given, *supposed])
-        yield Way(left, right, known, A_VALUE)
+        yield Way(left, right, known)
         changing = with_rates(standing, (left, right), known)
         if used_by(changing, left, right) != used_by(known, left, right):
-            yield Way(left, right, changing, A_VALUE)
+            yield Way(left, right, changing)
         values = given_values([*premises, *own], known, (left, right))
         if values:
             ours, theirs = (with_given(side, values) for side in (left, right))
-            yield Way(ours, theirs, extended(known, values.values()), A_VALUE)
+            yield Way(ours, theirs, extended(known, values.values()))
     last = standing.near(1)
     wanted = {*symbols_in(left), *symbols_in(right)}
-    changing = with_rates(standing, [side for each in own for side in (each.left, each.right)], standing.vocabulary)
+    changing = with_rates(standing, sides_of(own), standing.vocabulary)
     for each in (*standing.near(), *own):
         for solution in solutions(each, changing, wanted):
-            yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]), A_VALUE)
+            yield Way(left, right, extended(standing.vocabulary, [solution, *supposed]))
     letters = {*symbols_in(left), *symbols_in(right), *standing.vocabulary.definitions}
     letters = letters.union(*(each.symbols for each in last))
     tied = tuple(each for each in own if each.gives is None or each.gives.symbol in letters)
     for under in dict.fromkeys(((*tied, *last), tied)):
-        yield Way(left, right, changing, A_VALUE, under=under)
+        yield Way(left, right, changing, under=under)
 
 
 def _bound_in(big: Formula, survey: Survey) -> Collection[str]:

@@ -45,10 +45,9 @@ def labels_in(equations: Sequence[Sides]) -> frozenset[str]:
     elsewhere = set[str]()
     frames = {label for side in _every(equations) for label in (*_labels_of_columns(side), *_cancelling(side))}
     for is_lone, side in ((len(sides) == 1, side) for sides in equations for side in sides):
-        for power in side.find_data("power"):
-            base, exponent = power.children
-            if isinstance(base, Tree) and base.data == "symbol" and base != E and (label := lone_letter(exponent)):
-                above.setdefault(label, set()).add(str(base.children[0]))
+        for base, exponent in _powers_in([side]):
+            if _is_letter(base) and (label := lone_letter(exponent)):
+                above.setdefault(label, set()).add(lone(base))
         if not is_lone or lone_letter(side) not in frames:
             elsewhere |= {*_not_raised(side, frames)}
     alone = {_with_above(base, label) for label in above.keys() - elsewhere for base in above[label]}
@@ -66,9 +65,8 @@ def _raised_in_brackets(equations: Sequence[Sides]) -> set[str]:
 
     Two letters or more have it, and it stands nowhere else but in scripts and below sums.
     """
-    powers = [trees_in(power) for side in _every(equations) for power in side.find_data("power")]
-    above = [(str(base.children[0]), _text_of(exponent)) for base, exponent in powers if _is_letter(base)]
-    inside = [without_brackets(base) for base, _ in powers if base.data == "bracket"]
+    above = _written_above(equations)
+    inside = [without_brackets(base) for base, _ in _powers_in(_every(equations)) if base.data == "bracket"]
     inner = [trees_in(each) for each in inside if each.data == "power"]
     raised = {_text_of(exponent) for base, exponent in inner if _is_letter(without_brackets(base))}
     labels = {each for each in raised if each == "0" or re.fullmatch("[a-z]", each)}
@@ -76,6 +74,17 @@ def _raised_in_brackets(equations: Sequence[Sides]) -> set[str]:
     labels -= {letter for _, exponent in above if len(exponent) > 1 for letter in exponent}
     several = {each for each in labels if len({base for base, exponent in above if exponent == each}) > 1}
     return {_with_above(base, exponent) for base, exponent in above if exponent in several}
+
+
+def _powers_in(sides: Iterable[Formula]) -> list[list[Formula]]:
+    """Return the bases of powers with their exponents."""
+    return [trees_in(power) for side in sides for power in side.find_data("power") if len(trees_in(power)) == 2]
+
+
+def _written_above(equations: Sequence[Sides]) -> list[tuple[str, str]]:
+    """Return the letters that are raised, each with the text of what stands above it."""
+    powers = _powers_in(_every(equations))
+    return [(lone(base), _text_of(exponent)) for base, exponent in powers if _is_letter(base)]
 
 
 def _is_letter(tree: Any) -> bool:
@@ -100,17 +109,9 @@ def _not_above(tree: Formula) -> Iterator[str]:
 
 def _at_the_start(equations: Sequence[Sides], labelled: Collection[str]) -> set[str]:
     r"""Return the letters with a 0 above them that have nothing else there but labels: no power is meant."""
-    above: dict[str, set[str]] = {}
-    for side in _every(equations):
-        for power in side.find_data("power"):
-            base, exponent = power.children
-            if isinstance(base, Tree) and base.data == "symbol" and isinstance(exponent, Tree):
-                above.setdefault(str(base.children[0]), set()).add(_text_of(exponent))
-    return {
-        _with_above(symbol, "0")
-        for symbol, others in above.items()
-        if "0" in others and all(_with_above(symbol, each) in labelled for each in others - {"0"})
-    }
+    above = _written_above(equations)
+    powers = {symbol for symbol, label in above if label != "0" and _with_above(symbol, label) not in labelled}
+    return {_with_above(symbol, "0") for symbol, label in above if label == "0" and symbol not in powers}
 
 
 def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
@@ -118,14 +119,7 @@ def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
 
     No vector has a power, least of all 0 or 1.
     """
-    raised = [
-        (str(base.children[0]), number)
-        for side in _every(equations)
-        for power in side.find_data("power")
-        if isinstance(base := power.children[0], Tree)
-        and base.data == "symbol"
-        and (number := _text_of(power.children[1])).isdigit()
-    ]
+    raised = [(symbol, number) for symbol, number in _written_above(equations) if number.isdigit()]
     framed = {split_symbol(symbol)[0] for symbol, number in raised if number in ("0", "1")}
     small = {pair for pair in raised if _VECTOR.match(pair[0]) and split_symbol(pair[0])[0] in framed}
     turned = {pair for pair in raised if _MATRIX.match(pair[0]) and split_symbol(pair[0])[0] in framed}
@@ -136,14 +130,12 @@ def _frames_with_numbers(equations: Sequence[Sides]) -> set[str]:
 
 def _above_vectors(equations: Sequence[Sides]) -> set[str]:
     r"""Return the bold letters and the capitals with what stands above a vector, as D and SA: no vector has a power."""
-    powers = [trees_in(power) for side in _every(equations) for power in side.find_data("power")]
-    raised = [(str(base.children[0]), _text_of(without_brackets(above))) for base, above in powers if _is_letter(base)]
+    raised = _written_above(equations)
     labels = {label for symbol, label in raised if _VECTOR.match(symbol) and _LABEL.fullmatch(label)}
-    letters = ((symbol, label) for symbol, label in raised if label in labels)
     return {
         _with_above(symbol, label)
-        for symbol, label in letters
-        if _BOLD.match(symbol) or (label.isupper() and _CAPITAL.match(symbol))
+        for symbol, label in raised
+        if label in labels and (_BOLD.match(symbol) or (label.isupper() and _CAPITAL.match(symbol)))
     }
 
 
@@ -272,13 +264,9 @@ def _not_raised(tree: Any, frames: Collection[str]) -> Iterator[str]:
 
 def has_euler(sides: Iterable[Formula]) -> bool:
     """Whether e is Euler's number: the base of powers with letters, and nothing else; no side is a square of it."""
-    powers, letters = list[bool](), 0
-    for side in sides:
-        if side.data == "power" and side.children[0] == E and not symbols_in(trees_in(side)[1]):
-            return False
-        letters += sum(1 for token in side.scan_values(lambda each: each == "e"))
-        for power in side.find_data("power"):
-            base, exponent = power.children
-            if base == E and isinstance(exponent, Tree):
-                powers.append(bool(symbols_in(exponent)))
-    return len(powers) == letters and any(powers)
+    every = [*sides]
+    if any(side.data == "power" and side.children[0] == E and not symbols_in(trees_in(side)[1]) for side in every):
+        return False
+    letters = [token for side in every for token in tokens_in(side) if token == "e"]
+    exponents = [exponent for base, exponent in _powers_in(every) if base == E]
+    return len(exponents) == len(letters) and any(map(symbols_in, exponents))

@@ -37,10 +37,8 @@ _VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
 """What may be given as a whole: a value of a function, and a square."""
 ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
 """A vector or a matrix of zeros."""
-_TILDE_MATRIX = re.compile(r"\btilde\s+matri(?:x|ces)\b", re.IGNORECASE)
 _ACCENTED = re.compile(r"\\(?:wide)?(hat|tilde)\{(.+)\}(.*)")
 _JOINED = re.compile(r"\\times(?=[a-zA-Z])")
-_TILDE = re.compile(r"(?:\\tilde\{\\mathbf(\\?[a-z]+)\}|\\mathbf\{\\tilde(\\?[a-z]+)\})(.*)")
 
 
 @dataclass(frozen=True)
@@ -281,24 +279,19 @@ def with_given(tree: Formula, given: Mapping[Formula, Definition]) -> Formula:
     return Tree(tree.data, [with_given(each, given) if isinstance(each, Tree) else each for each in tree.children])
 
 
-def crosses_in(symbols: Collection[str], words: Iterable[str], hats: Collection[str]) -> Iterator[Definition]:
-    r"""Yield what letters with an accent stand for that is the mark of a cross product.
+def crosses_in(symbols: Collection[str], hats: Collection[str]) -> Iterator[Definition]:
+    r"""Yield what letters with an accent stand for of which a printed matrix says that it marks a cross product.
 
-    So is the tilde of ``\tilde{\mathbf{a}}`` where the words of a document say "tilde matrix", and an accent of which
-    a printed matrix says so: the hat of ``\hat{a}`` and ``\widehat{a + b}`` where ``\hat{w}`` is printed.
+    So does the hat of ``\hat{a}`` and ``\widehat{a + b}`` where the matrix of ``\hat{w}`` is printed.
     """
-    tilde = any(_TILDE_MATRIX.search(each) for each in words)
     accents = {match[1] for match in map(_ACCENTED.fullmatch, hats) if match}
+    where = f"{'; '.join(sorted(hats))} as the matrix of a cross product"
     for symbol in symbols:
-        inside, where = None, f"{'; '.join(sorted(hats))} as the matrix of a cross product"
-        if (match := _ACCENTED.fullmatch(symbol)) and match[1] in accents and symbol not in hats:
+        match = _ACCENTED.fullmatch(symbol) if symbol not in hats else None
+        if match is not None and match[1] in accents:
             with suppress(UnreadableError):
                 inside = parsed(_JOINED.sub(r"\\times ", f"{match[2]}{match[3]}")).sides[0]
-        elif tilde and (match := _TILDE.fullmatch(symbol)):
-            inside, where = letter_of(rf"\mathbf{{{match[1] or match[2]}}}{match[3]}"), 'the words "tilde matrix"'
-        if inside is not None:
-            cross: Formula = Tree("marked", [inside, Token("MARK", "hat")])
-            yield Definition(symbol, (), cross, where, 0, True)
+                yield Definition(symbol, (), Tree("marked", [inside, Token("MARK", "hat")]), where, 0, True)
 
 
 def letter_of(symbol: str) -> Formula:

@@ -15,6 +15,7 @@ from algebroproj_sym.reading.parsing.grammar import (
     UNSEEN,
     Formula,
     lone,
+    put_in,
     symbols_in,
     tokens_in,
     trees_in,
@@ -324,18 +325,15 @@ def without_others(left: Formula, value: Formula) -> Formula:
     if value.data == "call" and str(value.children[0]) == symbol:
         inside = trees_in(value.children[1])  # type: ignore[arg-type]
         if len(inside) != len(parameters) or not any(map(symbols_in, inside)) or (has_values(left) and value != left):
-            return Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
+            return _OTHER
     if value.data == "cases" and parameters:
-        value = _without_letter(symbol, value)
+        value = put_in(value, {Tree("symbol", [Token("SYMBOL", symbol)]): _OTHER})
     if value.data in ("norm", "absolute") and not parameters and [*symbols_in(value)] == [symbol]:
         return Tree("number", [Token("NUMBER", "1")])
     return Tree(value.data, [without_others(left, x) if isinstance(x, Tree) else x for x in value.children])
 
 
-def _without_letter(symbol: str, tree: Formula) -> Formula:
-    if lone(tree) == symbol:
-        return Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
-    return Tree(tree.data, [_without_letter(symbol, x) if isinstance(x, Tree) else x for x in tree.children])
+_OTHER: Formula = Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
 
 
 def without_own_indices(left: Formula, value: Formula) -> Formula:
@@ -350,13 +348,8 @@ def without_own_indices(left: Formula, value: Formula) -> Formula:
     symbol, parameters = defined_by(left)
     is_list = value.data == "bracket" and len(trees_in(trees_in(value)[0])) > 1
     own = bool(symbol) and not parameters and (is_list or is_matrix(value))
-    return _without_powers(symbol, value) if own else value
-
-
-def _without_powers(symbol: str, tree: Formula) -> Formula:
-    if tree.data == "power" and defined_by(tree.children[0])[0] == symbol:  # type: ignore[arg-type]
-        return Tree("symbol", [Token("SYMBOL", r"\mathrm{other}")])
-    return Tree(tree.data, [_without_powers(symbol, x) if isinstance(x, Tree) else x for x in tree.children])
+    powers = (each for each in value.find_data("power") if defined_by(trees_in(each)[0])[0] == symbol)
+    return put_in(value, dict.fromkeys(powers, _OTHER)) if own else value
 
 
 def is_update(left: Formula, right: Formula) -> bool:
@@ -404,17 +397,5 @@ def differ_in_one_letter(some: Sequence[Formula], others: Sequence[Formula]) -> 
     renamed = {pair for pair in pairs if pair[0] != pair[1]}
     if len(renamed) != 1:
         return False
-    ((before, now),) = renamed
-    return [_renamed(each, before, now) for each in some] == [*others]
-
-
-def _renamed(tree: Formula, before: str, now: str) -> Formula:
-    parts = [
-        _renamed(each, before, now)
-        if isinstance(each, Tree)
-        else Token(each.type, now)
-        if each == before and each.type == "SYMBOL"
-        else each
-        for each in tree.children
-    ]
-    return Tree(tree.data, parts)
+    before, now = (Tree("symbol", [Token("SYMBOL", each)]) for each in renamed.pop())
+    return [put_in(each, {before: now}) for each in some] == [*others]

@@ -51,7 +51,7 @@ def by_components(standing: Standing, left: Formula, right: Formula) -> Iterator
     seen = []
     here, others = ([each for each in given if (each.part == standing.part) is same] for same in (True, False))
     for serving in (given, [*others, *here[::-1]]):
-        found = in_components((left, right), serving, survey.tensor_indices, unit=survey.has_permutations)
+        found = in_components((left, right), serving, survey.tensor_indices, unit=survey.says(r"\b<permutations>\b"))
         if found is None or found in seen:
             return
         seen.append(found)

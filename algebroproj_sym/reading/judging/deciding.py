@@ -38,6 +38,28 @@ Answer = tuple[tuple[Question, ...], Outcome]
 UNASKED = Outcome("open", "none", 0.0, "it is not asked: another way is proved")
 
 
+@dataclass(frozen=True)
+class Manner:
+    """What the verdict of a link depends on, besides the answers of the prover."""
+
+    claimed: bool
+    """Whether words say that it follows."""
+    gives: bool = False
+    """Whether it gives its letter, unless it follows."""
+    may_give: bool = False
+    """Whether it gives its letter, if nothing tells whether it follows."""
+    anew: bool = False
+    """Whether it has letters of which nothing was said."""
+    names: bool = False
+    """Whether it names its letter, which nobody may be able to compute."""
+    chained: bool = False
+    """Whether it is part of a chain."""
+    certain: bool = False
+    """Whether it has numbers alone, of which nothing else is known."""
+    identity: bool = False
+    """Whether the symbols file says that it holds for all values of its letters."""
+
+
 @dataclass
 class Asked:
     """A link that is yet to be decided: as it stands, and in other ways."""
@@ -46,14 +68,7 @@ class Asked:
     place: int
     ways: list[Way]
     link: Link
-    identity: bool
-    certain: bool
-    chained: bool
-    gives: bool
-    may_give: bool
-    anew: bool
-    names: bool
-    claimed: bool
+    manner: Manner
     answers: list[Outcome] = field(default_factory=list)
 
 
@@ -68,7 +83,7 @@ def decide(asked: Sequence[Asked], ask: Ask) -> None:
             answered = zip(each.ways, each.answers, strict=True)
             failing += [(each, *one) for one in answered if _refutes(*one)]
     candidates = [
-        [] if way.doubt in (A_CONDITION, NOT_GIVEN) else likely_repairs(way, chained=each.chained)
+        [] if way.doubt in (A_CONDITION, NOT_GIVEN) else likely_repairs(way, chained=each.manner.chained)
         for each, way, _ in failing
     ]
     found = answers([way for changes in candidates for _, way in changes], ask)
@@ -82,14 +97,14 @@ def decide(asked: Sequence[Asked], ask: Ask) -> None:
         if way is each.ways[0] or _says(link) > _says(each.link):
             each.link = link
     for each in asked:
-        if each.gives and each.link.verdict != "follows" and not any(_says(each.link)):
+        if each.manner.gives and each.link.verdict != "follows" and not any(_says(each.link)):
             rests = rests_of(each.ways[0].vocabulary, each.ways[0].right)
-            each.link = Link("definition", NOT_DERIVED if each.claimed else "", rests_on=rests)
+            each.link = Link("definition", NOT_DERIVED if each.manner.claimed else "", rests_on=rests)
     _suggest([each for each in asked if _may_be_misprinted(each)], ask)
     for each in asked:
-        is_open = each.link.verdict == "not decided" or (each.link.verdict == "independent" and each.anew)
-        is_open = (each.may_give and is_open) or (each.names and each.link.verdict in ("not decided", "independent"))
-        if is_open and not any(_says(each.link)):
+        verdict, manner = each.link.verdict, each.manner
+        gives = manner.names or (manner.may_give and (verdict == "not decided" or manner.anew))
+        if gives and verdict in ("not decided", "independent") and not any(_says(each.link)):
             why = f"{OPEN}: {each.link.reason}" if each.link.reason else OPEN
             each.link = Link("definition", why, rests_on=rests_of(each.ways[0].vocabulary, each.ways[0].right))
 
@@ -119,7 +134,7 @@ def _refutes(way: Way, answer: Outcome) -> bool:
 def _may_be_misprinted(asked: Asked) -> bool:
     """Whether a link that says nothing yet may be one with a misprint: what gives its letter is said to follow."""
     is_open = asked.link.verdict in ("independent", "not decided")
-    return not asked.link.suggestion and (is_open or (asked.link.verdict == "definition" and asked.claimed))
+    return not asked.link.suggestion and (is_open or (asked.link.verdict == "definition" and asked.manner.claimed))
 
 
 def _suggest(asked: Sequence[Asked], ask: Ask) -> None:
@@ -215,17 +230,17 @@ def _refuted(asked: Asked, way: Way, refutation: Outcome, repair: Repair | None,
     doubt = doubt if doubt.endswith(NOT_COMPUTED) else way.doubt or doubt
     plain = way is asked.ways[0]
     certain = not doubt and (
-        (plain and asked.certain)
+        (plain and asked.manner.certain)
         or (
             repair is not None
             and (
                 repair.kind in STRONG
-                or (repair.kind == MULTIPLE and asked.chained)
+                or (repair.kind == MULTIPLE and asked.manner.chained)
                 or (repair.kind == "letter" and _holds_beside(way, repaired))
             )
         )
     )
-    asserted = certain or (plain and asked.identity and not (doubt and has_letters(way)))
+    asserted = certain or (plain and asked.manner.identity and not (doubt and has_letters(way)))
     reason = "" if asserted else doubt or "it holds for some values of its letters, but not for all"
     undecided = doubt.endswith(NOT_COMPUTED)
     return replace(

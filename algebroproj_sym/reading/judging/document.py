@@ -32,7 +32,7 @@ from algebroproj_sym.reading.documents.displays import Display, Document
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.applying import with_what_is_true_here
 from algebroproj_sym.reading.judging.components import by_components
-from algebroproj_sym.reading.judging.deciding import OPEN, Asked, decide
+from algebroproj_sym.reading.judging.deciding import OPEN, Asked, Manner, decide
 from algebroproj_sym.reading.judging.introducing import (
     begins_anew,
     definition_in,
@@ -356,7 +356,7 @@ class _Pass:
             return Reading(number, statement.latex, read, "", tuple(links), statement, found), asked
         if says_on_what_it_depends(found) and defined_by(found.sides[0])[0] in self.memory.vocabulary.definitions:
             return Reading(number, statement.latex, read, "", (Link("definition"),), statement, found), []
-        if found.relations[:1] == (":=",) and self.survey.has_programs:
+        if found.relations[:1] == (":=",) and self.survey.says(r"\b<programs>\b"):
             self.memory.forget(defined_by(found.sides[0])[0])
         split_again(self.memory.vocabulary, found)
         definition = definition_in(self.memory, statement, found, explicit=False)
@@ -422,8 +422,7 @@ class _Pass:
         standing = self._standing(statement, formula)
         for index, link in enumerate(links):
             if ways := [*by_components(standing, *formula.sides[index : index + 2])]:
-                no, claimed = False, self.memory.beside.follows
-                yield Asked(place, index, ways, link, no, no, no, no, no, no, no, claimed)
+                yield Asked(place, index, ways, link, Manner(self.memory.beside.follows))
 
     def _is_residual(self, statement: Statement, formula: Parsed, index: int) -> bool:
         """Whether a link is a condition, as that of ``r = y - a x = 0`` in a display with several such equations."""
@@ -493,31 +492,27 @@ class _Pass:
             return Link(
                 "not decided", f"the words {spoken!r} above it may mean an arithmetic of other things", rests
             ), None
-        identity = self.memory.is_named(statement, self.memory.given.identities)
-        certain = not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right))
         ways = ways_of(self._standing(statement, formula), statement, formula, index)
-        chained = len(formula.sides) > 2
         link = Link("not decided", rests_on=rests)
         start, first = _without_rough_value(formula)
-        may = index == start and gives_if_open(self.memory, statement, first)
         words = self.memory.beside
-        anew = begins_anew(self.memory, right) and not (words.follows or words.case_of_sentence)
-        new = index == start and names_its_letter(self.memory, statement, first)
-        asked = Asked(place, index, ways, link, identity, certain, chained, gives, may, anew, new, words.follows)
-        return asked.link, asked
+        manner = Manner(
+            words.follows,
+            gives,
+            may_give=index == start and gives_if_open(self.memory, statement, first),
+            anew=begins_anew(self.memory, right) and not (words.follows or words.case_of_sentence),
+            names=index == start and names_its_letter(self.memory, statement, first),
+            chained=len(formula.sides) > 2,
+            certain=not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right)),
+            identity=self.memory.is_named(statement, self.memory.given.identities),
+        )
+        return link, Asked(place, index, ways, link, manner)
 
     def _standing(self, statement: Statement, formula: Parsed) -> Standing:
         """Return where a statement stands."""
-        vocabulary = self.memory.vocabulary.copied()
-        self.memory.forget_elsewhere(vocabulary)
         letters = frozenset(symbol for side in formula.sides for symbol in symbols_in(side))
-        for known in [*vocabulary.definitions.values()]:
-            if self.memory.tells_of_another(known, letters):
-                vocabulary.drop(known.symbol)
+        vocabulary = self.memory.known_here(letters)
         premises = [each for each in self.memory.serving if not self.memory.tells_of_another(each, letters)]
-        for symbol in self.memory.exchanged:
-            if symbol in vocabulary.definitions:
-                vocabulary.drop(symbol)
         place = statement.display.part, premises, self.memory.cited
         own = [*self._supposed, *self._explained_behind()]
         own += set_to_zero(self.memory.beside, premises, self._free(statement), self._place_above)

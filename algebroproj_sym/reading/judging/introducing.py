@@ -41,7 +41,7 @@ from algebroproj_sym.reading.deriving.derivatives import derivatives_in
 from algebroproj_sym.reading.deriving.instances import numbers_put_in
 from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.memory import Memory, where_of
+from algebroproj_sym.reading.judging.memory import Memory, is_cited, where_of
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, lone, put_in, symbols_in, tokens_in, trees_in
@@ -309,12 +309,9 @@ def _has_alone(memory: Memory, power: Formula) -> bool:
 
 def _known_here(memory: Memory) -> Vocabulary:
     """Return what the letters stand for by the section that is read, and by what words cite."""
-    found, names = memory.vocabulary.copied(), tuple(f"({name})" for name in memory.cited)
-    for known in [*found.definitions.values()]:
-        if known.part not in (memory.part, 0) and not known.where.startswith(names):
-            del found.definitions[known.symbol]
-    found.forget()
-    return found
+    known = memory.vocabulary.definitions.values()
+    here = (each for each in known if each.part in (memory.part, 0) or is_cited(each, memory.cited))
+    return memory.vocabulary.changed(definitions={each.symbol: each for each in here})
 
 
 def _base_of(left: Formula) -> Formula:

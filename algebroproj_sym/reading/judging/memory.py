@@ -1,7 +1,7 @@
 """What a document has said up to an equation: definitions, premises, and the words beside it."""
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -55,6 +55,7 @@ from algebroproj_sym.reading.prose.words import (
     takes_back,
 )
 
+Known = Premise | Definition
 _IS = re.compile(r"\b(?:is|are)\W*$")
 _IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")
 _NAMED = re.compile(r"(?<=[a-z] )[A-Z]\b")
@@ -114,14 +115,10 @@ class Memory:
             self.vocabulary.forget()
             self.valued.clear()
         self.scopes, ended, supposed = self.scopes.at(display)
-        for start in ended:
-            self._retract_from(start)
-        for start in supposed:
-            self._retract({each for each in self.supposed if each >= start})
-
-    def _retract_from(self, place: int) -> None:
-        later = {each.place for each in self.premises if each.place >= place}
-        self._retract(later.union(each.place for each in self.vocabulary.definitions.values() if each.place >= place))
+        if ended:
+            self._forget(lambda each: each.place >= min(ended))
+        if supposed:
+            self._forget(lambda each: each.place >= min(supposed) and each.place in self.supposed)
 
     def listen(self, statement: Statement) -> None:
         """Take in the words beside a statement."""
@@ -134,7 +131,8 @@ class Memory:
                 takes_back(display.before) or is_acted_on(display.before) or says(r"\b<same-letter>\b", display.before)
             )
             if self.display is not None and taken:
-                self._retract({self.display.place})
+                above = self.display.place
+                self._forget(lambda each: each.place == above)
             for symbol in acted_on(display.before):
                 self.forget(symbol)
             self.carried = "" if self.ended or not same_part else self.beside.sentence
@@ -179,7 +177,7 @@ class Memory:
         elif above or _LIST_ENDS.search(own):
             self.denied = bool(above) and denies(own.partition("\n")[0])
         if says(r"\b<letters-change>\b", " ".join(own.split())):
-            self._retract_from(0)
+            self._forget(lambda each: each.place >= 0)
 
     def _end_cases(self, display: Display) -> None:
         """Take notice of the cases that are over: whole sentences, or clauses before the main one, speak of others."""
@@ -190,16 +188,16 @@ class Memory:
         if self.held_at in self.over:
             self.held = ANYWHERE
 
-    def _retract(self, places: Collection[int]) -> None:
-        """Forget what displays said."""
-        self.premises = [each for each in self.premises if each.place not in places]
-        self._drop([each.symbol for each in self.vocabulary.definitions.values() if each.place in places])
+    def _forget(self, is_over: Callable[[Known], bool]) -> None:
+        """Forget the equations and definitions that hold no longer, and what rests on them."""
+        self.premises = [each for each in self.premises if not is_over(each)]
+        for symbol in [each.symbol for each in self.vocabulary.definitions.values() if is_over(each)]:
+            if symbol in self.vocabulary.definitions:
+                self.vocabulary.drop(symbol)
 
     def forget(self, symbol: str) -> None:
         """Forget what was said of a letter, and with it."""
-        self.premises = [each for each in self.premises if not speaks_of(each.symbols, symbol)]
-        known = self.vocabulary.definitions.values()
-        self._drop([each.symbol for each in known if speaks_of((each.symbol, *each.symbols), symbol)])
+        self._forget(lambda each: speaks_of(_symbols_of(each), symbol))
 
     def _hear_of_letters(self, display: Display) -> None:
         """Forget what other sections said of a letter, and with it, where words say that it is something else."""
@@ -226,18 +224,11 @@ class Memory:
         """
         told = bool(nouns and self.named.get((symbol, part)))
 
-        def stays(each: Premise | Definition) -> bool:
+        def stays(each: Known) -> bool:
             same = is_same(nouns, each.words | self._named_at(symbol, each.part))
             return same or (each.part == part and not told)
 
-        self.premises = [each for each in self.premises if not speaks_of(each.symbols, symbol) or stays(each)]
-        known = [each for each in self.vocabulary.definitions.values() if not stays(each)]
-        self._drop([each.symbol for each in known if speaks_of((each.symbol, *each.symbols), symbol)])
-
-    def _drop(self, symbols: Iterable[str]) -> None:
-        for symbol in [*symbols]:
-            if symbol in self.vocabulary.definitions:
-                self.vocabulary.drop(symbol)
+        self._forget(lambda each: speaks_of(_symbols_of(each), symbol) and not stays(each))
 
     def stand_at(self, display: Display) -> None:
         """Take in where an equation holds: what one before it says goes on, up to the next heading."""
@@ -358,7 +349,7 @@ class Memory:
         So does an equation with a derivative of it, or with that of which it is one.
         """
         known = self.vocabulary.definitions
-        above: list[Premise | Definition] = [*self.premises, *known.values()]
+        above: list[Known] = [*self.premises, *known.values()]
         used = frozenset().union(*(each.symbols for each in above))
         variables = (*definition.parameters, "t")
         derived = (order_of(each, definition.symbol, variable) for each in used.union(known) for variable in variables)
@@ -416,17 +407,17 @@ class Memory:
             sides = map(argument_of, each.sides)
             self.alone |= dict.fromkeys(map(given_by, sides), statement.display.part)
 
-    def _contended(self, premise: Premise) -> list[Premise | Definition]:
+    def _contended(self, premise: Premise) -> list[Known]:
         r"""Return what gives otherwise what an equation gives, by the same letters or by some of them.
 
         Two values of other letters may be equal, as in ``F = -k x`` and ``F = m a``.  What an operator makes has one
         value: ``\nabla \cdot u`` is zero, or q in another case.
         """
-        found: list[Premise | Definition] = []
+        found: list[Known] = []
         for side, value in premise.both_ways:
             symbol, parameters = defined_by(side)
             known = self.vocabulary.definitions.get(symbol)
-            above: list[tuple[Premise | Definition, Formula]]
+            above: list[tuple[Known, Formula]]
             above = [(known, known.tree)] if known is not None and known.parameters == parameters else []
             above += [(each, two) for each in self.serving for one, two in each.both_ways if one == side]
             for each, other in above if introduced_by(side) else ():
@@ -465,15 +456,15 @@ class Memory:
         held = self.context, self.ranges
         return [Premise(left, right, *given, chained, *held) for left, right in pairs]
 
-    def tells_of_another(self, known: Premise | Definition, letters: frozenset[str]) -> bool:
+    def tells_of_another(self, known: Known, letters: frozenset[str]) -> bool:
         """Whether an equation above one of some letters is of no others, and says the same of another thing."""
-        symbols = {*known.symbols, *([known.symbol] if isinstance(known, Definition) else [])}
+        symbols = _symbols_of(known)
         here = self.sentences.get(self.beside.place, "")
         return symbols <= letters and are_of_two_things(self.sentences.get(known.place, ""), here)
 
-    def _is_of_some(self, known: Premise | Definition) -> bool:
+    def _is_of_some(self, known: Known) -> bool:
         """Whether an equation gives a number to a letter that is any here, or holds in a case of it."""
-        symbols = {*known.symbols, *([known.symbol] if isinstance(known, Definition) else [])}
+        symbols = _symbols_of(known)
         return bool(symbols & self.beside.quantified) and (len(symbols) == 1 or known.context.is_case)
 
     def _is_over(self, place: int) -> bool:
@@ -481,19 +472,24 @@ class Memory:
         here = None if self.display is None else self.display.place
         return place in self.over or (place in self.conditions - self.running and here not in (None, place))
 
-    def forget_elsewhere(self, vocabulary: Vocabulary) -> None:
-        """Drop definitions of another context, conditions, and numbers of letters that are any; not what words cite."""
-        names = tuple(f"({name})" for name in self.cited)
-        for known in [*vocabulary.definitions.values()]:
-            if self._is_of_some(known) or (self._is_over(known.place) and not known.where.startswith(names)):
-                del vocabulary.definitions[known.symbol]
-        vocabulary.forget()
-        apart = tuple(f"({name})" for name in self.apart)
-        for known in [*vocabulary.definitions.values()]:
-            elsewhere = self.context.excludes(known.context) and not known.where.startswith(names)
-            elsewhere = elsewhere or (bool(apart) and known.where.startswith(apart))
-            if elsewhere and known.symbol in vocabulary.definitions:
-                vocabulary.drop(known.symbol)
+    def known_here(self, letters: frozenset[str]) -> Vocabulary:
+        """Return what letters stand for where an equation of some letters stands.
+
+        Left out are definitions of another context, of another thing, conditions, numbers of letters that are any, and
+        what rests on exchanged letters; but not what words cite.
+        """
+        found = self.vocabulary.copied()
+        for known in [*found.definitions.values()]:
+            if self._is_of_some(known) or (self._is_over(known.place) and not is_cited(known, self.cited)):
+                del found.definitions[known.symbol]
+        found.forget()
+        for known in [*found.definitions.values()]:
+            elsewhere = self.context.excludes(known.context) and not is_cited(known, self.cited)
+            elsewhere = elsewhere or is_cited(known, self.apart) or self.tells_of_another(known, letters)
+            elsewhere = elsewhere or bool(self.beside.exchanged & _symbols_of(known))
+            if elsewhere and known.symbol in found.definitions:
+                found.drop(known.symbol)
+        return found
 
     @property
     def is_item(self) -> bool:
@@ -518,22 +514,25 @@ class Memory:
 
     def serving_of(self, known: Sequence[Premise]) -> list[Premise]:
         """Return the equations that do not belong to another context, and those that words cite."""
-        cited = self.cited
-        changed = self.beside.exchanged
-        premises = (
-            each for each in known if not (changed & each.symbols or self.apart & each.names or self._is_of_some(each))
-        )
+        cited, changed = self.cited, self.beside.exchanged
         return [
             each
-            for each in premises
-            if each.names & cited or not (self.context.excludes(each.context) or self._is_over(each.place))
+            for each in known
+            if not (changed & each.symbols or is_cited(each, self.apart) or self._is_of_some(each))
+            and (is_cited(each, cited) or not (self.context.excludes(each.context) or self._is_over(each.place)))
         ]
 
-    @property
-    def exchanged(self) -> list[str]:
-        """The letters with a definition that rests on what is exchanged in the sentence."""
-        known = self.vocabulary.definitions.values()
-        return [each.symbol for each in known if self.beside.exchanged & {each.symbol, *each.symbols}]
+
+def _symbols_of(known: Known) -> set[str]:
+    """Return the symbols of an equation, or of a definition with its letter."""
+    return {*known.symbols, *([known.symbol] if isinstance(known, Definition) else [])}
+
+
+def is_cited(known: Known, names: Collection[str]) -> bool:
+    """Whether some labels and numbers name an equation, or the one that defines a letter."""
+    if isinstance(known, Premise):
+        return not known.names.isdisjoint(names)
+    return known.where.startswith(tuple(f"({name})" for name in names))
 
 
 def _lone_in(formula: Parsed) -> set[str]:

@@ -18,7 +18,7 @@ def of_quaternions(standing: Standing, formula: Parsed, index: int) -> Iterator[
     if not any({*symbols_in(each)} & quaternions for each in formula.sides[index : index + 2]):
         return
     is_number = lambda tree: not any(map(known.is_matrix, symbols_in(tree)))  # noqa: E731
-    matrices = AsMatrices(quaternions, is_number, has_conjugates=standing.survey.has_conjugates)
+    matrices = AsMatrices(quaternions, is_number, has_conjugates=standing.survey.says(r"\b<conjugates>\b"))
     left, right = (matrices.turned(each) for each in formula.sides[index : index + 2])
     if left is None or right is None:
         return

@@ -5,7 +5,7 @@ accent or a star, as in ``\hat\mu``.
 """
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -13,7 +13,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
 from algebroproj_sym.reading.deriving.rates import ZERO
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, put_in, symbols_in
 from algebroproj_sym.reading.prose.contexts import ANYWHERE
 from algebroproj_sym.reading.prose.devices import says
 from algebroproj_sym.reading.prose.words import Beside
@@ -71,7 +71,10 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
     kept = [each for each in slopes.values() if several or each.place == last]
     if not kept and match["of"] and match["by"]:
         return _of_words(beside, match["of"], match["by"], match[0])
-    return [replace(each, left=_at_best(each.right, best), right=ZERO) for each in kept]
+    accented = {
+        letter_of(one): letter_of(best[_bare(one)]) for each in kept for one in each.symbols if _bare(one) in best
+    }
+    return [replace(each, left=put_in(each.right, accented), right=ZERO) for each in kept]
 
 
 def derives(tree: Formula) -> bool:
@@ -105,14 +108,6 @@ def _slope_of(tree: Formula) -> tuple[str, str] | None:
         match = _NABLA.fullmatch(str(operator.children[0]))
         return (_bare(symbols_in(function)[0]), _bare(match[1] or "")) if match and symbols_in(function) else None
     return None
-
-
-def _at_best(tree: Formula, best: Mapping[str, str]) -> Formula:
-    """Return a formula in which letters have the accents of an equation."""
-    if tree.data == "symbol":
-        bare = _bare(str(tree.children[0]))
-        return letter_of(best[bare]) if bare in best else tree
-    return Tree(tree.data, [_at_best(each, best) if isinstance(each, Tree) else each for each in tree.children])
 
 
 def _bare(symbol: str) -> str:

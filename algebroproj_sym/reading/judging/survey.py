@@ -91,7 +91,7 @@ class Survey:
     def _prose(self) -> str:
         return prose_of(self.statements)
 
-    def _says(self, form: str) -> bool:
+    def says(self, form: str) -> bool:
         """Whether the text has words of a form, as for `says`."""
         return says(form, self._prose)
 
@@ -270,11 +270,6 @@ class Survey:
         return introduced_by(found.sides[0]) if found else frozenset()
 
     @cached_property
-    def has_programs(self) -> bool:
-        """Whether the text speaks of programs, in which a letter gets new values by ``:=``."""
-        return self._says(r"\b<programs>\b")
-
-    @cached_property
     def _has_superscripts(self) -> bool:
         return has_superscripts(self._prose)
 
@@ -305,7 +300,7 @@ class Survey:
         by_time = "t" in called(self.statements, "time") or any(each.endswith("/dt") for each in self.occurring)
         by_time = by_time or "t" in {symbol for each in self._read for symbol in _turning(each)}
         own = {name: defined_by(next(iter(of)))[1] for name, of in self._arguments.items() if len(of) == 1}
-        time = ("t",) if self._says("<of-time>") else ()
+        time = ("t",) if self.says("<of-time>") else ()
         arguments = {name: of + time if of and "t" not in of else of for name, of in own.items()}
         return Dependence(tuple(ties), by_time, constants_in(self.statements), arguments, axes_turn(self._prose))
 
@@ -366,7 +361,7 @@ class Survey:
     @cached_property
     def quaternions(self) -> frozenset[str]:
         """The letters that are quaternions, multiplied in a circle; none where words speak of Kronecker's product."""
-        if not self._says(r"\b<quaternions>\b") or self._says(r"\b<no-quaternions>\b"):
+        if not self.says(r"\b<quaternions>\b") or self.says(r"\b<no-quaternions>\b"):
             return frozenset()
         return quaternions_in(each.sides for each in self._read)
 
@@ -375,12 +370,12 @@ class Survey:
         """Whether words speak of rigid motions, where R is a rotation, and say nothing of R."""
         said = {split_symbol(symbol)[0] for symbol, _ in described(self._prose) if " " not in symbol}
         named = re.search(r"\$\\?(?:mathbf\{)?R\}?\$", self._prose)
-        return self._says(r"\b<rotations>\b") and not (named or said & {"R", r"\mathbf{R}"})
+        return self.says(r"\b<rotations>\b") and not (named or said & {"R", r"\mathbf{R}"})
 
     @cached_property
     def speaks_of_covariances(self) -> bool:
         """Whether words speak of covariances, which are symmetric, and of no factors that are called likewise."""
-        return self._says(r"\b<covariances>\b") and not self._says(r"\b<no-covariances>\b")
+        return self.says(r"\b<covariances>\b") and not self.says(r"\b<no-covariances>\b")
 
     @cached_property
     def named_otherwise(self) -> frozenset[str]:
@@ -389,36 +384,26 @@ class Survey:
         return frozenset(split_symbol(symbol)[0] for symbol, said in nouns if said and not said & _OF_NOISE)
 
     @cached_property
-    def has_conjugates(self) -> bool:
-        """Whether words speak of conjugates, which have a star then."""
-        return self._says(r"\b<conjugates>\b")
-
-    @cached_property
     def has_tensors_of_three_rows(self) -> bool:
         """Whether words speak of tensors, and of no other number of dimensions."""
-        return self._says(r"\b<tensors>\b") and not self.is_flat
+        return self.says(r"\b<tensors>\b") and not self.is_flat
 
     @cached_property
     def is_flat(self) -> bool:
         """Whether words speak of another number of dimensions than three."""
-        return self._says(r"(?<![a-z])<flat>")
+        return self.says(r"(?<![a-z])<flat>")
 
     @cached_property
     def sums_over_indices(self) -> bool:
         """Whether sums over repeated indices are not written: words say so, or letters look so beside no sum."""
         sums = any(index_of(str(big.children[0])) for side in self._sides for big in side.find_data("big"))
-        unsaid = not sums and self._says(r"\b<tensors>\b")
+        unsaid = not sums and self.says(r"\b<tensors>\b")
         return self.meanings.has_convention or (unsaid and is_in_index_notation(self.occurring, self.tensor_indices))
 
     @cached_property
     def tensor_indices(self) -> frozenset[str]:
         """The letters that are indices of tensors."""
         return indices_in(self.occurring)
-
-    @cached_property
-    def has_permutations(self) -> bool:
-        """Whether words speak of the sign of permutations as a letter with three indices."""
-        return self._says(r"\b<permutations>\b")
 
     @cached_property
     def imaginary(self) -> str:
@@ -481,10 +466,9 @@ class Survey:
             wholes=wholes_in(self._prose),
             gamma=has_gamma_function(self._prose),
         )
-        words = (f"{each.before} {each.after}" for each in self.document.formulas)
         hats = frozenset(each.symbol for each in self.crossed if each.tree.data == "marked" and not each.parameters)
         given = {defined_by(each.sides[0])[0] for each in self._read if len(each.sides) > 1}
-        for definition in crosses_in(sorted(self.occurring), words, hats):
+        for definition in crosses_in(sorted(self.occurring), hats):
             if definition.symbol not in given or lone(definition.tree.children[0]) == "":
                 found.define(definition)
         return found

@@ -95,6 +95,16 @@ _ROTATIONS = re.compile(
 )
 
 
+def _beside(statement: Statement) -> tuple[str, str]:
+    """Return the words before a formula and behind it, on one line."""
+    return " ".join(statement.display.before.split()), " ".join(statement.display.after.split())
+
+
+def _inline(statements: Iterable[Statement]) -> Iterator[Statement]:
+    """Yield the formulas within the text."""
+    return (each for each in statements if each.display.environment == "inline")
+
+
 def sizes_in(statements: Iterable[Statement]) -> dict[str, tuple[int, int]]:
     """Return symbols with their rows and columns; without those of which a document says two things."""
     return _agreed(_sizes(statements))
@@ -114,12 +124,11 @@ def properties_in(statements: Iterable[Statement]) -> dict[str, tuple[str, ...]]
 
 def _called_otherwise(statements: Iterable[Statement]) -> Iterator[tuple[str, int]]:
     """Yield the letters that words call something that has none of the properties, each with its section."""
-    for each in statements:
-        if each.display.environment == "inline":
-            before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
-            behind = _IS_CALLED.match(after)
-            if _OF_NOISE.search(before) or (behind and not heard("<has-property>").search(behind[1])):
-                yield from ((symbol, each.display.part) for symbol in symbols_in_list(each.latex, 1))
+    for each in _inline(statements):
+        before, after = _beside(each)
+        behind = _IS_CALLED.match(after)
+        if _OF_NOISE.search(before) or (behind and not heard("<has-property>").search(behind[1])):
+            yield from ((symbol, each.display.part) for symbol in symbols_in_list(each.latex, 1))
 
 
 SET = (
@@ -154,29 +163,23 @@ def vectors_in(statements: Iterable[Statement]) -> frozenset[str]:
     members = (side for each in every if (match := _VECTOR_SPACE.match(each.latex)) for side in match[1].split("="))
     return called(every, rf"(?:{_VECTORS})", of_time=True).union(
         (symbol for each in members for symbol in symbols_in_list(each)),
-        (symbol for each in every if _is_listed(each) for symbol in symbols_in_list(each.latex, 1)),
+        (symbol for each in _inline(every) if _is_listed(each) for symbol in symbols_in_list(each.latex, 1)),
     )
 
 
 def _is_listed(statement: Statement) -> bool:
     """Whether a list of letters calls a formula a vector or a matrix, without a verb."""
-    before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
-    inline = statement.display.environment == "inline"
-    return inline and _LISTED_BEFORE.search(before) is not None and _LISTED_BEHIND.match(after) is not None
+    before, after = _beside(statement)
+    return _LISTED_BEFORE.search(before) is not None and _LISTED_BEHIND.match(after) is not None
 
 
 def columns_in(statements: Iterable[Statement]) -> frozenset[str]:
     r"""Return the symbols that are said to be vectors, in words or as in ``x \in \mathbb{R}^n``, and no rows."""
     every = tuple(statements)
-    spaces = (match for each in every if (match := _VECTOR_SPACE.match(each.latex)) and not _is_denied(each))
-    members = (
-        symbol
-        for match in spaces
-        if r"\times" not in match.string[match.end(1) :]
-        for symbol in symbols_in_list(match[1])
-    )
+    columns = (each for each in every if r"\times" not in each.latex.partition(r"\in")[2] and not _is_denied(each))
+    members = _members(columns, _VECTOR_SPACE)
     others = called(every, r"(?:matri(?:x|ces)|tensors?|row[- ]vectors?|rows?)")
-    return (called(every, r"vectors?(?! (?:sub)?spaces?| bundles?| fields?)") | {*members}) - others
+    return (called(every, r"vectors?(?! (?:sub)?spaces?| bundles?| fields?)") | members) - others
 
 
 def complexes_in(statements: Sequence[Statement]) -> frozenset[str]:
@@ -219,16 +222,15 @@ _CONSTANT_BEHIND = re.compile(
 def constants_in(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the symbols that words call constant, as in "with constant $m$ and $k$" and "$m$ is fixed"."""
     found, changing = set[str](), set[str]()
-    for each in statements:
-        if each.display.environment == "inline":
-            before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
-            sentence = re.split(r"[.;]", f"{before} "[-200:])[-1]
-            if heard("<varies>").match(after):
-                changing |= {*symbols_in_list(each.latex)}
-            if _DOUBTS.search(sentence) or _NO.search(before):
-                continue
-            if _CONSTANT_BEFORE.search(sentence) or _CONSTANT_BEHIND.match(after):
-                found |= {*symbols_in_list(each.latex)}
+    for each in _inline(statements):
+        before, after = _beside(each)
+        sentence = re.split(r"[.;]", f"{before} "[-200:])[-1]
+        if heard("<varies>").match(after):
+            changing |= {*symbols_in_list(each.latex)}
+        if not (_DOUBTS.search(sentence) or _NO.search(before)) and (
+            _CONSTANT_BEFORE.search(sentence) or _CONSTANT_BEHIND.match(after)
+        ):
+            found |= {*symbols_in_list(each.latex)}
     return frozenset(found - changing)
 
 
@@ -243,14 +245,12 @@ def called(statements: Iterable[Statement], things: str, *, of_time: bool = Fals
         re.IGNORECASE,
     )
     found = set[str]()
-    for each in statements:
-        if each.display.environment == "inline" and not each.latex.lstrip().startswith(r"\{"):
-            before, after = (" ".join(words.split()) for words in (each.display.before, each.display.after))
-            if "=" in each.latex and _SET.search(before):
-                continue
-            if is_before.search(before[-200:]) or is_behind.match(after):
-                named = each.latex.partition("=")[0]
-                found |= {*symbols_in_list(re.sub(r"\(\s*t\s*\)", "", named) if of_time else named)}
+    for each in _inline(statements):
+        before, after = _beside(each)
+        excluded = each.latex.lstrip().startswith(r"\{") or ("=" in each.latex and _SET.search(before))
+        if not excluded and (is_before.search(before[-200:]) or is_behind.match(after)):
+            named = each.latex.partition("=")[0]
+            found |= {*symbols_in_list(re.sub(r"\(\s*t\s*\)", "", named) if of_time else named)}
     return frozenset(found)
 
 
@@ -260,11 +260,10 @@ _IDENTITY = re.compile(r"identity|unit(?:y)? matri|unity", re.IGNORECASE)
 def named_otherwise(statements: Iterable[Statement]) -> frozenset[str]:
     """Return the letters I that stand alone within the text, where no word says that they are the identity."""
     found, identities = set[str](), set[str]()
-    for each in statements:
-        if each.display.environment == "inline":
-            letters = {*filter(LIKE_IDENTITY.fullmatch, symbols_in_list(each.latex))}
-            words = f"{each.display.before[-80:]} {each.display.after[:80]}"
-            (identities if _IDENTITY.search(words) else found).update(letters)
+    for each in _inline(statements):
+        letters = {*filter(LIKE_IDENTITY.fullmatch, symbols_in_list(each.latex))}
+        words = f"{each.display.before[-80:]} {each.display.after[:80]}"
+        (identities if _IDENTITY.search(words) else found).update(letters)
     return frozenset(found - identities)
 
 
@@ -303,12 +302,12 @@ def _properties(statements: Iterable[Statement]) -> Iterator[tuple[str, tuple[st
 
 def _is_denied(statement: Statement) -> bool:
     """Whether the words beside a formula say that it does not hold."""
-    before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
+    before, after = _beside(statement)
     return bool(_NO.search(before) or _NOT.match(after))
 
 
 def _kind_of(statement: Statement) -> str:
-    before, after = (" ".join(words.split()) for words in (statement.display.before, statement.display.after))
+    before, after = _beside(statement)
     if _DOUBTS.search(before[-200:]):
         return ""
     if (

@@ -15,19 +15,13 @@ from algebroproj_sym.reading.prose.devices import heard
 from algebroproj_sym.reading.prose.phrases import symbols_in_list
 
 _ALWAYS = re.compile(r"\\math(?:bb|ds)\{E\}")
-_EXPECTED = re.compile(
-    r"\bexpected values?\b|\bexpectations?\b|\brandom (?:variables?|vectors?)\b|\b(?:co)?variances?\b|\bunbiased\b",
-    re.IGNORECASE,
-)
+_EXPECTED = heard(r"\b<averages>\b")
 _OTHERWISE = heard("<no-average>")
 _FORMULA = r"\$([^$]*)\$"
 _BE = r"(?:is|are|be|being) (?:(?:an?|the|all|both|now|assumed) )*"
-_DRAWN = r"(?:random|poisson|binomial|geometric|stochastic|gaussian|normally|uniformly|distributed|drawn|uncertain)"
-_RANDOM = re.compile(rf"\b{_DRAWN}\b[^.$]{{0,40}}{_FORMULA}|{_FORMULA} {_BE}[^.$]{{0,30}}\b{_DRAWN}", re.IGNORECASE)
-_SURE = r"(?<!un)(?<!not )(?:deterministic|non-?random)"
-_FIXED = re.compile(
-    rf"\b{_SURE} (?:[a-z]+ ){{0,3}}{_FORMULA}|\bknown (?:[a-z]+ )?matri(?:x|ces) {_FORMULA}|{_FORMULA} {_BE}{_SURE}\b",
-    re.IGNORECASE,
+_RANDOM = heard(rf"\b<drawn>\b[^.$]{{0,40}}{_FORMULA}|{_FORMULA} {_BE}[^.$]{{0,30}}\b<drawn>")
+_FIXED = heard(
+    rf"\b<sure> (?:[a-z]+ ){{0,3}}{_FORMULA}|\bknown (?:[a-z]+ )?matri(?:x|ces) {_FORMULA}|{_FORMULA} {_BE}<sure>\b"
 )
 
 

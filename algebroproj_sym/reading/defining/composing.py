@@ -9,7 +9,7 @@ from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, factors_of, is_inverse, terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Sides, lone, trees_in
 
-_THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
+THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
 _SMALL = re.compile(r"(?:\\(?:d?dot|hat|bar|tilde)\{)*[a-z]\}*(?:_(?:\{[^{}]*\}|\w))?'*")
 _QUATERNIONS = re.compile(r"\bquaternions?\b", re.IGNORECASE)
 _ALL_CAPITALS = re.compile(
@@ -37,19 +37,23 @@ def composed_in(
     if _QUATERNIONS.search(words):
         yield from _multiplied_in(equations)
     if _ALL_CAPITALS.search(words):
-        yield from filter(_THIN_CAPITAL.fullmatch, occurring)
+        yield from filter(THIN_CAPITAL.fullmatch, occurring)
+
+
+def products_in(equations: Iterable[Sides], *kinds: str) -> Iterator[tuple[Formula, Formula]]:
+    """Yield the sides of equations, each with the products, or other formulas, that are equal to it."""
+    return ((one, other) for both in equations for one in both for other in both if other.data in (kinds or ("run",)))
 
 
 def _chained_in(equations: Iterable[Sides]) -> Iterator[str]:
     """Yield the letters that are composed as ``R_{13} = R_{12} R_{23}``: their order matters."""
-    for both in equations:
-        for one, other in ((one, other) for one in both for other in both if other.data == "run"):
-            factors = [one, *trees_in(other)]
-            (start, end), *steps = map(_indices, factors)
-            way = "".join(step for pair in steps for step in pair)
-            closed = start + end != "" and (start, end) == (way[:1], way[-1:]) and way[1:-1:2] == way[2:-1:2]
-            if closed and len(way) == 2 * len(steps) > 2 and len({*map(_stem, factors)}) == 1:
-                yield from map(lone, factors)
+    for one, other in products_in(equations):
+        factors = [one, *trees_in(other)]
+        (start, end), *steps = map(_indices, factors)
+        way = "".join(step for pair in steps for step in pair)
+        closed = start + end != "" and (start, end) == (way[:1], way[-1:]) and way[1:-1:2] == way[2:-1:2]
+        if closed and len(way) == 2 * len(steps) > 2 and len({*map(_stem, factors)}) == 1:
+            yield from map(lone, factors)
 
 
 def _between_frames(sides: Iterable[Formula]) -> Iterator[str]:
@@ -96,10 +100,10 @@ def _turned_in(sides: Iterable[Formula]) -> Iterator[str]:
 
 def _ordered_in(equations: Iterable[Sides]) -> Iterator[Iterator[str]]:
     """Yield the letters of each equation that is written as one of matrices."""
-    for both in equations:
-        yield from map(_divided_in, both)
-        for one, other in ((one, other) for one in both for other in both if other.data in ("run", "sum")):
-            yield _of_state(lone(one), other) if lone(one) else _of_both_sides(one, other)
+    every = [*equations]
+    yield from (_divided_in(side) for both in every for side in both)
+    for one, other in products_in(every, "run", "sum"):
+        yield _of_state(lone(one), other) if lone(one) else _of_both_sides(one, other)
 
 
 def _divided_in(side: Formula) -> Iterator[str]:
@@ -128,7 +132,7 @@ def _of_state(letter: str, side: Any) -> Iterator[str]:
 def _maps(run: Formula) -> bool:
     """Whether a product is a capital before a small letter, or before a sum with one that is mapped."""
     first, *rest = trees_in(run)
-    if _THIN_CAPITAL.fullmatch(lone(first)) is None or len(rest) != 1:
+    if THIN_CAPITAL.fullmatch(lone(first)) is None or len(rest) != 1:
         return False
     terms = terms_of(rest[0])
     letters = [lone(each) for each in terms if not (each.data == "run" and _maps(each))]
@@ -149,16 +153,15 @@ def _of_both_sides(one: Any, other: Any) -> Iterator[str]:
     both = [[*map(lone, trees_in(each))] for each in (one, other) if each.data == "run"]
     letters = [each for run in both for each in run]
     if len(both) == 2 and both[0][-1] == both[1][0] and both[0] != both[1]:
-        yield from letters if all(map(_THIN_CAPITAL.fullmatch, letters)) else ()
+        yield from letters if all(map(THIN_CAPITAL.fullmatch, letters)) else ()
 
 
 def _multiplied_in(equations: Iterable[Sides]) -> Iterator[str]:
     """Yield the letters that are composed of ones with other indices, as in ``q = q_1 q_2``."""
-    for both in equations:
-        for one, other in ((one, other) for one in both for other in both if other.data == "run"):
-            factors = [one, *trees_in(other)]
-            if all(map(lone, factors)) and len({*map(_stem, factors)}) == 1:
-                yield from map(lone, factors)
+    for one, other in products_in(equations):
+        factors = [*map(lone, (one, *trees_in(other)))]
+        if all(factors) and len({split_symbol(each)[0] for each in factors}) == 1:
+            yield from factors
 
 
 def _indices(factor: Any) -> tuple[str, str]:

@@ -8,6 +8,8 @@ from algebroproj_sym.reading.lexing.names import split_symbol
 
 MOST_LETTERS = 60
 """How many letters the name of a symbol has; what has the same name by then gets a number."""
+ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
+"""A vector or a matrix of zeros."""
 BOLD = re.compile(r"\\(?:mathbf|mathsf|mathbb|vec|overrightarrow|mathfrak)(?![a-z]{2})")
 
 

@@ -16,7 +16,7 @@ from typing import Any
 from lark import Token
 
 from algebroproj_sym.reading.defining.averages import Averages, averages_in
-from algebroproj_sym.reading.defining.composing import composed_in
+from algebroproj_sym.reading.defining.composing import THIN_CAPITAL, composed_in
 from algebroproj_sym.reading.defining.oblong import oblong_in
 from algebroproj_sym.reading.defining.tensors import (
     contract_otherwise,
@@ -46,7 +46,6 @@ from algebroproj_sym.reading.prose.inner import vectors_in
 _OF_FRAMES = re.compile(r"[A-Z]_\{?\w+\^\}?\^")
 """A capital of two frames, as ``{}^A R^B``: it takes one into the other."""
 _SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")
-_THIN_CAPITAL = re.compile(r"[A-Z](?:_\{?\w+\}?)?'*")
 _BOLD_SMALL = re.compile(r"\\mathbf\{\\?[a-z]")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
 _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?![a-z]{2})")
@@ -336,7 +335,7 @@ def _stretched_in(equations: Iterable[Sides]) -> Iterator[str]:
         if one.data == other.data == "run" and len(one.children) == 2:
             capital, letter = map(lone, trees_in(one))
             if (
-                _THIN_CAPITAL.fullmatch(capital)
+                THIN_CAPITAL.fullmatch(capital)
                 and letter
                 and not CAPITAL.match(letter)
                 and lone(trees_in(other)[-1]) == letter
@@ -348,7 +347,7 @@ def _measured_in(sides: Iterable[Formula]) -> Iterator[str]:
     r"""Yield the small letters of a vector of which there is a length, as x and b in ``\|A x - b\|``."""
     for norm in (norm for side in sides for norm in side.find_data("norm")):
         terms = [trees_in(each) if each.data == "run" else [each] for each in terms_of(trees_in(norm)[0])]
-        if any(_THIN_CAPITAL.fullmatch(lone(factors[0])) and len(factors) > 1 for factors in terms):
+        if any(THIN_CAPITAL.fullmatch(lone(factors[0])) and len(factors) > 1 for factors in terms):
             yield from (letter for letter in (lone(factors[-1]) for factors in terms) if _SMALL.fullmatch(letter))
 
 
@@ -373,7 +372,7 @@ def _of_forms_in(sides: Iterable[Formula]) -> Iterator[str]:
     for first, *inner, last in (trees_in(run) for side in sides for run in side.find_data("run")):
         row = lone(first.children[0]) if first.data == "marked" and first.children[1] == "T" else ""
         ends = row, lone(last)
-        if inner and all(map(_SMALL.fullmatch, ends)) and all(_THIN_CAPITAL.fullmatch(base_of(each)) for each in inner):
+        if inner and all(map(_SMALL.fullmatch, ends)) and all(THIN_CAPITAL.fullmatch(base_of(each)) for each in inner):
             yield from ends
 
 

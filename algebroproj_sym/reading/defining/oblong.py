@@ -7,6 +7,7 @@ from typing import Any
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.composing import products_in
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.factors import CAPITAL, base_of, head_of, is_inverse, terms_of
 from algebroproj_sym.reading.parsing.grammar import Sides, lone, trees_in
@@ -104,20 +105,18 @@ def _products_in(term: Any) -> Iterator[list[Any]]:
 
 def _one_sided_in(equations: Iterable[Sides], oblong: Collection[str]) -> Iterator[str]:
     """Yield the letters whose product with an oblong one is the identity: they have no inverse either."""
-    for both in equations:
-        for one, other in ((one, other) for one in both for other in both if other.data == "run"):
-            factors = [*map(lone, trees_in(other))]
-            if lone(one)[-2:].strip("}") == "I" and all(factors) and not {*map(bare_name, factors)}.isdisjoint(oblong):
-                yield from factors
+    for one, other in products_in(equations):
+        factors = [*map(lone, trees_in(other))]
+        if lone(one)[-2:].strip("}") == "I" and all(factors) and not {*map(bare_name, factors)}.isdisjoint(oblong):
+            yield from factors
 
 
 def _mapping_in(equations: Iterable[Sides]) -> Iterator[str]:
     """Yield the capitals that take one letter into another one, as H in ``z = H x``."""
-    for both in equations:
-        for one, other in ((one, other) for one in both for other in both if other.data == "run"):
-            factors = [*map(lone, trees_in(other))]
-            if lone(one) and len(factors) == 2 and all(factors) and CAPITAL.match(_BOLDLY.sub("", factors[0])):
-                yield factors[0]
+    for one, other in products_in(equations):
+        factors = [*map(lone, trees_in(other))]
+        if lone(one) and len(factors) == 2 and all(factors) and CAPITAL.match(_BOLDLY.sub("", factors[0])):
+            yield factors[0]
 
 
 def _squared_in(tree: Any) -> Iterator[str]:

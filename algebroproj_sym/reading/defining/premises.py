@@ -17,6 +17,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import diff, evaluate, free_symbols, shape, text
 from algebroproj_sym.reading.defining.definition import Definition, Role
+from algebroproj_sym.reading.defining.identifiers import ZERO
 from algebroproj_sym.reading.defining.recognising import defined_by, is_one_value
 from algebroproj_sym.reading.defining.vanishing import factors_of_zero, leave_a_choice
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
@@ -35,8 +36,6 @@ MOST_TOGETHER = 6
 """Under how many equations before one it may hold together, besides those that it names."""
 _VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
 """What may be given as a whole: a value of a function, and a square."""
-ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
-"""A vector or a matrix of zeros."""
 _ACCENTED = re.compile(r"\\(?:wide)?(hat|tilde)\{(.+)\}(.*)")
 _JOINED = re.compile(r"\\times(?=[a-zA-Z])")
 

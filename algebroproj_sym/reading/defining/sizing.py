@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.letters import are_same
 from algebroproj_sym.reading.defining.dependence import ANY, COUNTED, is_number, letters_in, letters_of_symbol
+from algebroproj_sym.reading.defining.identifiers import ZERO
 from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.maps import identity_of, unknown
 from algebroproj_sym.reading.defining.parts import Part, Shape, Size, constant, refused, sum_of
@@ -18,7 +19,6 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula
 
 _BARE = re.compile(rf"{VECTOR_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
-_ZERO = re.compile(r"\\math(?:bf|bb)\{0\}(?:_.*)?|\\mathbf0(?:_.*)?")
 _DOTS = re.compile(r"\\d*dot(?![a-z])")
 """The marks of derivatives by time, which have the shape of what is derived."""
 _SIZES = "nmklpqrstuvwhijabcdgoyz"
@@ -77,7 +77,7 @@ class Reader:
         """Return what a symbol stands for."""
         if symbol in self._known:
             return self._known[symbol]
-        if _ZERO.fullmatch(symbol):
+        if ZERO.fullmatch(symbol):
             return constant("0")
         vocabulary = self._vocabulary
         if vocabulary.constant(symbol) is not None:

@@ -15,7 +15,7 @@ import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import Matrix, require_bounded, shape, vector
-from algebroproj_sym.reading.defining.premises import ZERO
+from algebroproj_sym.reading.defining.identifiers import ZERO
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.lexing.pieces import UnreadableError

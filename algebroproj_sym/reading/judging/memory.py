@@ -131,8 +131,8 @@ class Memory:
                 takes_back(display.before) or is_acted_on(display.before) or says(r"\b<same-letter>\b", display.before)
             )
             if self.display is not None and taken:
-                above = self.display.place
-                self._forget(lambda each: each.place == above)
+                last = self.display.place
+                self._forget(lambda each: each.place == last)
             for symbol in acted_on(display.before):
                 self.forget(symbol)
             self.carried = "" if self.ended or not same_part else self.beside.sentence

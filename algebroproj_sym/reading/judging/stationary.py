@@ -15,28 +15,23 @@ from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, le
 from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.parsing.grammar import Formula, put_in, symbols_in
 from algebroproj_sym.reading.prose.contexts import ANYWHERE
-from algebroproj_sym.reading.prose.devices import says
+from algebroproj_sym.reading.prose.devices import heard, says
 from algebroproj_sym.reading.prose.words import Beside
 
 _FORMULA = r"\$[^$]*\$"
 _NAMED = rf"(?:the [a-z]+(?: [a-z]+)?|{_FORMULA})"
-_TO_ZERO = re.compile(
-    r"\b(?:set(?:ting)?|equat(?:e|ing)|put(?:ting)?)\s+"
-    r"(?P<what>this|it|them|both|these|(?:the|its|this|these|both) (?:(?:partial|first|resulting) )?"
-    r"(?:derivatives?|gradients?|expressions?))"
+_WHAT = r"(?:the|its|this|these|both) (?:(?:partial|first|resulting) )?(?:<slopes>|expressions?)|<it>"
+_TO_ZERO = heard(
+    rf"\b<zeroing>\s+(?P<what>{_WHAT})"
     rf"(?P<of>\s+of\s+{_NAMED})?(?P<by>\s+with\s+respect\s+to\s+{_NAMED}(?:(?:,|\s+and)\s+{_NAMED})*)?"
     r"\s+(?:equal\s+)?to\s+(?:zero|\$(?:0|\\mathbf\{0\})\$)"
-    r"|\b(?P<zero>which|it|this|(?:the|its|this) (?:derivative|gradient))"
-    r"\s+(?:vanishes|is (?:equal to )?zero)\s+(?:if(?: and only if)?|for|when|at|provided(?: that)?)\b",
-    re.IGNORECASE,
+    rf"|\b(?P<zero>{_WHAT})\s+<vanishing>\b"
 )
 _SEVERAL = re.compile(r"them|both|these|\w+s$", re.IGNORECASE)
-_PRONOUN = re.compile(r"which$|this$|it$|them$|both$|these$|.*expressions?$", re.IGNORECASE)
-_LEADS = re.compile(r"\W*(?:(?:and|by|now|then|we|can|thus|hence|therefore|so|finally|next)\b\W*)*", re.IGNORECASE)
-"""The words before "setting it to zero" that name nothing else that may be zero."""
-_ELSEWHERE = re.compile(r"\b(?:for|with(?! respect)|at|in|on|under|inside|outside|near)\b", re.IGNORECASE)
-"""Words before it by which the derivative may be that of another case."""
-_ITSELF = re.compile(r"\b(?:derivatives?|gradients?|slopes?)\b[^.]*[.]\s", re.IGNORECASE)
+_PRONOUN = heard(r"<it>$|.*expressions?$")
+_LEADS = heard(r"\W*(?:<proceeds>\b\W*)*")
+_ELSEWHERE = heard(r"\b<places>\b")
+_ITSELF = heard(r"\b(?:<slopes>|slopes?)\b[^.]*[.]\s")
 """A sentence that says more of a derivative."""
 _SLOPE = re.compile(r"(d|\\partial)(?!\^)([^/()]+)(?:\([^/]*\))?/\1([^/^]+)")
 _NABLA = re.compile(r"\\nabla(?:_(.*))?")

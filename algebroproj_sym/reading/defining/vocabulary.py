@@ -204,10 +204,6 @@ class Vocabulary:
                 self.drop(each.symbol)
         self.forget()
 
-    def known(self, symbol: str) -> bool:
-        """Whether a symbol with a superscript is a name of its own."""
-        return symbol in self.given.symbols or symbol in self.given.sizes
-
     def name(self, symbol: str) -> str:
         """Return the name of a symbol: one of its own for each, that a Python program could use."""
         return self.names.name(symbol)

@@ -243,7 +243,7 @@ class _Pass:
         stated = not denied and (SAYS.search(before) or is_item(before, statement.display.after))
         at_value = is_value_of_itself(*formula.sides) if len(formula.sides) == 2 else False
         if len(formula.sides) == 2 and not at_value and (says or (stated and not CASES.search(sentence))):
-            definition = definition_in(self.memory, statement, formula, explicit=bool(says), late=bool(says))
+            definition = definition_in(self.memory, statement, formula, explicit=bool(says))
             if (
                 definition is not None
                 and not is_one_value(definition.parameters, definition.tree)

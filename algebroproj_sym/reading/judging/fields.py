@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from algebroproj_sym.expressions import shape
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, sides_of
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.fields import (
@@ -70,13 +71,11 @@ def _may_act(tree: Formula, applied: Mapping[str, Applied]) -> bool:
 
 def _with_definitions_apart(vocabulary: Vocabulary, apart: Apart) -> Vocabulary:
     """Return a vocabulary with the definitions whose operators stand before what they are applied to."""
-    found = vocabulary.copied()
-    found.definitions = {}
+    found = dict[str, Definition]()
     for symbol, each in vocabulary.definitions.items():
         with suppress(UnreadableError):
-            found.definitions[symbol] = replace(each, tree=apart(each.tree))
-    found.forget()
-    return found
+            found[symbol] = replace(each, tree=apart(each.tree))
+    return vocabulary.changed(definitions=found)
 
 
 def _near(standing: Standing, known: Vocabulary, sides: Sides, apart: Apart) -> list[Premise]:

@@ -49,9 +49,7 @@ from algebroproj_sym.reading.prose.meanings import CHANGES
 from algebroproj_sym.reading.prose.words import beside
 
 
-def definition_in(
-    memory: Memory, statement: Statement, formula: Parsed, *, explicit: bool, late: bool = False
-) -> Definition | None:
+def definition_in(memory: Memory, statement: Statement, formula: Parsed, *, explicit: bool) -> Definition | None:
     """Return what a statement defines: a letter, or a function of letters, of which nothing was asserted before."""
     if not formula.relations or formula.relations[0] not in EQUALITIES:
         return None
@@ -70,7 +68,7 @@ def definition_in(
         or (not explicit and is_one_value(parameters, right))
     ):
         return None
-    late = late or explicit or memory.introduced or table
+    late = explicit or memory.introduced or table
     used = bool(memory.said_before((symbol,), statement.display.place)) and not late
     again = symbol in memory.vocabulary.definitions and relation not in (":=", "=:")
     if used or again or is_circular(symbol, right, memory.vocabulary):

@@ -27,14 +27,11 @@ _NEARLY = 1e-9
 
 
 class Sample:
-    """A point at which formulas are evaluated; what several formulas share is evaluated once.
+    """A point at which formulas are evaluated; the seed says where.  What several of them share is evaluated once."""
 
-    The seed says which numbers letters get, but for those whose numbers are given.
-    """
-
-    def __init__(self, vocabulary: Vocabulary, seed: int, given: Mapping[str, Fraction] | None = None) -> None:
+    def __init__(self, vocabulary: Vocabulary, seed: int) -> None:
         self._vocabulary = vocabulary
-        self._numbers = {sympy.Symbol(name): _rational(value) for name, value in (given or {}).items()}
+        self._numbers: dict[Any, Any] = {}
         self._others = (POINTS[(seed + place) % len(POINTS)] + place for place in count())
         self._known: dict[str, Any] = {}
         self._value = evaluator(self._names)

@@ -87,9 +87,7 @@ def _with_given_values(standing: Standing, left: Formula, right: Formula) -> Ite
 
 def _solved_for_values(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     r"""Yield a relation with a side such as ``\cos a`` as what an equation above it, solved for it, says."""
-    known, plain = standing.vocabulary, standing.vocabulary.copied()
-    plain.definitions.clear()
-    plain.forget()
+    known, plain = standing.vocabulary, standing.vocabulary.changed(definitions={})
     for value, other in ((left, right), (right, left)):
         if value.data != "function" or complex_letters_in(known, left, right):
             continue

@@ -221,10 +221,8 @@ def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Ques
     """Return the questions, or why there are none."""
     if other := _of_other_letters(vocabulary, left, right):
         return f"{vocabulary.name(other)} with other arguments may be another function"
-    if hides := _hides_an_index(vocabulary, left, right):
-        return hides
-    if outside := out_of_range(vocabulary, left, right):
-        return outside
+    if refused := _hides_an_index(vocabulary, left, right) or out_of_range(vocabulary, left, right):
+        return refused
     try:
         return questions_of(vocabulary, left, right)
     except UnreadableError as unread:

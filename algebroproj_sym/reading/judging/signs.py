@@ -4,7 +4,7 @@ Nor does what needs the inverse of a matrix that words call singular, or divides
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from itertools import permutations
 
@@ -35,27 +35,20 @@ def denied_by_words(document: Document) -> frozenset[str]:
     words = " ".join(f"{each.before} ${each.latex}$ {each.after}" for each in document.formulas[:MOST_SEARCHED])
     words = " ".join(words.split())
     negative = {name for match in _NEGATIVE.findall(words) for each in match for name in _names(symbols_of(each))}
-    zero, singular = (_said_by(pattern, words) for pattern in (_ZERO, _SINGULAR))
+    zero, singular = (
+        {name for names in _said(pattern, words, symbols_in_list) for name in names} for pattern in (_ZERO, _SINGULAR)
+    )
     signs = (f"{each} {sign} 0" for each in negative for sign in (">", ">="))
-    across = [
-        f"{one} {other}"
-        for match in _ORTHOGONAL.finditer(words)
-        for one, other in permutations(
-            [name for each in match.groups() if each for name in _names(symbols_of(each))], 2
-        )
-        if not _UNLESS.search(words[max(0, match.start() - NEAR) : match.start()])
-    ]
+    vectors = (pair for names in _said(_ORTHOGONAL, words, symbols_of) for pair in permutations(names, 2))
+    across = map(" ".join, vectors)
     return frozenset((*signs, *zero, *singular, *(f"det({each})" for each in singular), *across))
 
 
-def _said_by(pattern: re.Pattern[str], words: str) -> set[str]:
-    """Return the names of the letters of which words say something, and not in a case."""
-    found = (
-        each
-        for each in pattern.finditer(words)
-        if not _UNLESS.search(words[max(0, each.start() - NEAR) : each.start()])
-    )
-    return {name for match in found for each in match.groups() if each for name in _names(symbols_in_list(each))}
+def _said(pattern: re.Pattern[str], words: str, symbols: Callable[[str], Iterable[str]]) -> Iterator[list[str]]:
+    """Yield the names of the letters of each place at which words say something of them, and not in a case."""
+    for match in pattern.finditer(words):
+        if not _UNLESS.search(words[max(0, match.start() - NEAR) : match.start()]):
+            yield [name for each in match.groups() if each for name in _names(symbols(each))]
 
 
 _STYLE = re.compile(r"\\(?:math(?:bf|bb|sf|rm)|vec|overrightarrow)(?![a-zA-Z])")

@@ -23,10 +23,9 @@ def as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) 
         return
     for premises, given in (([], []), (standing.above, standing.given)):
         known = extended(standing.vocabulary, [*given, *supposed])
-        yield Way(left, right, known)
         changing = with_rates(standing, (left, right), known)
-        if used_by(changing, left, right) != used_by(known, left, right):
-            yield Way(left, right, changing)
+        differs = used_by(changing, left, right) != used_by(known, left, right)
+        yield from (Way(left, right, each) for each in (known, changing)[: 1 + differs])
         values = given_values([*premises, *own], known, (left, right))
         if values:
             ours, theirs = (with_given(side, values) for side in (left, right))

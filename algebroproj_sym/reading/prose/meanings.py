@@ -26,24 +26,9 @@ from algebroproj_sym.reading.prose.phrases import SET, called, symbols_in_list
 ITERATE = "a power of a function may mean that it is applied again"
 VARIES = "may be a different number each time"
 _SIGNS = (
-    (
-        r"\b(?:computations?|calculations?|arithmetic|operations?|integers|numbers|everything)\b[^.]{0,30}\bmodulo\b"
-        r"|\bmodulo \$?\d+\$?(?![\\\w])|\bmodulo (?:two|three|four|five|six|seven|ten|twelve)\b|\bmodular arithmetic",
-        r"",
-        "numbers may be equal modulo another one",
-    ),
-    (
-        r"\binteger division|\bdivision of integers|\bwithout (?:the )?remainder",
-        r"/|\\[dt]?frac",
-        "a division of integers may drop a remainder",
-    ),
-    (
-        r"\blogical (?:or|and|disjunction|conjunction)\b|\bboolean (?:algebra|or|and|sum|product)\b"
-        r"|\b(?:max|min)-plus\b|\btropical (?:algebra|semiring|sum|addition)|\bMinkowski (?:sum|difference)"
-        r"|\bproduct\b[^.$]* is (?:the|their) composition|\$\s*=\s*\$ (?:means|denotes|stands|is)\b",
-        r"",
-        "its signs may not mean what they mean for numbers",
-    ),
+    ("<modular>", "", "numbers may be equal modulo another one"),
+    ("<integer-division>", r"/|\\[dt]?frac", "a division of integers may drop a remainder"),
+    ("<other-signs>", "", "its signs may not mean what they mean for numbers"),
     *(
         (
             rf"\$\s*{sign}\s*\$ (?:means|denotes|stands|marks|is)\b",
@@ -61,60 +46,29 @@ _SIGNS = (
         )
         for name in ("sin", "cos", "tan", "exp", "log", "ln")
     ),
+    ("<differential>", r"\\[dt]?frac\s*\{\s*d", "d may be a factor"),
     (
-        r"\$d[a-z]\$[^.$]{0,20}\b(?:is|are) (?:an? |the )?products?\b",
-        r"\\[dt]?frac\s*\{\s*d",
-        "d may be a factor",
-    ),
-    (
-        r"\bnearest integer|\binteger part|\bfractional part",
+        "<whole-parts>",
         r"\[(?!\s*\\begin)|\\\{|\\lbrack|\\lbrace",
         "a bracket may stand for an integer or a fractional part",
     ),
+    ("<bracket-products>", r"(?<![a-zA-Z}])(?:\(|\[)[^()\[\],]+,[^()\[\],]+(?:\)|\])", "a bracket may be a product"),
+    ("<complex-products>", r"\\langle[^|]+,[^|]+\\rangle", "an inner product may be of complex vectors"),
     (
-        r"\b(?:scalar|inner) products?\b|\bcommut(?:e|es|ators?)\b|\bbrackets? (?:is|are)\b",
-        r"(?<![a-zA-Z}])(?:\(|\[)[^()\[\],]+,[^()\[\],]+(?:\)|\])",
-        "a bracket may be a product",
-    ),
-    (
-        r"\bcomplex\b|\bhermit|\bsesquilinear|\bunitary"
-        r"|\bconjugate[- ](?:symmetr|linear|transpos)|\bcommut(?:e|es|ators?)\b|\bbrackets? (?:is|are)\b"
-        r"|\b(?:imaginary|quantum|Poisson|Lie bracket)",
-        r"\\langle[^|]+,[^|]+\\rangle",
-        "an inner product may be of complex vectors",
-    ),
-    (
-        r"\bcompos(?:e|es|ed|itions?)\b|\biterat(?:es?|ed|ions?)\b|\bappl\w+ twice\b|\btwice in a row\b"
-        r"|(?<!\^)(?<!\^\{)\\circ(?![a-z])|([a-zA-Z])\s*(?:\\left\s*)?\(\s*\1\s*(?:\\left\s*)?\(",
+        "<composition>",
         r"(\\[a-zA-Z]+|[a-zA-Z]|\})\s*(?:_(?:\w|\{[^{}]*\})\s*)?\^\s*\{?\s*[2-9]\s*\}?\s*(?:\\left\s*)?\(",
         ITERATE,
     ),
-    (r"\bexclusive[- ]or\b|\bxor\b", r"\^", "a caret may be the exclusive or"),
+    ("<exclusive-or>", r"\^", "a caret may be the exclusive or"),
+    ("<concatenation>", "", "its products may not be products of numbers"),
+    ("<other-digits>", r"\d\d", "its digits may have another base than ten"),
     (
-        r"\bconcatenat\w+[^.]{0,60}\b(?:strings?|words?|symbols?|sequences?|lists?|paths?|digits?)\b"
-        r"|\b(?:strings?|words?|symbols?|sequences?|lists?|paths?|digits?|products?|juxtaposition)\b[^.]{0,60}\bconcatenat\w+",
-        r"",
-        "its products may not be products of numbers",
-    ),
-    (
-        r"\b(?:numbers?|numerals?|digits?|codes?|written|arithmetic)\b[^.]{0,20}\b(?:binary|hexadecimal|octal)\b"
-        r"|\b(?:binary|hexadecimal|octal) (?:numbers?|numerals?|digits?|codes?|arithmetic|notation|representations?)\b"
-        r"|\bin (?:binary|hexadecimal|octal)\b(?! (?:stars?|pulsars?|mergers?|alloys?|mixtures?)\b)",
-        r"\d\d",
-        "its digits may have another base than ten",
-    ),
-    (
-        r"\b(?:element|component|entry)-?wise\b|\bentry by entry\b|\belement by element\b|\bcomponent by component\b",
+        "<by-entries>",
         r"(?<!\\partial)(?<!\\partial )(?<!d)(?<!d )\\(?:mathbf|boldsymbol|vec|bm)\s*\{\s*[a-z]\s*\}\s*\^\s*\{?\s*2",
         "the square of a vector may be the square of each entry",
     ),
-    (
-        r"\b(?:carry|carries|bear|bears|marked (?:by|with)|denoted (?:by|with)) (?:an? )?primes?\b"
-        r"|\bprimes? (?:denotes?|means?|marks?|indicates?|stands? for|is|are)\b(?![^.]*\b(?:deriv|different|transpos))",
-        r"'\s*\(",
-        "a prime may be something else than a derivative",
-    ),
-    (r"\bconvol(?:ution|ved|ves)\b", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
+    ("<other-primes>", r"'\s*\(", "a prime may be something else than a derivative"),
+    ("<convolution>", r"(?<![\^_{])(?:\*|\\ast|\\star)", "a star may be the convolution"),
 )
 """What the text says, which LaTeX it concerns, and why an equation with it is not decided."""
 _CONVENTION = heard("<convention>")
@@ -281,7 +235,7 @@ class Meanings:
     @cached_property
     def _signs(self) -> list[tuple[re.Pattern[str], str]]:
         text = " ".join([self.words, *(each.latex for each in self.statements)])
-        said = (each for each in _SIGNS if re.search(each[0], text, re.IGNORECASE))
+        said = (each for each in _SIGNS if says(each[0], text))
         return [(re.compile(latex), reason) for _, latex, reason in said]
 
     @cached_property

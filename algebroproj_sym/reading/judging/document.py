@@ -476,26 +476,13 @@ class _Pass:
         tied = index == 0 and self._is_supposed(left)
         gives = relation in EQUALITIES and not tied and (gives or tells(self.memory, statement, formula, index))
         self.memory.tie([left] if gives else [left, right])
-        if relation not in EQUALITIES:
-            return Link("not decided", _not_judged(relation), rests), None
-        known = self.memory.vocabulary.definitions.get(defined_by(left)[0])
-        if known is not None and known.tree == right and (word := self.memory.beside.amount(known.words)):
-            return Link("not decided", f"the word {word!r} beside it may mean another amount of it", rests), None
-        said = [each.words for each in self.memory.serving if (left, right) in each.both_ways]
-        said += [known.words] if known is not None and known.tree == right else []
-        if said and (word := self.memory.beside.wider(frozenset().union(*said))):
-            return Link("not decided", f"the word {word!r} beside it may add what nothing above it says", rests), None
-        if is_reordered(known.tree if known else left, right):
-            return Link("not decided", "the order of the factors may matter", rests), None
-        letters = self.memory.vocabulary.letters_of(left, right)
-        if (spoken := self.memory.arithmetic) and not any(map(self.memory.vocabulary.is_matrix, letters)):
-            return Link(
-                "not decided", f"the words {spoken!r} above it may mean an arithmetic of other things", rests
-            ), None
+        reason = self._reason_beside(left, right) if relation in EQUALITIES else _not_judged(relation)
+        if reason:
+            return Link("not decided", reason, rests), None
         ways = ways_of(self._standing(statement, formula), statement, formula, index)
         link = Link("not decided", rests_on=rests)
         start, first = _without_rough_value(formula)
-        words = self.memory.beside
+        words, known = self.memory.beside, self.memory.vocabulary
         manner = Manner(
             words.follows,
             gives,
@@ -503,10 +490,26 @@ class _Pass:
             anew=begins_anew(self.memory, right) and not (words.follows or words.case_of_sentence),
             names=index == start and names_its_letter(self.memory, statement, first),
             chained=len(formula.sides) > 2,
-            certain=not letters and all(each.explicit for each in used_by(self.memory.vocabulary, left, right)),
+            certain=not known.letters_of(left, right) and all(each.explicit for each in used_by(known, left, right)),
             identity=self.memory.is_named(statement, self.memory.given.identities),
         )
         return link, Asked(place, index, ways, link, manner)
+
+    def _reason_beside(self, left: Formula, right: Formula) -> str:
+        """Return why words, or the order of factors, leave open what two sides say; empty for no reason."""
+        words, known = self.memory.beside, self.memory.vocabulary.definitions.get(defined_by(left)[0])
+        if known is not None and known.tree == right and (word := words.amount(known.words)):
+            return f"the word {word!r} beside it may mean another amount of it"
+        said = [each.words for each in self.memory.serving if (left, right) in each.both_ways]
+        said += [known.words] if known is not None and known.tree == right else []
+        if said and (word := words.wider(frozenset().union(*said))):
+            return f"the word {word!r} beside it may add what nothing above it says"
+        if is_reordered(known.tree if known else left, right):
+            return "the order of the factors may matter"
+        letters = self.memory.vocabulary.letters_of(left, right)
+        if self.memory.arithmetic and not any(map(self.memory.vocabulary.is_matrix, letters)):
+            return f"the words {self.memory.arithmetic!r} above it may mean an arithmetic of other things"
+        return ""
 
     def _standing(self, statement: Statement, formula: Parsed) -> Standing:
         """Return where a statement stands."""
@@ -515,7 +518,8 @@ class _Pass:
         premises = [each for each in self.memory.serving if not self.memory.tells_of_another(each, letters)]
         place = statement.display.part, premises, self.memory.cited
         own = [*self._supposed, *self._explained_behind()]
-        own += set_to_zero(self.memory.beside, premises, self._free(statement), self._place_above)
+        free = sorted(letters.difference(self.memory.vocabulary.definitions))
+        own += set_to_zero(self.memory.beside, premises, free, self._place_above)
         summed = self.memory.serving_of(self.memory.summed)
         return Standing(self.survey, vocabulary, self.memory.beside, *place, self.memory.given_at, own, summed)
 
@@ -554,13 +558,6 @@ class _Pass:
                 found = range_in(each, self.survey.formulas[id(each)])
                 if found is not None:
                     yield found
-
-    def _free(self, statement: Statement) -> list[str]:
-        """Return the letters of a statement that nothing gives."""
-        formula = self.survey.formulas[id(statement)]
-        sides = formula.sides if isinstance(formula, Parsed) else ()
-        letters = {symbol for side in sides for symbol in symbols_in(side)}
-        return sorted(letters - {*self.memory.vocabulary.definitions})
 
     def _explained_behind(self) -> Iterator[Premise]:
         r"""Yield the equations with which the sentence of a display goes on: "where $w^2 = k/m$", "where \[a = b\]"."""

@@ -15,14 +15,7 @@ from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.letters import worked_out
 from algebroproj_sym.reading.defining.building import built
 from algebroproj_sym.reading.defining.maps import Map
-from algebroproj_sym.reading.defining.parts import (
-    Part,
-    Size,
-    have_same_blocks,
-    is_null,
-    refused,
-    same_shape,
-)
+from algebroproj_sym.reading.defining.parts import Part, Size, have_same_blocks, is_null, refused, same_shape
 from algebroproj_sym.reading.defining.sizing import Reader
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE

@@ -7,10 +7,7 @@ from dataclasses import replace
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.domains import range_in, ranges_said
-from algebroproj_sym.reading.defining.premises import (
-    Premise,
-    sides_of,
-)
+from algebroproj_sym.reading.defining.premises import Premise, sides_of
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
     computes,
@@ -33,6 +30,7 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.applying import with_what_is_true_here
 from algebroproj_sym.reading.judging.components import by_components
 from algebroproj_sym.reading.judging.deciding import OPEN, Asked, Manner, decide
+from algebroproj_sym.reading.judging.indexing import gives_at_other_index
 from algebroproj_sym.reading.judging.introducing import (
     begins_anew,
     definition_in,
@@ -46,18 +44,13 @@ from algebroproj_sym.reading.judging.introducing import (
     tells,
 )
 from algebroproj_sym.reading.judging.memory import Memory, where_of
-from algebroproj_sym.reading.judging.questions import (
-    asking_once,
-    rests_of,
-    stated_by,
-    used_by,
-)
+from algebroproj_sym.reading.judging.questions import asking_once, rests_of, stated_by, used_by
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
 from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.judging.stationary import derives, set_to_zero
 from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
-from algebroproj_sym.reading.judging.ways import gives_at_other_index, ways_of
+from algebroproj_sym.reading.judging.ways import ways_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.reading.prose.meanings import SUMMED, VARIES

@@ -45,15 +45,7 @@ from algebroproj_sym.reading.prose.sentences import (
     without_formulas,
     words_of,
 )
-from algebroproj_sym.reading.prose.words import (
-    Beside,
-    arithmetic_in,
-    beside,
-    denies,
-    has_ended,
-    is_denied,
-    takes_back,
-)
+from algebroproj_sym.reading.prose.words import Beside, arithmetic_in, beside, denies, has_ended, is_denied, takes_back
 
 Known = Premise | Definition
 _IS = re.compile(r"\b(?:is|are)\W*$")

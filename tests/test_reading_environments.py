@@ -275,3 +275,5 @@ def test_a_quotation_in_markdown_is_read() -> None:
     text = "Words.\n\n> A law:\n>\n> $$\n> a = b\n> $$\n\n$$ c\n> d $$\n"
     found = read_document(document_of(text, latex=False))
     assert [(each.line, each.read) for each in found] == [(5, "a = b"), (9, "c > d")]
+    denied = "> $$\n> a = b\n> $$\n\nGalileo refuted this. Hence\n\n$$ a/b = 1 $$\n"
+    assert read_document(document_of(denied, latex=False))[-1].verdict != "follows"

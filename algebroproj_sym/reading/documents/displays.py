@@ -70,6 +70,7 @@ _STRUCK_IN_MARKDOWN = re.compile(
 _FRONT_MATTER = re.compile(r"\A---[ \t]*\n.*?\n---[ \t]*\n", re.DOTALL)
 _QUOTE = re.compile(r"(?:\A|(?<=\n\n))(?:[ ]{0,3}>[^\n]*(?:\n|\Z))+")
 """Lines of Markdown that are a quotation: the first one stands behind an empty line."""
+_QUOTE_MARKS = re.compile(r"^(?:[ ]{0,3}>)+", re.MULTILINE)
 _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>$]*)?/?>")
 _MARK = re.compile(r"^([ \t]*)(```|~~~|:::)[ \t]*(math|\{math\})?.*$", re.MULTILINE)
 """The line on which a block of code begins or ends; one that is a formula says so, as in GitHub and MyST."""
@@ -256,8 +257,8 @@ def _blank(found: re.Match[str]) -> str:
 
 
 def _unquoted(found: re.Match[str]) -> str:
-    """Return a quotation without its marks, each line at its place."""
-    return re.sub(r"^(?:[ ]{0,3}>)+", lambda marks: " " * len(marks[0]), found[0], flags=re.MULTILINE)
+    """Return a quotation without its marks in formulas of several lines; those before words say that it is one."""
+    return re.sub(r"\$\$.*?\$\$", lambda formula: _QUOTE_MARKS.sub(_blank, formula[0]), found[0], flags=re.DOTALL)
 
 
 def _uncited(found: re.Match[str]) -> str:

@@ -39,6 +39,10 @@ STAYS_OPEN = {
     "what does not stay when y changes": r"\[ U = x y \] with \[ y = x^2. \] Hence \[ \frac{dU}{dy} = x. \]",
     "a mass that changes": r"\[ p = m v \] with \[ v = g t \] and \[ \frac{dm}{dt} = -k. \] "
     r"Hence \[ \frac{dp}{dt} = m g. \]",
+    "behind an operator, what changes with a prime": r"The slope of the flow $U$ is $U'$. \[ q = U' w \] "
+    r"Hence \[ \frac{\partial}{\partial y} (U w y) = U w. \]",
+    "what is zero in one case alone": r"\[ L = a p^2 - b p \] At the optimum \[ \frac{dL}{dp} = 0. \] "
+    r"Hence \[ \frac{d^2 L}{dp^2} = 0. \]",
     "the energy of a gas": r"\[ p = R T / V \] \[ U = p V \] Hence \[ \frac{\partial U}{\partial V} = p. \]",
     "a gate that is a function": r"\[ L = y^2 \] where \[ y = w h(w). \] "
     r"Hence \[ \frac{\partial L}{\partial w} = 2 y h(w). \]",

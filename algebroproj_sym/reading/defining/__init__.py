@@ -2,5 +2,5 @@
 
 The `symbols` file, the `phrases` of a document and its definitions make a `vocabulary`; equations above a relation and
 derivatives are `premises` of it.  `kinds` says which letters are vectors or matrices, and `tensors` which are tensors.
-Formulas of these are built from `parts`, and tensors of the fourth order are `maps`.
+`notation` takes derivatives apart.  Formulas are built from `parts`, and tensors of the fourth order are `maps`.
 """

@@ -17,6 +17,7 @@ from lark import Token
 
 from algebroproj_sym.reading.defining.averages import Averages, averages_in
 from algebroproj_sym.reading.defining.composing import THIN_CAPITAL, composed_in
+from algebroproj_sym.reading.defining.notation import PRIME, bare, derivative_in
 from algebroproj_sym.reading.defining.oblong import oblong_in
 from algebroproj_sym.reading.defining.tensors import (
     contract_otherwise,
@@ -28,7 +29,7 @@ from algebroproj_sym.reading.defining.tensors import (
 )
 from algebroproj_sym.reading.defining.twists import turning_in
 from algebroproj_sym.reading.lexing.commands import OF_ANGLES
-from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
+from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
 from algebroproj_sym.reading.parsing.factors import (
     CAPITAL,
     base_of,
@@ -50,8 +51,7 @@ _BOLD_SMALL = re.compile(r"\\mathbf\{\\?[a-z]")
 _BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
 _ACCENT = re.compile(r"\\(bar|underline|overline|tilde|hat|widehat|widetilde)(?![a-z]{2})")
 _SCRIPT = re.compile(r"_(?:\{[^{}]*\}|.)")
-_RATE = re.compile(r"\\d+ot\{(.+?)\}(.*)|\\(?:Delta|delta|partial) (.+)|d (.+)")
-_QUOTIENT = re.compile(r"(?:d|\\partial|\\delta)(?:\^\d)?(.+)/(?:d|\\partial|\\delta)(.+)")
+_DIFFERENTIAL = re.compile(r"(?:\\(?:Delta|delta|partial)|d) (.+)")
 _ONES = re.compile(r"\\(?:mathbf|mathbb|mathds|vec)\{1\}(?:_.*)?")
 _OF_MATRICES = ("det", "tr", "Tr", "trace", "adj", "exp", "diag")
 _OF_VECTORS = ("marked", "norm", "absolute", "inner", "call")
@@ -228,11 +228,11 @@ class _Closure:
 
     def _is_like_known(self, symbol: str) -> bool:
         r"""Whether a letter is one that is no number with another index, or the rate at which one changes."""
-        if match := _QUOTIENT.fullmatch(symbol):
-            known = {*map(bare_name, self.known)}
-            return bare_name(match[1]) in known and bare_name(match[2]) not in known
-        if match := _RATE.fullmatch(symbol):
-            return f"{match[1]}{match[2]}" in self.known or (match[3] or match[4]) in self.known
+        if (slope := derivative_in(symbol)) is not None and slope.sign != PRIME:
+            known = {*map(bare, self.known)}
+            return slope.function in known and slope.variable not in known
+        if match := _DIFFERENTIAL.fullmatch(symbol):
+            return match[1] in self.known
         return any(_family(symbol)) and any(_family(symbol) == _family(each) for each in self.known)
 
     def _may_be_column(self, factor: Any) -> bool:
@@ -322,8 +322,8 @@ def _derived_in(equations: Sequence[Sides]) -> Iterator[str]:
     for sides in equations:
         factors = [lone(each) for side in sides for term in terms_of(side) for each in (term, *trees_in(term))]
         if any(map(_SIZED_IDENTITY.fullmatch, factors)):
-            matches = (_QUOTIENT.fullmatch(head_of(side)) for side in sides)
-            yield from (letter.strip() for match in matches if match for letter in match.groups())
+            slopes = (derivative_in(head) for side in sides if "/" in (head := head_of(side)))
+            yield from (letter for slope in slopes if slope for letter in (slope.function, *slope.letters))
 
 
 _SIZED_IDENTITY = re.compile(r"(?:I|\\math(?:bf|bb|rm)\{I\})_(?:[2-9]|\{([2-9])(?:\\times\1)?\})")
@@ -508,8 +508,8 @@ def _accents_of(tree: Formula) -> frozenset[str]:
 
 def _accents_of_vectors(symbol: str) -> frozenset[str]:
     r"""Return the accents of a letter, or of the one of which it is the derivative by a number."""
-    quotient = _QUOTIENT.fullmatch(symbol)
-    above, below = quotient.groups() if quotient else (symbol, "")
+    slope = derivative_in(symbol) if "/" in symbol else None
+    above, below = (slope.function, slope.variable) if slope else (symbol, "")
     return frozenset(_ACCENT.findall(_SCRIPT.sub("", above)) if not _ACCENT.search(below) else ())
 
 

@@ -24,9 +24,10 @@ from algebroproj_sym.reading.defining.dependence import (
 )
 from algebroproj_sym.reading.defining.identifiers import BOLD, Identifiers, is_accented
 from algebroproj_sym.reading.defining.kinds import Kinds
+from algebroproj_sym.reading.defining.notation import bare, with_dot
 from algebroproj_sym.reading.defining.symbols import Table, letters_of
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
-from algebroproj_sym.reading.lexing.names import bare_name, before_condition, split_symbol
+from algebroproj_sym.reading.lexing.names import before_condition, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import Values, evaluated
 from algebroproj_sym.reading.parsing.factors import LIKE_IDENTITY
@@ -122,7 +123,7 @@ class Vocabulary:
         if not letters or letters & given or any(map(self._multiplies_identity, trees)):
             return None
         sums = [each for tree in trees for part in tree.find_data("sum") for each in trees_in(part)]
-        shapes = {each for each in map(self._shape_of, (*trees, *sums)) if each and each[0] == each[-1]}
+        shapes = {each for each in map(self.shape_of, (*trees, *sums)) if each and each[0] == each[-1]}
         found = self.changed(properties=self.properties | dict.fromkeys(letters, ("identity",)))
         if len(shapes) == 1:
             found.values |= dict.fromkeys(letters, sympy.eye(shapes.pop()[0]))
@@ -165,7 +166,7 @@ class Vocabulary:
 
     def is_computed(self, tree: Formula) -> bool:
         """Whether a formula is a number that is computed, and none of vectors, matrices or values as letters."""
-        return self._shape_of(tree) == ()
+        return self.shape_of(tree) == ()
 
     def is_zero(self, tree: Formula) -> bool:
         """Whether a formula is computed, and is zero."""
@@ -174,7 +175,7 @@ class Vocabulary:
         except UNCOMPUTED:
             return False
 
-    def _shape_of(self, tree: Formula) -> tuple[int, ...] | None:
+    def shape_of(self, tree: Formula) -> tuple[int, ...] | None:
         """Return the shape of what a formula stands for; None if it has no entries."""
         try:
             return shape(self.value(tree))
@@ -504,5 +505,4 @@ def _is_dot(definition: Definition) -> bool:
     if tree.data != "big" or str(tree.children[0]) != "d/dt":
         return False
     letter = lone(without_brackets(trees_in(tree)[0]))
-    dotted = re.sub(r"\\dot(?![a-z])", "", definition.symbol)
-    return bool(letter) and dotted != definition.symbol and bare_name(dotted) == bare_name(letter)
+    return bool(letter) and bare(definition.symbol) == with_dot(letter)

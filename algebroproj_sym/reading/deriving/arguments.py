@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from lark import Tree
 
+from algebroproj_sym.reading.defining.notation import has_rate
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.derivatives import has_rate
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
 

@@ -1,27 +1,24 @@
 """Equations with both sides differentiated."""
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from algebroproj_sym.reading.defining.notation import DOT, derivative_in
 from algebroproj_sym.reading.defining.premises import Premise
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.derivatives import rates_in, through_given, unchanged
-from algebroproj_sym.reading.deriving.rates import ONE, ZERO, rate_of
-from algebroproj_sym.reading.lexing.names import bare_name
+from algebroproj_sym.reading.deriving.asking import unchanged
+from algebroproj_sym.reading.deriving.rates import ONE, ZERO
+from algebroproj_sym.reading.deriving.totals import derived, rates_in
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
-
-_DOTTED = re.compile(r"\\(?:mathbf\{\s*)?\\?d+ot(?![a-z])")
-_SLOPE = re.compile(r"(?:d|\\partial)[^/]*/(?:d|\\partial)([^/^]+)")
 
 
 def derived_by(*sides: Formula) -> Iterator[str]:
     """Yield the letters by which the derivatives in some formulas are; a dot is one by t."""
-    symbols = [symbol for side in sides for symbol in symbols_in(side)]
-    if any(map(_DOTTED.search, symbols)):
+    found = [each for side in sides for symbol in symbols_in(side) if (each := derivative_in(symbol)) is not None]
+    if any(each.sign == DOT for each in found):
         yield "t"
-    yield from dict.fromkeys(bare_name(match[1]) for each in symbols if (match := _SLOPE.fullmatch(each)))
+    yield from dict.fromkeys(each.variable for each in found if each.is_first)
 
 
 def differentiated(
@@ -35,9 +32,9 @@ def differentiated(
     rates, fixed = [], set[str]()
     try:
         for side in (premise.left, premise.right):
-            known, trees = through_given(side, own, vocabulary)
-            rates.append(rate_of(side, known))
-            fixed |= {each for tree in trees for each in symbols_in(tree) if each not in known}
+            rate, known, letters = derived(side, own, vocabulary)
+            rates.append(rate)
+            fixed |= letters - known.keys()
     except UnreadableError:
         return None
     fixed = {each for each in fixed if vocabulary.constant(each) is None and f"{each}({variable})" not in own}

@@ -16,6 +16,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import Matrix, require_bounded, shape, vector
 from algebroproj_sym.reading.defining.identifiers import ZERO
+from algebroproj_sym.reading.defining.notation import PARTIAL, derivative_in
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -27,9 +28,6 @@ SPACE = "xyz"
 COORDINATES = (*SPACE, "t")
 ALONG = ("along", "along, without brackets")
 r"""``(u \cdot \nabla) v``, and ``u \cdot \nabla v``, which a few authors mean otherwise."""
-_SLOPE = re.compile(
-    r"\\partial(?P<two>\^2)?(?P<above>[^/]*)/\\partial(?P<first>[a-z])(?(two)(?:(?P<twice>\^2)|\\partial(?P<last>[a-z])))"
-)
 
 
 class Fields:
@@ -138,15 +136,15 @@ def with_operators_apart(tree: Any, applied: Mapping[str, Applied], letters: Map
     if tree.data != "big" and (operator := applied.get(name)) is not None:
         require_coordinate(operator.kind)
         return operated(operator.kind, *map(inside, filter(None, (operator.by, operator.body))))
-    match = _SLOPE.fullmatch(name.replace(" ", ""))
-    if match is None:
+    slope = derivative_in(name) if "/" in name else None
+    is_partial = slope is not None and slope.sign == PARTIAL and len(slope.letters) < 3
+    if slope is None or not (is_partial and all(re.fullmatch("[a-z]", each) for each in slope.letters)):
         if name.startswith(r"\partial") and "/" in name:
             raise UnreadableError(f"{name} is no derivative by a coordinate")
         changed: Formula = Tree(tree.data, [*map(inside, tree.children)])
         return changed
-    body = inside(tree.children[1]) if tree.data == "big" else _letter(letters, match["above"])
-    twice = match["first"] if match["twice"] else match["last"]
-    for kind in (f"partial {letter}" for letter in (twice, match["first"]) if letter):
+    body = inside(tree.children[1]) if tree.data == "big" else _letter(letters, slope.function)
+    for kind in (f"partial {letter}" for letter in slope.letters[::-1]):
         require_coordinate(kind)
         body = operated(kind, body)
     return body

@@ -13,11 +13,12 @@ from typing import Any
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.notation import PARTIAL, TOTAL, Derivative, bare, by_bare, derivative_in, quotient
 from algebroproj_sym.reading.defining.premises import extended, letter_of
 from algebroproj_sym.reading.defining.tensors import CONTRACTS
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.rates import ONE, TWO, ZERO, copies_in, rate_of, written
-from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
+from algebroproj_sym.reading.deriving.rates import ONE, ZERO, copies_in, rate_of, written
+from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.factors import inner_of, terms_of
 from algebroproj_sym.reading.parsing.grammar import (
@@ -30,10 +31,6 @@ from algebroproj_sym.reading.parsing.grammar import (
     without_brackets,
 )
 
-_QUOTIENT = re.compile(r"(d|\\partial)([^/^()]+)(?:\(([^/^()]+)\))?/\1([^/^()]+)")
-_OPERATOR = re.compile(r"(d|\\partial)/\1([^/^]+)")
-_RATE = re.compile(r"^\\d+ot|^\\Delta|^d |/")
-_SQUARE = re.compile(r"(.+)\^2")
 _LENGTH = re.compile(r"\\\|(.+)\\\|")
 _STEP = r"\Delta "
 """How an increment begins: by ``\\Delta x`` a derivative is also taken through ``x = x_0 + a \\Delta x``."""
@@ -85,8 +82,8 @@ class _Gradients:
         self._sides = sides
         known = [each.tree for side in sides for each in vocabulary.used_in(side)]
         given = [each for one in vocabulary.definitions.values() for each in (one.symbol, *one.symbols)]
-        self._written = {bare_name(each): each for each in given}
-        self._written |= {bare_name(each): each for tree in (*sides, *known) for each in symbols_in(tree)}
+        self._written = by_bare(given)
+        self._written |= by_bare(each for tree in (*sides, *known) for each in symbols_in(tree))
         self._nablas = [value for side in sides for part in side.iter_subtrees() if (value := _below_nabla(part))]
 
     def variable_of(self, sides: Sequence[Formula]) -> str:
@@ -104,15 +101,15 @@ class _Gradients:
         if (definition := self._given(slope)) is not None:
             used = [definition, *self._vocabulary.used_in(definition.tree)]
             letters = {each for one in used for each in (*one.symbols, *one.parameters)}
-            names |= {bare_name(each): each for each in letters}
+            names |= by_bare(letters)
             numbers = any(map(self._vocabulary.is_matrix, letters))
             if not slope.below and len(definition.parameters) == 1:
                 return definition.parameters[0]
         elif lone(slope.value):
             return ""
         else:
-            names |= {bare_name(each): each for each in symbols_in(slope.value)}
-        variable = names.get(bare_name(slope.below), "")
+            names |= by_bare(symbols_in(slope.value))
+        variable = names.get(bare(slope.below), "")
         numbers = slope.partial and (numbers or bool(self._vocabulary.kinds.second))
         return variable if variable and (numbers or self._vocabulary.is_matrix(variable)) else ""
 
@@ -120,26 +117,25 @@ class _Gradients:
         """Return the definition of the function of a derivative."""
         value = slope.value
         name = str(value.children[0]) if value.data == "call" else _lone(value)
-        known = {bare_name(each): each for each in self._vocabulary.definitions}
-        definition = self._vocabulary.definitions.get(known.get(bare_name(name), ""))
+        known = by_bare(self._vocabulary.definitions)
+        definition = self._vocabulary.definitions.get(known.get(bare(name), ""))
         return definition if definition is not None and definition.usable else None
 
     def _slope_at(self, tree: Formula) -> _Written | None:
         """Return the derivative that a formula is; None if it is none."""
         head = str(tree.children[0]) if tree.children else ""
-        if tree.data in ("symbol", "opaque") and (match := _QUOTIENT.fullmatch(head)):
-            return _Written(self._above(match[2]), match[4], match[3] or match[4], match[1] != "d")
-        if tree.data == "big" and (match := _OPERATOR.fullmatch(head)):
-            return _Written(tree.children[1], match[2], match[2], match[1] != "d")
+        slope = _first(head)
+        if slope is not None and tree.data in ("symbol", "opaque", "big"):
+            below, within = slope.variable, slope.function[len(slope.head) :][1:-1]
+            value = tree.children[1] if tree.data == "big" else self._above(slope.head)
+            return _Written(value, below, within or below, slope.sign == PARTIAL)
         if (value := _below_nabla(tree)) is not None:
             below = split_symbol(_lone(tree.children[0]))[2]
             return _Written(value, below, below, partial=False)
         return None
 
     def _above(self, text: str) -> Formula:
-        r"""Return what stands above a line: a letter, or its square or length, as in ``\partial m^2``."""
-        if (match := _SQUARE.fullmatch(text)) and text not in self._written:
-            return Tree("power", [letter_of(self._written.get(match[1], match[1])), TWO])
+        r"""Return what stands above a line: a letter, or its length."""
         if match := _LENGTH.fullmatch(text):
             return Tree("norm", [letter_of(self._written.get(match[1], match[1]))])
         return letter_of(text)
@@ -161,7 +157,7 @@ class _Gradients:
         if definition is not None:
             if arguments and arguments != definition.parameters:
                 return None
-            if slope.within not in (below, ",".join(map(bare_name, definition.parameters))):
+            if slope.within not in (below, ",".join(map(bare, definition.parameters))):
                 return None
             below = below or (definition.parameters[0] if len(definition.parameters) == 1 else "")
             value = letter_of(definition.symbol)
@@ -170,7 +166,7 @@ class _Gradients:
                 value = letter_of(self.made[definition.symbol].symbol)
         elif name or slope.within != below:
             return None
-        if bare_name(below) != bare_name(variable):
+        if bare(below) != bare(variable):
             return None
         direct = value if definition is None else definition.tree
         if variable in vocabulary.definitions:
@@ -181,7 +177,7 @@ class _Gradients:
             return None
         others = letters - {variable} - {each.symbol for each in used}
         via = any(variable in vocabulary.letters_of(each.tree) and not _is_length(each.tree, variable) for each in used)
-        rates = [each for each in others if _RATE.search(each) and bare_name(variable) in bare_name(each)]
+        rates = [each for each in others if _is_rate(each) and bare(variable) in bare(each)]
         twice = slope.partial and via and variable in symbols_in(direct) and not variable.startswith(_STEP)
         ambiguous = twice or (rates and not slope.partial)
         if ambiguous or vocabulary.depends(others, variable):
@@ -220,8 +216,8 @@ class _Gradients:
         """Yield the letters of which the equation has the derivative by a letter, each with this derivative."""
         for part in (part for side in self._sides for part in side.iter_subtrees()):
             slope = self._slope_at(part)
-            if slope is not None and bare_name(slope.below) == bare_name(variable) and (letter := _lone(slope.value)):
-                yield self._written.get(bare_name(letter), letter), part
+            if slope is not None and bare(slope.below) == bare(variable) and (letter := _lone(slope.value)):
+                yield self._written.get(bare(letter), letter), part
 
     def _slope(self, call: Formula, variable: str) -> Formula | None:
         """Return the derivative of the value of a function that nothing gives, as the document writes it."""
@@ -230,20 +226,16 @@ class _Gradients:
             return None
         if call in self._nablas:
             return Tree("gradient", [call, letter_of(variable)])
-        names = (
-            f"{d}{bare_name(above)}/{d}{bare_name(variable)}"
-            for d in ("d", r"\partial")
-            for above in (name, written(call))
-        )
+        names = (quotient(sign, above, variable) for sign in (TOTAL, PARTIAL) for above in (name, written(call)))
         return next((letter_of(self._written[each]) for each in names if each in self._written), None)
 
     def _of_letters(self, tree: Any, variable: str) -> Any:
         """Return a formula in which a function that stands alone is its value, as c in ``c(x)`` and ``x/c``."""
         if not isinstance(tree, Tree):
             return tree
-        if (value := _below_nabla(tree)) is not None and bare_name(split_symbol(_lone(tree.children[0]))[2]) in (
+        if (value := _below_nabla(tree)) is not None and bare(split_symbol(_lone(tree.children[0]))[2]) in (
             "",
-            bare_name(variable),
+            bare(variable),
         ):
             return Tree("gradient", [value, letter_of(variable)])
         if tree.data == "symbol" and (made := self.made.get(str(tree.children[0]))) is not None:
@@ -289,7 +281,7 @@ class _Gradients:
         before = [each for each in first if isinstance(each, Tree)][-1]
         slope = self._slope_at(_end_of(last)) if isinstance(last, Tree) else None
         via = self._slope_at(_end_of(before))
-        follows = slope is None or (via is not None and bare_name(_lone(slope.value)) == bare_name(via.below))
+        follows = slope is None or (via is not None and bare(_lone(slope.value)) == bare(via.below))
         name = self._varied(via) if via is not None and follows else ""
         if name and via is not None and (changed := self._chained(before, via, name, inner)) is not None:
             head = first[: first.index(before)]
@@ -329,12 +321,25 @@ def _with_slopes(tree: Any, vocabulary: Vocabulary) -> Any:
         return tree
     if (definition := vocabulary.definitions.get(lone(tree))) is not None and definition.usable:
         end = _end_of(definition.tree)
-        is_slope = end.data == "opaque" and not definition.parameters
-        if is_slope and (match := _QUOTIENT.fullmatch(str(end.children[0]))) and _STYLED.search(match[4]):
+        slope = _first(str(end.children[0])) if end.data == "opaque" and not definition.parameters else None
+        if slope is not None and _STYLED.search(slope.variable):
             return Tree("group", [definition.tree])
     if tree.data in (*IN_BRACKETS, "sum", "run", "fraction"):
         return Tree(tree.data, [_with_slopes(each, vocabulary) for each in tree.children])
     return tree
+
+
+def _first(symbol: str) -> Derivative | None:
+    """Return the first derivative, of a letter or of its value, that a symbol is; None if it is none."""
+    found = derivative_in(symbol)
+    if found is None or not found.is_first or re.search(r"[\^(]", found.head + found.variable):
+        return None
+    return found if found.head or not found.function else None
+
+
+def _is_rate(symbol: str) -> bool:
+    """Whether a symbol is a derivative or a differential."""
+    return derivative_in(symbol) is not None or symbol.startswith((_STEP, "d "))
 
 
 def _end_of(term: Any) -> Any:

@@ -5,34 +5,29 @@ entries of ``\mathbf{u}`` by X in its first column.
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
 
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.chains import slope_of
+from algebroproj_sym.reading.defining.notation import Derivative
+from algebroproj_sym.reading.deriving.asking import Asked, slope_of
 from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, trees_in, without_brackets
 
 _LISTED = re.compile(r"\(([^()]*,[^()]*)\)")
 
 
-def jacobian_of(
-    above: str, below: str, names: Mapping[str, str], vocabulary: Vocabulary, at_vectors: Mapping[str, Definition]
-) -> tuple[Formula, list[Definition]] | None:
-    """Return the matrix of derivatives of one letter by another, and what gives both; None if there is none.
-
-    The letters are bare, and so are the keys of the names.  Each may be a list in brackets, as (X, Y, Z).  Of some
-    functions it is known what they are at a vector.
+def jacobian(asked: Asked) -> Definition | None:
+    """Return the matrix of derivatives of one letter by another; each may be a list in brackets, as (X, Y, Z).
 
     There is no matrix if a component has a value itself, or if another one or other letters may change with it.  Nor is
     there one if a component stands in the formula and in what another letter of it stands for: a partial derivative may
     mean two things then.
     """
-    components, given = _components(below, names, vocabulary)
-    functions = _functions(above, names, {**at_vectors, **vocabulary.definitions}, below)
-    if len({*components}) != len(components) or len(components) < 2 or not functions:
-        return None
+    vocabulary = asked.vocabulary
+    components, given = _components(asked) if asked.is_first else ([], [])
+    functions = _functions(asked) if len({*components}) == len(components) > 1 else []
     by_others = [each for function in functions for each in vocabulary.used_in(function.tree) if each not in given]
     direct = {symbol for function in functions for symbol in symbols_in(function.tree)}
     via = {symbol for each in by_others for symbol in each.symbols}
@@ -44,19 +39,21 @@ def jacobian_of(
         return None
     rows = [[Tree("cell", [slope_of(function.tree, each)]) for each in components] for function in functions]
     parts: list[Formula] = [Tree("row", [*row]) for row in rows]
-    return Tree("matrix", [Token("BEGIN", "("), *parts]), [*functions, *given]
+    where = " and ".join(dict.fromkeys(each.where for each in (*functions, *given)))
+    return asked.case(Tree("matrix", [Token("BEGIN", "("), *parts]), replace(functions[0], where=where))
 
 
-def _components(below: str, names: Mapping[str, str], vocabulary: Vocabulary) -> tuple[list[str], list[Definition]]:
+def _components(asked: Asked) -> tuple[list[str], list[Definition]]:
     """Return the letters of which a vector is printed, and what says so; none if one of them has a value."""
-    definition = vocabulary.definitions.get(names.get(below, ""))
-    if match := _LISTED.fullmatch(below):
-        found, given = [names.get(each, "") for each in match[1].split(",")], []
-    elif definition is not None and definition.usable and not definition.parameters:
-        found, given = _column(definition.tree), [definition]
+    given = asked.given(asked.below)
+    if match := _LISTED.fullmatch(asked.below):
+        found, sources = [asked.names.get(each, "") for each in match[1].split(",")], []
+    elif given is not None and not given.parameters:
+        found, sources = _column(given.tree), [given]
     else:
         return [], []
-    return ([], []) if any(not each or each in vocabulary.definitions for each in found) else (found, given)
+    is_given = any(not each or each in asked.vocabulary.definitions for each in found)
+    return ([], []) if is_given else (found, sources)
 
 
 def _column(tree: Formula) -> list[str]:
@@ -74,11 +71,13 @@ def _column(tree: Formula) -> list[str]:
     return [lone(without_brackets(each)) for row in cells for cell in row for each in trees_in(cell)]
 
 
-def _functions(above: str, names: Mapping[str, str], known: Mapping[str, Definition], below: str) -> list[Definition]:
+def _functions(asked: Asked) -> list[Definition]:
     """Return what gives a letter, or each of a list; none if one is not given, or is one of other letters."""
-    match = _LISTED.fullmatch(above)
-    bare = re.sub(r"\(.*\)$", "", above)
-    found = [known.get(names.get(each, "")) for each in (match[1].split(",") if match else [bare])]
+    match = _LISTED.fullmatch(asked.above)
+    at_vectors = {each.symbol: each for each in asked.at_vectors}
+    names = match[1].split(",") if match else [Derivative("", asked.above, ()).head]
+    known = [asked.names.get(each, "") for each in names]
+    found = [asked.vocabulary.definitions.get(each, at_vectors.get(each)) for each in known]
     usable = [each for each in found if each is not None and each.usable and each.role != "case"]
-    fits = all(not each.parameters or names.get(below) in each.parameters for each in usable)
+    fits = all(not each.parameters or asked.names.get(asked.below) in each.parameters for each in usable)
     return usable if fits and len(usable) == len(found) else []

@@ -8,10 +8,13 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import stands_within
+from algebroproj_sym.reading.defining.notation import PARTIAL, derivative_in, has_rate
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.chains import filled, slope_of
-from algebroproj_sym.reading.deriving.derivatives import derivatives_in, has_rate, unchanged
+from algebroproj_sym.reading.deriving.asking import slope_of, unchanged
+from algebroproj_sym.reading.deriving.chains import filled
+from algebroproj_sym.reading.deriving.derivatives import derivatives_in
+from algebroproj_sym.reading.deriving.implicit import tied
 from algebroproj_sym.reading.deriving.rates import ONE, ZERO
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -21,7 +24,6 @@ _PLACE = re.compile(r"_at_([^=]+)=([^=]+)")
 _KEPT = re.compile(r"_(?:at_)?([^=]+)")
 _Relation = tuple[Formula, frozenset[str], str, Premise | None]
 """A derivative, the letters of what gives it, where that stands, and the equation if no letter is alone in it."""
-_PARTIAL = re.compile(r"\\partial([^/^]+)/\\partial([^/^]+)")
 
 
 def at_places(
@@ -43,9 +45,11 @@ def at_places(
     if place := _PLACE.fullmatch(mark):
         value = _at_place(body, place[1], place[2], vocabulary, occurring)
         return (found, made, under) if value is None else (value[0], [*made, value[1]], under)
-    name = _PARTIAL.fullmatch(" ".join(symbols_in(body))) if without_brackets(body).data == "opaque" else None
-    kept = _KEPT.fullmatch(mark)
-    if name and kept and (given := _at_fixed((name[1], name[2], kept[1]), vocabulary, occurring, above)):
+    kept, inside = _KEPT.fullmatch(mark), without_brackets(body)
+    slope = derivative_in(str(inside.children[0])) if kept and inside.data == "opaque" else None
+    if kept is None or slope is None or not slope.is_first or slope.sign != PARTIAL:
+        return found, made, under
+    if given := _at_fixed((slope.function, slope.variable, kept[1]), vocabulary, occurring, above):
         rate, tie = given
         rate = replace(rate, symbol=f"{vocabulary.text(body)} at {kept[1]} ")
         return letter_of(rate.symbol), [*made, rate], [*under, *([tie] if tie else [])]
@@ -124,7 +128,7 @@ def _from_definitions(function: str, variable: str, vocabulary: Vocabulary) -> I
         elif function in letters and variable == given.symbol:
             yield Tree("fraction", [ONE, slope_of(given.tree, function)]), letters, where, None
         elif {function, variable} <= letters:
-            yield _quotient(given.tree, function, variable), letters | {given.symbol}, where, None
+            yield tied(given.tree, function, variable), letters | {given.symbol}, where, None
 
 
 def _from_premises(
@@ -135,9 +139,4 @@ def _from_premises(
         both: Formula = Tree("sum", [each.left, Token("SIGN", "-"), Tree("group", [each.right])])
         letters = vocabulary.letters_of(both)
         if {function, variable} <= letters:
-            yield _quotient(both, function, variable), letters, f"the derivative of {each.where}", each
-
-
-def _quotient(tree: Formula, function: str, variable: str) -> Formula:
-    above: Formula = Tree("sum", [Token("SIGN", "-"), slope_of(tree, variable)])
-    return Tree("fraction", [above, slope_of(tree, function)])
+            yield tied(both, function, variable), letters, f"the derivative of {each.where}", each

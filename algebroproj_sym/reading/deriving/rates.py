@@ -14,8 +14,6 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, tokens_in, trees_in, without_brackets
 
-UNCHANGED = " not change"
-"""How the name of a derivative ends that rests on letters that are taken to be fixed."""
 ONE: Formula = Tree("number", [Token("NUMBER", "1")])
 ZERO: Formula = Tree("number", [Token("NUMBER", "0")])
 TWO: Formula = Tree("number", [Token("NUMBER", "2")])
@@ -176,7 +174,7 @@ def _of_power(base: Formula, exponent: Formula, rates: Mapping[str, Formula]) ->
         rate = _rate(base, rates)
         inverse: Formula = Tree("power", [base, exponent])
         return None if rate is None else _sum([("-", Tree("run", [inverse, Tree("group", [rate]), inverse]))])
-    if not symbols_in(exponent) and not times:
+    if not times and _rate(exponent, rates) is None:
         rate = _rate(base, rates)
         slope: Formula = Tree(
             "fraction", [Tree("run", [Tree("group", [exponent]), Tree("power", [base, exponent])]), base]

@@ -16,6 +16,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
+from algebroproj_sym.reading.defining.notation import PARTIAL, derivative_in
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.deriving.rates import ONE, TWO, ZERO
 from algebroproj_sym.reading.lexing.names import split_symbol, written
@@ -25,7 +26,7 @@ MOST_PARTS = 20_000
 """How many components are read for one equation, with all that is put in."""
 _VALUES = ("1", "2", "3")
 _SEVERAL = re.compile(r"[i-np-s]{2,4}")
-_SLOPE = re.compile(r"\\partial([^/^]+)_\{?([a-z]{1,3})\}?(\^[^/]*)?/\\partial([^/^]+)_\{?([a-z])\}?")
+_AT_INDICES = re.compile(r"([^^]+)_([a-z]{1,3})(\^.*)?")
 _DELTA = r"\delta"
 _KRONECKER = ("letter", _DELTA, "0", "", "2")
 _SIGNS = (r"\epsilon", r"\varepsilon", "e")
@@ -58,8 +59,11 @@ class _Indexed:
 @cache
 def _indexed(symbol: str, letters: frozenset[str]) -> _Indexed | None:
     """Return a symbol with some letters for its indices, perhaps behind a comma; None if it has others or none."""
-    if match := _SLOPE.fullmatch(symbol):
-        found = _Indexed(("slope", match[1], match[3] or "", match[4]), (*match[2], match[5]))
+    if (slope := derivative_in(symbol)) is not None and slope.is_first and slope.sign == PARTIAL:
+        of, by = map(_AT_INDICES.fullmatch, (slope.function, slope.variable))
+        if of is None or by is None or by[3] or len(by[2]) > 1:
+            return None
+        found = _Indexed(("slope", of[1], of[3] or "", by[1]), (*of[2], by[2]))
         return found if letters.issuperset(found.indices) else None
     if " " in symbol or "/" in symbol:
         return None

@@ -6,20 +6,66 @@ what else in all the terms has the letter.
 
 import re
 from collections.abc import Callable, Collection
+from dataclasses import replace
 from typing import Any
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
+from algebroproj_sym.reading.defining.notation import by_bare
 from algebroproj_sym.reading.defining.premises import letter_of
+from algebroproj_sym.reading.deriving.asking import UNCHANGED, Asked
+from algebroproj_sym.reading.deriving.chains import filled
 from algebroproj_sym.reading.deriving.indices import Indices, Item
 from algebroproj_sym.reading.deriving.rates import ONE, rate_of
+from algebroproj_sym.reading.lexing.names import split_symbol, written
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, lone, put_in, symbols_in, trees_in
 
 _PLAIN = re.compile(r"\\sum_\{?([a-z])(?:=\d)?\}?(?:\^\{?([A-Za-z](?:_\w)?|\d+)\}?)?")
 """A sum over all values of an index."""
 _SPARE = "tsrqpkji"
+
+
+def summed(asked: Asked) -> Definition | None:
+    """Return a partial derivative by a letter that is summed in the formula of a function, or in what others stand for.
+
+    Nothing else in the formula depends on the letter, at any index.  It stands in one formula alone, or in others: it
+    might be meant at fixed values of these.
+    """
+    derivative, vocabulary = asked.derivative, asked.vocabulary
+    given = asked.given(derivative.head) if asked.is_partial and derivative.is_first else None
+    if given is None or given.role == "case":
+        return None
+    letter, _, script = asked.below.partition("_")
+    used_by = vocabulary.used_in(given.tree)
+    trees = given.tree, *(each.tree for each in used_by)
+    head = by_bare(_head_of(each) for tree in trees for each in symbols_in(tree)).get(letter, "")
+    variable = written(head, 0, script, "")
+    moving = {
+        each
+        for each in {*vocabulary.definitions, *vocabulary.dependence.equated}
+        if head in map(_head_of, vocabulary.behind(each) - {each})
+    }
+    used = {each.symbol: each for each in used_by if _head_of(each.symbol) != head}
+    through = {name: each.tree for name, each in used.items() if name in moving and not each.parameters}
+    formulas = [symbols_in(each) for each in (given.tree, *through.values())]
+    twice = any(head in map(_head_of, each) and not through.keys().isdisjoint(each) for each in formulas)
+    tree = filled(given.tree, through)
+    others = (each for each in map(_head_of, symbols_in(tree)) if each != head or not script)
+    if not head or twice or vocabulary.is_matrix(variable) or not {*map(_head_of, moving)}.isdisjoint(others):
+        return None
+    if (rate := by_summed(tree, variable, vocabulary.hidden_in)) is None:
+        return None
+    places = " with ".join(dict.fromkeys([given.where, *(used[each].where for each in through)]))
+    where = f", where {vocabulary.name(variable)} is in the range of its sum, and at other indices does{UNCHANGED}"
+    return replace(asked.case(rate, given), where=f"the derivative of {places}{where if script else ''}")
+
+
+def _head_of(symbol: str) -> str:
+    """Return the letter of a symbol without its scripts."""
+    return "" if " " in symbol or "/" in symbol else split_symbol(symbol)[0]
 
 
 def by_summed(tree: Formula, variable: str, hidden_in: Callable[[str], Collection[str]]) -> Formula | None:

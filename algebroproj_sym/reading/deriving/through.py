@@ -4,112 +4,98 @@ r"""Derivatives of functions that nothing computes, through their arguments.
 derivative is the sum of such products.
 """
 
-from collections.abc import Mapping
-
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol
+from algebroproj_sym.reading.defining.notation import PARTIAL, TOTAL, bare, quotient, with_dot
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
-from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.deriving.asking import Asked
 from algebroproj_sym.reading.parsing.grammar import Formula, trees_in, without_brackets
 
 MOST_STEPS = 6
+_Found = tuple[Formula, tuple[str, ...]]
+"""A derivative, and the places on which it rests."""
 
 
-def through_arguments(
-    sign: str, above: str, below: str, names: Mapping[str, str], vocabulary: Vocabulary, steps: int = MOST_STEPS
-) -> tuple[Formula, tuple[str, ...]] | None:
-    r"""Return a first derivative of a function through its arguments, and the places on which it rests.
+def through_arguments(asked: Asked) -> Definition | None:
+    """Return a first derivative through functions of functions, each of which the document derives."""
+    if not asked.is_first:
+        return None
+    found = _through(asked, asked.above) or _nested(asked)
+    given = asked.vocabulary.definitions.get(asked.names.get(asked.above, ""))
+    if found is None:
+        return None
+    where, part = f"the chain rule, and {', '.join(found[1])}", given.part if given else 0
+    return Definition(asked.symbol, (), found[0], where, part, True, role="case")
 
-    The sign is ``d`` or ``\partial``; the function above it, the letter below it and the symbols of the document go by
-    their bare names.  There is none if a derivative that it takes does not stand in the document, or if a partial
-    derivative is by an argument itself.  It goes through so many functions at most.
+
+def _through(asked: Asked, above: str, steps: int = MOST_STEPS) -> _Found | None:
+    r"""Return a first derivative of a letter through its arguments.
+
+    There is none if a derivative that it takes does not stand in the document, or if a partial derivative is by an
+    argument itself.  It goes through so many functions at most.
     """
-    variable = names.get(below, below)
-    found = _arguments_of(names.get(above, ""), vocabulary)
-    if found is None or not steps or (variable in found[1] and (sign != "d" or len(found[1]) == 1)):
+    below, variable = asked.below, asked.names.get(asked.below, asked.below)
+    found = _arguments_of(asked.names.get(above, ""), asked)
+    if found is None or not steps or (variable in found[1] and (asked.is_partial or len(found[1]) == 1)):
         return None
-    heads, arguments, where = found
-    hidden = {*heads}.union(*map(letters_of_symbol, heads))
-    if variable not in arguments and vocabulary.moves_with(hidden, variable):
+    head, arguments, where = found
+    if variable not in arguments and asked.vocabulary.moves_with({head, *letters_of_symbol(head)}, variable):
         return None
-    bare = {symbol: each for each, symbol in names.items()}
-    terms: list[Formula] = []
-    places = [where]
+    terms, places = list[Formula](), [where]
     for each in arguments:
-        slope = _slope(above, bare.get(each, each), names, alone=len(arguments) == 1)
+        slope = _slope(above, each, asked, alone=len(arguments) == 1)
         if slope is None:
             return None
         if each == variable:
             terms.append(slope)
             continue
-        rate = _rate(sign, bare.get(each, each), below, names)
-        if rate is None:
-            inner = through_arguments(sign, bare.get(each, each), below, names, vocabulary, steps - 1)
-            if inner is None:
-                return None
-            rate, more = inner
-            places += more
-        terms.append(Tree("run", [slope, Tree("group", [rate])]))
+        dots = with_dot(each) if (asked.sign, below) == (TOTAL, "t") else ""
+        rate = asked.names.get(quotient(asked.sign, each, below), asked.names.get(dots))
+        inner = _through(asked, bare(each), steps - 1) if rate is None else (letter_of(rate), ())
+        if inner is None:
+            return None
+        places += inner[1]
+        terms.append(Tree("run", [slope, Tree("group", [inner[0]])]))
     signed: list[Formula | Token] = [part for term in terms for part in (Token("SIGN", "+"), term)]
     return (Tree("sum", signed) if len(terms) > 1 else terms[0]), tuple(places)
 
 
-def _arguments_of(function: str, vocabulary: Vocabulary) -> tuple[tuple[str, ...], tuple[str, ...], str] | None:
-    """Return the functions whose value a letter is, their arguments, and where it says so; None if it is no value."""
+def _arguments_of(function: str, asked: Asked) -> tuple[str, tuple[str, ...], str] | None:
+    """Return the function whose value a letter is, its arguments, and where it says so; None if it is no value."""
+    vocabulary = asked.vocabulary
     definition = vocabulary.definitions.get(function)
     if definition is None:
         arguments = vocabulary.dependence.arguments.get(function, ())
-        return (
-            (
-                (function,),
-                arguments,
-                f"{vocabulary.name(function)} as a function of {', '.join(map(vocabulary.name, arguments))} alone",
-            )
-            if arguments
-            else None
-        )
-    tree = without_brackets(definition.tree)
-    head, arguments = defined_by(tree)
-    if not definition.usable or definition.role != "definition" or definition.parameters:
-        return None
-    if not arguments or head in vocabulary.definitions:
-        return None
-    return (head,), arguments, definition.where
+        where = f"{vocabulary.name(function)} as a function of {', '.join(map(vocabulary.name, arguments))} alone"
+        return (function, arguments, where) if arguments else None
+    head, arguments = defined_by(without_brackets(definition.tree))
+    usable = definition.usable and definition.role == "definition" and not definition.parameters
+    return (head, arguments, definition.where) if usable and arguments and head not in vocabulary.definitions else None
 
 
-def _slope(above: str, below: str, names: Mapping[str, str], *, alone: bool) -> Formula | None:
+def _slope(above: str, below: str, asked: Asked, *, alone: bool) -> Formula | None:
     """Return the derivative of a function by one of its arguments, as the document writes it."""
-    signs = ("d", r"\partial") if alone else (r"\partial",)
-    found = [symbol for sign in signs if (symbol := names.get(f"{sign}{above}/{sign}{below}"))]
+    signs = (TOTAL, PARTIAL) if alone else (PARTIAL,)
+    found = [symbol for sign in signs if (symbol := asked.names.get(quotient(sign, above, below)))]
     return letter_of(found[0]) if len(found) == 1 else None
 
 
-def _rate(sign: str, above: str, below: str, names: Mapping[str, str]) -> Formula | None:
-    """Return the derivative of an argument as the document writes it."""
-    dotted = names.get(rf"\dot{above}") if (sign, below) == ("d", "t") else None
-    found = names.get(f"{sign}{above}/{sign}{below}", dotted)
-    return letter_of(found) if found else None
-
-
-def nested(
-    above: str, below: str, names: Mapping[str, str], vocabulary: Vocabulary
-) -> tuple[Formula, tuple[str, ...]] | None:
-    """Return the derivative of ``f(x) = c(b(a(x)))``, where a, b and c are letters as well, and where it is given."""
-    definition = vocabulary.definitions.get(names.get(above, ""))
-    if definition is None or not definition.usable or definition.parameters != (names.get(below, ""),):
+def _nested(asked: Asked) -> _Found | None:
+    """Return the derivative of ``f(x) = c(b(a(x)))``, where a, b and c are letters as well."""
+    given, variable = asked.given(asked.above), asked.names.get(asked.below, "")
+    if given is None or given.parameters != (variable,):
         return None
-    bare = {symbol: each for each, symbol in names.items()}
-    path, tree = list[str](), without_brackets(definition.tree)
+    path, tree = list[str](), without_brackets(given.tree)
     while tree.data == "call" and len(items := trees_in(trees_in(tree)[0])) == 1:
         path.append(str(tree.children[0]))
         tree = without_brackets(items[0])
-    if len(path) < 2 or defined_by(tree) != (definition.parameters[0], ()) or {*path} & {*vocabulary.definitions}:
+    if len(path) < 2 or defined_by(tree) != (variable, ()) or {*path} & {*asked.vocabulary.definitions}:
         return None
-    if vocabulary.moves_with(path, definition.parameters[0]) or len({*path}) < len(path):
+    if asked.vocabulary.moves_with(path, variable) or len({*path}) < len(path):
         return None
-    steps = zip(path, [*path[1:], definition.parameters[0]], strict=True)
-    slopes = [_slope(bare.get(one, one), bare.get(other, other), names, alone=True) for one, other in steps]
+    slopes = [_slope(one, other, asked, alone=True) for one, other in zip(path, [*path[1:], variable], strict=True)]
     factors = [each for each in slopes if each is not None]
-    return (Tree("run", [*factors]), (definition.where,)) if len(factors) == len(slopes) else None
+    return (Tree("run", [*factors]), (given.where,)) if len(factors) == len(slopes) else None

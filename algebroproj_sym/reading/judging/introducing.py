@@ -8,6 +8,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import free_symbols, letters_in
+from algebroproj_sym.reading.defining.notation import bare, derivative_in
 from algebroproj_sym.reading.defining.premises import Premise, letter_of, neighbours, sides_of
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -42,7 +43,6 @@ from algebroproj_sym.reading.deriving.instances import numbers_put_in
 from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.memory import Memory, is_cited, where_of
-from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, lone, put_in, symbols_in, tokens_in, trees_in
 from algebroproj_sym.reading.prose.meanings import CHANGES
@@ -448,8 +448,8 @@ def _is_rate(memory: Memory, left: Formula, right: Formula) -> bool:
 
 def _is_of_what_is_given(memory: Memory, left: Formula) -> bool:
     """Whether a derivative is that of a letter that an equation gives: what it is equal to is a claim."""
-    above = re.match(r"(?:d|\\partial)(?:\^\d)?(.+)/", " ".join(tokens_in(left, "OPAQUE")))
-    return above is not None and above[1].replace(" ", "") in map(bare_name, memory.vocabulary.definitions)
+    slope = derivative_in(" ".join(tokens_in(left, "OPAQUE")))
+    return slope is not None and slope.function in map(bare, memory.vocabulary.definitions)
 
 
 def _said_of(memory: Memory, left: Formula) -> list[Formula]:

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol, speaks_of
+from algebroproj_sym.reading.defining.notation import is_rate_of_one, order_of
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, Premise, extended
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -22,7 +23,6 @@ from algebroproj_sym.reading.defining.recognising import (
     is_update,
 )
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.derivatives import is_rate_of_one, order_of
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of

@@ -13,13 +13,23 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import over, shape
 from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.notation import (
+    DOT,
+    PARTIAL,
+    PRIME,
+    bare,
+    derivative_in,
+    derivatives_among,
+    has_rate,
+    order_of,
+)
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, extended, letter_of, said_by
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
-from algebroproj_sym.reading.deriving.chains import slope_of
+from algebroproj_sym.reading.deriving.asking import slope_of, unchanged
 from algebroproj_sym.reading.deriving.components import column_of
-from algebroproj_sym.reading.deriving.derivatives import AT_START, has_rate, order_of, unchanged
 from algebroproj_sym.reading.deriving.series import with_exponentials
+from algebroproj_sym.reading.deriving.totals import AT_START
 from algebroproj_sym.reading.judging.constraining import is_asserted
 from algebroproj_sym.reading.judging.memory import where_of
 from algebroproj_sym.reading.judging.questions import Way, used_by
@@ -66,8 +76,8 @@ def of_solutions(standing: Standing, left: Formula, right: Formula) -> Iterator[
 
 def _variables_of(letter: str, premise: Premise) -> list[str]:
     """Return the letters by which an equation has a derivative of one."""
-    below = {each.rpartition("/d")[2].partition("^")[0] for each in premise.symbols if "/d" in each}
-    return [each for each in sorted({"t", *below}) if len(_orders(letter, each, premise.symbols)) > 1]
+    below = {found.variable for each in premise.symbols if (found := derivative_in(each)) is not None}
+    return [each for each in sorted({"t", *below} - {""}) if len(_orders(letter, each, premise.symbols)) > 1]
 
 
 def _orders(letter: str, variable: str, symbols: frozenset[str]) -> dict[str, int]:
@@ -77,8 +87,8 @@ def _orders(letter: str, variable: str, symbols: frozenset[str]) -> dict[str, in
     """
     found = {each: order_of(each, letter, variable) for each in symbols}
     orders = {symbol: order for symbol, order in found.items() if order is not None} | {letter: 0}
-    has_both = all(any(sign in each for each in orders) for sign in ("'", "dot"))
-    return {letter: 0} if has_both or f"{variable}'" in symbols else orders
+    signs = {slope.sign for each in orders if (slope := derivative_in(each)) is not None}
+    return {letter: 0} if signs >= {DOT, PRIME} or f"{variable}'" in symbols else orders
 
 
 def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Formula) -> Way | None:
@@ -96,7 +106,7 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
         return None
     places = (*(each.where for each in initial), premise.where)
     solution = [
-        Definition(_name(place), (unknown.variable,), slope_of(right, unknown.variable, f"^{place}"), where, -1, True)
+        Definition(_name(place), (unknown.variable,), slope_of(right, *[unknown.variable] * place), where, -1, True)
         for place, where in enumerate(places)
     ]
     values = [(_call(each.order, each.point), each.value) for each in initial]
@@ -105,7 +115,8 @@ def _solved(standing: Standing, premise: Premise, unknown: _Unknown, right: Form
     shown = f"{known.equation(letter_of(unknown.letter), right)}, as the solution of {premise.where}"
     supposes = [f"{premise.where} holds for every {known.name(unknown.variable)}{unchanged(constant, known)}"]
     supposes += [f"{lead} != 0"] if lead.free_symbols else []
-    signs = sorted(each for each in premise.symbols & {*orders} if "'" in each or "dot" in each)
+    slopes = {each: derivative_in(each) for each in premise.symbols & {*orders}}
+    signs = sorted(each for each, slope in slopes.items() if slope is not None and not slope.is_quotient)
     supposes += [f"{known.name(each)} is a derivative by {known.name(unknown.variable)}" for each in signs]
     supposes += [f"{known.equation(each.side, each.value)}, by {each.where}" for each in initial]
     return Way(ours, theirs, extended(known, solution), shown, supposes=tuple(supposes))
@@ -140,7 +151,8 @@ def _is_of_one(standing: Standing, unknown: _Unknown, premise: Premise, right: F
     others = [call for call, letters in calls if call in own and letters != [unknown.variable]]
     used = (each for each in used_by(known, *premise.sides, right) if each.symbol not in unknown.orders)
     hidden = {symbol for each in used for symbol in symbols_in(each.tree)}
-    partly = any(rf"\partial{unknown.letter}/" in each.replace(" ", "") for each in standing.survey.occurring)
+    slopes = derivatives_among(standing.survey.occurring)
+    partly = any((each.sign, each.function) == (PARTIAL, bare(unknown.letter)) for each in slopes)
     return not (others or partly or hidden & {*unknown.orders}) and all(len(letters) == 1 for _, letters in calls)
 
 

@@ -11,6 +11,7 @@ from itertools import product
 
 from lark import Token, Tree
 
+from algebroproj_sym.reading.defining.notation import DOT, PARTIAL, derivative_in, quotient
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, Premise, letter_of
 from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.parsing.grammar import Formula, put_in, symbols_in
@@ -33,7 +34,6 @@ _LEADS = heard(r"\W*(?:<proceeds>\b\W*)*")
 _ELSEWHERE = heard(r"\b<places>\b")
 _ITSELF = heard(r"\b(?:<slopes>|slopes?)\b[^.]*[.]\s")
 """A sentence that says more of a derivative."""
-_SLOPE = re.compile(r"(d|\\partial)(?!\^)([^/()]+)(?:\([^/]*\))?/\1([^/^]+)")
 _NABLA = re.compile(r"\\nabla(?:_(.*))?")
 _AT_BEST = re.compile(r"\\(?:wide)?hat|\^(?:\*|\\star|\\ast)$|_(?:MLE?|LS|OLS|opt)$")
 
@@ -75,7 +75,7 @@ def set_to_zero(beside: Beside, premises: Sequence[Premise], letters: Collection
 def derives(tree: Formula) -> bool:
     r"""Whether a formula is a first derivative, but by time, as ``\frac{\partial S}{\partial a}`` and ``\nabla f``."""
     function, letter = _slope_of(tree) or ("", "t")
-    return letter != "t" and not function.startswith(r"\dot")
+    return letter != "t" and not function.startswith(DOT)
 
 
 def _of_words(beside: Beside, of: str, by: str, words: str) -> list[Premise]:
@@ -83,7 +83,7 @@ def _of_words(beside: Beside, of: str, by: str, words: str) -> list[Premise]:
     functions, variables = (map(_bare, re.findall(_FORMULA, said)) for said in (of, by))
     given = f'the words "{words}"', beside.part, beside.place, frozenset[str](), False, beside.words
     return [
-        Premise(Tree("opaque", [Token("OPAQUE", rf"\partial{one}/\partial{other}")]), ZERO, *given, False, ANYWHERE)
+        Premise(Tree("opaque", [Token("OPAQUE", quotient(PARTIAL, one, other))]), ZERO, *given, False, ANYWHERE)
         for one, other in product(functions, variables)
     ]
 
@@ -96,8 +96,9 @@ def _named(said: str, known: set[str]) -> set[str]:
 
 def _slope_of(tree: Formula) -> tuple[str, str] | None:
     """Return the bare function and letter of a first derivative, empty if not said; None for no derivative."""
-    if match := _SLOPE.fullmatch(str(tree.children[0]) if tree.data == "opaque" else ""):
-        return _bare(match[2]), _bare(match[3])
+    slope = derivative_in(str(tree.children[0])) if tree.data == "opaque" else None
+    if slope is not None and slope.is_first and slope.head:
+        return slope.head, slope.variable
     operator, function = tree.children if tree.data == "run" and len(tree.children) == 2 else (None, None)
     if isinstance(operator, Tree) and operator.data == "symbol" and isinstance(function, Tree):
         match = _NABLA.fullmatch(str(operator.children[0]))

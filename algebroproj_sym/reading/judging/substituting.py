@@ -6,15 +6,17 @@ from itertools import product
 
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import free_symbols
+from algebroproj_sym.reading.defining.notation import derivative_in
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, extended, given_values, said_by, with_given
 from algebroproj_sym.reading.defining.vanishing import are_lone, factors_of_zero, leave_a_choice, share_a_sum
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
+from algebroproj_sym.reading.deriving.asking import UNCHANGED
 from algebroproj_sym.reading.deriving.chains import filled
-from algebroproj_sym.reading.deriving.derivatives import computed, derivatives_in, is_worked_out
+from algebroproj_sym.reading.deriving.derivatives import derivatives_in
 from algebroproj_sym.reading.deriving.differentiating import derived_by, differentiated
 from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, variables_of, with_integrals
+from algebroproj_sym.reading.deriving.operating import computed, is_worked_out
 from algebroproj_sym.reading.deriving.places import at_places, is_at_place
-from algebroproj_sym.reading.deriving.rates import UNCHANGED
 from algebroproj_sym.reading.deriving.solving import solution_of
 from algebroproj_sym.reading.judging.doubts import doubt_of, doubt_of_premises
 from algebroproj_sym.reading.judging.questions import A_VALUE, Way, complex_letters_in, used_by
@@ -221,8 +223,9 @@ def with_rates(standing: Standing, trees: Sequence[Formula], known: Vocabulary) 
 
 
 def _below(rate: Definition) -> set[str]:
-    """Return the letter by which a derivative is."""
-    return {rate.symbol.rpartition("/")[2].removeprefix(r"\partial").removeprefix("d").strip()}
+    """Return the letters by which a derivative is."""
+    slope = derivative_in(rate.symbol)
+    return set() if slope is None else {*slope.letters}
 
 
 def _rests_on_what_changes(rate: Definition | Premise, beside: Beside) -> bool:

@@ -258,6 +258,8 @@ def test_lines_are_those_of_the_file_where_a_display_is_expanded() -> None:
         r"\forall x \in S: \quad f(x) = a",
         r"\forall x, y \in \{1, 2\}, f(x) = a",
         r"\forall x\, f(x) = a",
+        r"\forall x \, \in \, S \; f(x) = a",
+        r"f(x) = a, \quad \forall \, x \, \in \, S",
         r"f(x) = a \quad \forall x > 0",
     ],
 )
@@ -269,6 +271,7 @@ def test_no_display_with_a_relation_is_lost() -> None:
     (found,) = read_document(document_of(r"\[ \forall x. f(x) = a \]"))
     assert (found.verdict, found.reason) == ("not read", "line 1: no equation is found in it")
     assert read(r"\[ \text{These are words.} \]") == []
+    assert read(r"\begin{align} f(x) &= a \\ & \forall \, x \, \in \, S \end{align}") == ["f(x) = a"]
 
 
 def test_a_quotation_in_markdown_is_read() -> None:

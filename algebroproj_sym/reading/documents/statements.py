@@ -78,6 +78,7 @@ def statements(document: Document) -> list[Statement]:
     for display in document.formulas:
         if display.environment == "inline":
             continue
+        known = len(found)
         for rows, parts in _equations(display):
             arrow = False
             number = tag_of("".join(rows), "" if display.numbered else display.after)
@@ -90,9 +91,6 @@ def statements(document: Document) -> list[Statement]:
                     own = f"{counter}{chr(96 + letter)}" if display.within and letter <= 26 else str(counter)
                     number = number or own
             label = label_of("".join(rows)) or label_of(display.latex)
-            if not parts and has_relation(display.pieces):
-                lost = "no equation is found in it"
-                found.append(Statement(display, number, label, (), display.latex, reason=lost))
             for pieces, condition in parts:
                 if display.pieces and all(piece.text in _STEPS for piece in _without_idle(pieces)):
                     arrow = True
@@ -106,6 +104,9 @@ def statements(document: Document) -> list[Statement]:
                     found.append(
                         Statement(display, number, label, tuple(part), text, condition, display.reason, implied)
                     )
+        if len(found) == known and has_relation(display.pieces):
+            lost = "no equation is found in it"
+            found.append(Statement(display, "", label_of(display.latex), (), display.latex, reason=lost))
     return found
 
 
@@ -396,8 +397,9 @@ def _end_of_quantifier(column: Sequence[Piece], start: int) -> int:
     for place in range(start + 1, len(column)):
         text = column[place].text
         depth += (text in OPENING) - (text in CLOSING)
-        ends = text in (":", *_SPACES) or (text == "," and place > last)
-        if ends and not depth and _without_idle(column[start + 1 : place]):
+        ends = text == ":" or (text in (",", *_SPACES) and place > last)
+        said = _without_idle(column[start + 1 : place])
+        if ends and not depth and said and said[-1].text != r"\in" and has_relation(column[place + 1 :]):
             return place + 1
     return len(column)
 

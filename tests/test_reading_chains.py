@@ -20,6 +20,8 @@ FOLLOWS = {
     r"Then \[ \frac{\partial S}{\partial a} = -2 \sum_{i=1}^n x_i e_i. \]",
     "a total derivative": r"\[ V = \frac43 \pi r^3 \] and \[ r = c T \] so "
     r"\[ \frac{dV}{dT} = \frac{dV}{dr} \frac{dr}{dT} = 4 \pi r^2 c. \]",
+    "a derivative of one with a prime": r"\[ s(r) = b r^{-a} \] \[ s' = \frac{ds}{dr} = -\frac{a}{r} s(r) \] "
+    r"\[ s'' = \frac{d^2 s}{dr^2} = \frac{ds'}{dr} = a (a + 1) b r^{-a - 2} \]",
     "a prime as a command": r"\[ b = r^2 b^\prime \] Hence \[ \frac{db}{db^\prime} = r^2. \]",
 }
 STAYS_OPEN = {
@@ -41,6 +43,10 @@ STAYS_OPEN = {
     r"Hence \[ \frac{dp}{dt} = m g. \]",
     "behind an operator, what changes with a prime": r"The slope of the flow $U$ is $U'$. \[ q = U' w \] "
     r"Hence \[ \frac{\partial}{\partial y} (U w y) = U w. \]",
+    "a prime of another frame": r"\[ s(r) = b r^3 \] \[ \frac{ds}{dr} = 3 b r^2 \] The new length is "
+    r"\[ s' = c s(r). \] Hence \[ \frac{ds'}{dr} = 6 b r. \]",
+    "a derivative of one with a prime, once": r"\[ s(r) = b r^3 \] \[ s' = \frac{ds}{dr} \] "
+    r"Hence \[ \frac{ds'}{dr} = 3 b r^2. \]",
     "what is zero in one case alone": r"\[ L = a p^2 - b p \] At the optimum \[ \frac{dL}{dp} = 0. \] "
     r"Hence \[ \frac{d^2 L}{dp^2} = 0. \]",
     "the energy of a gas": r"\[ p = R T / V \] \[ U = p V \] Hence \[ \frac{\partial U}{\partial V} = p. \]",

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from algebroproj_sym.reading.defining.definition import Definition
-from algebroproj_sym.reading.defining.notation import SIGNS, derivative_in
+from algebroproj_sym.reading.defining.notation import PRIME, SIGNS, TOTAL, bare, derivative_in
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.asking import Asked
 from algebroproj_sym.reading.deriving.chains import chained
@@ -75,7 +75,26 @@ def derivative_of(asked: Asked) -> Definition | None:
     A partial derivative is that of the formula, and its value is tied to nothing: an equation with the value, solved
     for another letter, does not say that this letter depends on others.
     """
+    asked = _without_primes(asked)
     function = asked.known.get(asked.derivative.function)
     if asked.is_partial and function is not None:
         asked = replace(asked, vocabulary=asked.vocabulary.apart_from(function))
     return next((made for rule in RULES if (made := rule(asked)) is not None), None)
+
+
+def _without_primes(asked: Asked) -> Asked:
+    r"""Return a derivative of one with primes as a higher one: ``ds'/dr`` as ``d^2s/dr^2``.
+
+    It must be a function of r, and the document must say that ``s'`` is ``ds/dr``: primes may be of other frames.
+    """
+    derivative = asked.derivative
+    is_open = derivative.sign == TOTAL and derivative.function not in asked.known
+    inner = derivative_in(derivative.function) if is_open else None
+    if inner is None or inner.sign != PRIME:
+        return asked
+    given, letters = asked.given(inner.function), (derivative.variable,) * len(inner.letters)
+    said = asked.vocabulary.behind(asked.names.get(derivative.function, ""))
+    same = replace(derivative, function=inner.function, letters=letters)
+    if given is None or [*map(bare, given.parameters)] != [derivative.variable] or same.text not in map(bare, said):
+        return asked
+    return replace(asked, derivative=replace(same, letters=letters + derivative.letters))

@@ -213,16 +213,18 @@ def test_words_that_act_on_a_letter_are_not_left_out(latex: str) -> None:
 def test_an_environment_that_nothing_defines_is_a_display_if_it_holds_a_formula_and_no_words() -> None:
     text = r"""\begin{law}{gas}
     \label{eq:gas}
-    p &= \frac{n R T}{V} \\
-    q &= \frac{p}{2}
+    p &= \frac{n R T}{V} \\[1em]
+    q &= \frac{p}{2} \\(r)
+    &= s
 \end{law}
 \begin{note} Here $a = \frac{b}{c}$. \end{note}
 \begin{sketch} \draw (0, 0) -- (\x, {x = \frac{1}{2}}); \end{sketch}
+\begin{diagram} A \arrow[r, "\alpha = 1"] & B \end{diagram}
 \begin{python} a = b.frac(c) \end{python}
 \[ \begin{rows} s = \frac{t}{2} \end{rows} \]"""
     found = read_document(document_of(text))
-    assert [(each.line, each.read) for each in found[:2]] == [(1, "p = n*R*T/V"), (1, "q = p/2")]
-    assert [each.line for each in found[2:]] == [9]
+    assert [each.read for each in found[:3]] == ["p = n*R*T/V", "q = p/2", "(r) = s"]
+    assert [each.line for each in found] == [1, 1, 1, 11]
 
 
 def test_cases_with_a_left_side_are_a_display() -> None:

@@ -12,9 +12,12 @@ ENVIRONMENTS = (
     *("equation", "align", "gather", "multline", "flalign", "eqnarray", "displaymath", "dmath", "math"),
     *OPTIONED,
 )
-_MARK = re.compile(rf"\\(?:begin|end)\{{(?:{'|'.join(ENVIRONMENTS)})\*?\}}|\$\$|\\[\[\]]")
+_MARK = re.compile(rf"\\(?:begin|end)\{{(?:{'|'.join(ENVIRONMENTS)})\*?\}}|\$\$|(?<!\\)\\[\[\]]")
 _BEGIN = re.compile(r"\\begin\{([a-zA-Z]+)\*?\}(?:\[[^\[\]\n]*\]|\{[\w:, -]*\})*")
-_OF_WORDS = re.compile(r"(?<!\\)\$|\\\(|\\(?:item|caption|includegraphics|node|draw|[Ss]tate|put|addplot)(?![a-zA-Z])")
+_OF_WORDS = re.compile(
+    r"(?<!\\)(?:\$|\\\()|\\(?:item|caption|includegraphics|node|draw|arrow|path|[Ss]tate|put|addplot)(?![a-zA-Z])"
+)
+"""What stands in words and drawings alone."""
 _OF_FORMULAS = re.compile(
     r"\\(?:[dt]?frac|sqrt|sum|int|partial|nabla|cdot|times|left|math(?:rm|bf|cal|bb)|boldsymbol|bm|quad|"
     r"alpha|beta|gamma|delta|epsilon|theta|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|phi|varphi|chi|psi|omega|sin|cos)"

@@ -223,7 +223,7 @@ def test_an_environment_that_nothing_defines_is_a_display_if_it_holds_a_formula_
 \begin{python} a = b.frac(c) \end{python}
 \[ \begin{rows} s = \frac{t}{2} \end{rows} \]"""
     found = read_document(document_of(text))
-    assert [each.read for each in found[:3]] == ["p = n*R*T/V", "q = p/2", "(r) = s"]
+    assert [each.read for each in found[:3]] == ["p = n*R*T/V", "q = p/2", "r = s"]
     assert [each.line for each in found] == [1, 1, 1, 11]
 
 

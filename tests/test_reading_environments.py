@@ -282,3 +282,13 @@ def test_a_quotation_in_markdown_is_read() -> None:
     assert [(each.line, each.read) for each in found] == [(5, "a = b"), (9, "c > d")]
     denied = "> $$\n> a = b\n> $$\n\nGalileo refuted this. Hence\n\n$$ a/b = 1 $$\n"
     assert read_document(document_of(denied, latex=False))[-1].verdict != "follows"
+
+
+@pytest.mark.parametrize("latex", [r"\forall x" + "," * 19_000, r"f = a \quad \forall x" + "," * 19_000])
+def test_a_quantifier_without_end_is_read_once(latex: str) -> None:
+    assert len(read(rf"\[ {latex} \]")) <= 1
+
+
+def test_what_macros_add_to_a_text_is_bounded() -> None:
+    macros = rf"\newcommand{{\be}}{{\begin{{equation}} a = {'x + ' * 4_500}}}\newcommand{{\ee}}{{y \end{{equation}}}}"
+    assert sum(len(each.latex) for each in document_of(macros + r"\be\ee " * 2_000).formulas) < 1_100_000

@@ -1,11 +1,13 @@
 r"""Displays that authors call otherwise, as displays: ``\be``, ``\eq{a = b}``, ``\begin{eqn}``."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 from algebroproj_sym.reading.documents.macros import MAX_EXPANSIONS, Macro, filled_in, macros_in
 from algebroproj_sym.reading.lexing.commands import MAX_NESTING, MAX_PIECES
 
+MOST_ADDED = 1_000_000
+"""How many characters macros may add to a text."""
 OPTIONED = "alignat", "xalignat", "xxalignat", "IEEEeqnarray", "empheq"
 """Displays behind whose beginning more is said of them."""
 ENVIRONMENTS = (
@@ -38,23 +40,25 @@ def with_displays(text: str) -> str:
     """
     macros, spans = macros_in(text)
     own = {name: each for name, each in macros.items() if _MARK.search(each.body)}
-    return _expanded(text, own, spans, iter(range(MAX_EXPANSIONS)), 0) if own else text
+    searched = text
+    for begin, end in spans if own else ():
+        searched = searched[:begin] + " " * (end - begin) + searched[end:]
+    return _expanded(text, searched, own, iter(range(MAX_EXPANSIONS)), 0) if own else text
 
 
-def _expanded(
-    text: str, own: Mapping[str, Macro], spans: Collection[tuple[int, int]], budget: Iterator[int], depth: int
-) -> str:
-    """Return a text in which some macros are expanded, outside some spans."""
+def _expanded(text: str, searched: str, own: Mapping[str, Macro], budget: Iterator[int], depth: int) -> str:
+    """Return a text in which some macros are expanded where another text of its length has them, within bounds."""
     names = re.compile("|".join(rf"{re.escape(each)}{'' if each[-1] == '}' else '(?![a-zA-Z])'}" for each in own))
-    kept, place = list[str](), 0
-    for call in names.finditer(text):
-        if call.start() < place or any(begin <= call.start() < end for begin, end in spans):
+    kept, place, added = list[str](), 0, 0
+    for call in names.finditer(searched):
+        if call.start() < place or added > MOST_ADDED:
             continue
         filled = filled_in(own[call[0]], text, call.end())
         if filled is None or next(budget, None) is None:
             continue
         body, end = filled
-        body = _expanded(body, own, (), budget, depth + 1) if depth < MAX_NESTING else body
+        body = _expanded(body, body, own, budget, depth + 1) if depth < MAX_NESTING else body
+        added += len(body)
         lines = text.count("\n", call.start(), end) - body.count("\n")
         kept += [text[place : call.start()], body.replace("\n", " ", max(-lines, 0)), "\n" * lines]
         place = end

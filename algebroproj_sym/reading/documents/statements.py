@@ -393,14 +393,17 @@ def _separated(column: Sequence[Piece]) -> Iterator[tuple[list[Piece], str]]:
 
 def _end_of_quantifier(column: Sequence[Piece], start: int) -> int:
     r"""Return the place behind the sign that ends ``\forall x \in S`` before an equation; its own end for none."""
-    depth, last = 0, max((i for i, each in enumerate(column) if each.text == r"\in"), default=start)
-    for place in range(start + 1, len(column)):
+    set_at = max((i for i, each in enumerate(column) if each.text == r"\in"), default=start)
+    relation_at = max((i for i, each in enumerate(column) if each.text in RELATIONS), default=start)
+    depth, before = 0, ""
+    for place in range(start + 1, relation_at):
         text = column[place].text
         depth += (text in OPENING) - (text in CLOSING)
-        ends = text == ":" or (text in (",", *_SPACES) and place > last)
-        said = _without_idle(column[start + 1 : place])
-        if ends and not depth and said and said[-1].text != r"\in" and has_relation(column[place + 1 :]):
+        ends = text == ":" or (text in (",", *_SPACES) and place > set_at)
+        if ends and not depth and before not in ("", r"\in"):
             return place + 1
+        if not text.isspace() and text not in (*_IDLE, *_WIDE):
+            before = text
     return len(column)
 
 

@@ -172,14 +172,12 @@ class _Question:
             sizes = {name: Fraction(size) for name, size in point.sizes.items()}
             if not all(self._admits(*each) for each in {**self._completed(point).scalars, **sizes}.items()):
                 return None
-            values = [point.value(term) for term in statement.terms]
+            if any(entry for term in statement.constraints for row in point.value(term) for entry in row):
+                return None
+            if any(point.value(term) == [[0]] for term in statement.nonzero):
+                return None
+            left, right = map(point.value, (statement.left, statement.right))
         except (ZeroDivisionError, IndexError):
-            return None
-        left, right, *others = values
-        constraints, nonzero = others[: len(statement.constraints)], others[len(statement.constraints) :]
-        if any(entry for rows in constraints for row in rows for entry in row) or any(
-            rows == [[0]] for rows in nonzero
-        ):
             return None
         if point.turn is not None and not self._is_exact(point.turn):
             return None

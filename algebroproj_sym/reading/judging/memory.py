@@ -48,6 +48,8 @@ from algebroproj_sym.reading.prose.sentences import (
 from algebroproj_sym.reading.prose.words import Beside, arithmetic_in, beside, denies, has_ended, is_denied, takes_back
 
 Known = Premise | Definition
+MOST_WITHIN = 12
+"""How many formulas within the text before an equation may stand in its sentence."""
 _IS = re.compile(r"\b(?:is|are)\W*$")
 _IS_THE = re.compile(r"\s*is (?:the|an?|its|our) [a-z]")
 _NAMED = re.compile(r"(?<=[a-z] )[A-Z]\b")
@@ -69,6 +71,10 @@ class Memory:
         self.asserted: dict[str, int] = {}
         self.seen = set[str]()
         self.equated = set[str]()
+        self.order = 0
+        self.above = frozenset[str]()
+        self.within: list[tuple[str, Premise]] = []
+        self.closed = set[str]()
         self.premises: list[Premise] = []
         self.stated: list[tuple[str, Premise]] = []
         self.alone: dict[str, int] = {}

@@ -25,7 +25,10 @@ STAGES = (
     *("study", "reporting", "pipeline", "exporting", "scaffolding", "cli", "plugin"),
 )
 
-STAGES_OF_READING = ("lexing", "documents", "parsing", "prose", "defining", "deriving", "judging", "reporting")
+STAGES_OF_READING = (
+    *("lexing", "documents", "parsing", "prose", "defining", "deriving"),
+    *("asking", "remembering", "ways", "judging", "reporting"),
+)
 
 
 def imported(path: Path) -> set[tuple[str, str]]:

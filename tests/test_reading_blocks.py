@@ -4,8 +4,8 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
-from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.lexing.pieces import pieces_of, with_blocks
+from algebroproj_sym.reading.remembering.survey import Survey
 
 pytestmark = pytest.mark.usefixtures("verdicts_alone")
 

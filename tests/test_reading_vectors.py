@@ -4,7 +4,7 @@ import pytest
 
 from algebroproj_sym.reading import document_of, read_document
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
-from algebroproj_sym.reading.judging.survey import Survey
+from algebroproj_sym.reading.remembering.survey import Survey
 
 pytestmark = pytest.mark.usefixtures("verdicts_alone")
 

@@ -3,9 +3,10 @@
 There is a folder for each stage, and a stage imports earlier ones only.  `lexing` makes tokens of a formula.
 `documents` finds formulas in a file, and equations in these.  `parsing` makes a tree of an equation, and an expression
 of the tree.  `prose` says what the words beside it mean.  `defining` says what letters stand for: by tables, by words,
-and by equations above.  `deriving` gives what else these equations say, such as their derivatives.  `judging` gives
-each relation a verdict, and looks for the smallest change by which one that fails would hold.  `reporting` writes a
-document as a derivation folder.
+and by equations above.  `deriving` gives what else these equations say, such as their derivatives.  `asking` makes
+questions to the prover, `remembering` knows what the document has said so far, and `ways` lists how a relation may
+follow from it.  `judging` gives each relation a verdict, and looks for the smallest change by which one that fails
+would hold.  `reporting` writes a document as a derivation folder.
 """
 
 from __future__ import annotations

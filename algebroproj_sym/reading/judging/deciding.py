@@ -12,11 +12,8 @@ from algebroproj_sym.proving import Ask, Outcome, Question
 from algebroproj_sym.proving.letters.deciding import NOWHERE
 from algebroproj_sym.proving.reals.prove import often_agree
 from algebroproj_sym.proving.statements import has_functions
-from algebroproj_sym.reading.defining.sizing import FREE
-from algebroproj_sym.reading.deriving.rates import ZERO
-from algebroproj_sym.reading.judging.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
-from algebroproj_sym.reading.judging.mending import MOST_ASKED, is_trivial, likely_repairs, repairs_in
-from algebroproj_sym.reading.judging.questions import (
+from algebroproj_sym.reading.asking.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
+from algebroproj_sym.reading.asking.questions import (
     Way,
     answers,
     asked_of,
@@ -25,8 +22,11 @@ from algebroproj_sym.reading.judging.questions import (
     rests_of,
     values_of,
 )
+from algebroproj_sym.reading.asking.sampling import agree, samples_of
+from algebroproj_sym.reading.defining.sizing import FREE
+from algebroproj_sym.reading.deriving.rates import ZERO
+from algebroproj_sym.reading.judging.mending import MOST_ASKED, is_trivial, likely_repairs, repairs_in
 from algebroproj_sym.reading.judging.repairs import MULTIPLE, STRONG, Repair
-from algebroproj_sym.reading.judging.sampling import agree, samples_of
 from algebroproj_sym.reading.judging.verdicts import Link
 from algebroproj_sym.reading.parsing.grammar import Formula
 

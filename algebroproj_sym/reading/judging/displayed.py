@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from algebroproj_sym.reading.asking.questions import rests_of, stated_by, used_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -15,10 +16,12 @@ from algebroproj_sym.reading.defining.recognising import (
 from algebroproj_sym.reading.deriving.integrating import is_integral
 from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.components import by_components
 from algebroproj_sym.reading.judging.deciding import OPEN, Asked, Manner
-from algebroproj_sym.reading.judging.indexing import gives_at_other_index
-from algebroproj_sym.reading.judging.introducing import (
+from algebroproj_sym.reading.judging.verdicts import Link, Reading
+from algebroproj_sym.reading.lexing.pieces import UnreadableError
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.prose.meanings import SUMMED, VARIES
+from algebroproj_sym.reading.remembering.introducing import (
     begins_anew,
     definition_in,
     gives_if_open,
@@ -29,15 +32,12 @@ from algebroproj_sym.reading.judging.introducing import (
     split_again,
     tells,
 )
-from algebroproj_sym.reading.judging.memory import Memory
-from algebroproj_sym.reading.judging.questions import rests_of, stated_by, used_by
-from algebroproj_sym.reading.judging.stationary import derives
-from algebroproj_sym.reading.judging.surroundings import is_supposed, ranges_beside, standing_at
-from algebroproj_sym.reading.judging.verdicts import Link, Reading
-from algebroproj_sym.reading.judging.ways import ways_of
-from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
-from algebroproj_sym.reading.prose.meanings import SUMMED, VARIES
+from algebroproj_sym.reading.remembering.memory import Memory
+from algebroproj_sym.reading.remembering.stationary import derives
+from algebroproj_sym.reading.remembering.surroundings import is_supposed, ranges_beside, standing_at
+from algebroproj_sym.reading.ways.components import by_components
+from algebroproj_sym.reading.ways.indexing import gives_at_other_index
+from algebroproj_sym.reading.ways.trying import ways_of
 
 _RESTRICTING = ("∈", "<", "<=", ">", ">=")
 """The signs that say in what range a letter is, behind what it is: ``f = a - b <= 0`` is a condition on f."""

@@ -3,20 +3,20 @@
 from collections.abc import Collection
 from dataclasses import replace
 
+from algebroproj_sym.reading.asking.questions import asking_once
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, operations_in, values_in
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.displays import Document
 from algebroproj_sym.reading.judging.applying import with_what_is_true_here
 from algebroproj_sym.reading.judging.deciding import Asked, decide
 from algebroproj_sym.reading.judging.displayed import take_displayed
-from algebroproj_sym.reading.judging.memory import Memory
-from algebroproj_sym.reading.judging.questions import asking_once
 from algebroproj_sym.reading.judging.signs import denied_by_words, without_denied
-from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.judging.verdicts import Reading
 from algebroproj_sym.reading.judging.withdrawing import without_refuted_premises
-from algebroproj_sym.reading.judging.within import take_within
 from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in
+from algebroproj_sym.reading.remembering.memory import Memory
+from algebroproj_sym.reading.remembering.survey import Survey
+from algebroproj_sym.reading.remembering.within import take_within
 
 
 def read_document(

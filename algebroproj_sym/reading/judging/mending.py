@@ -10,9 +10,7 @@ from sympy import Symbol
 
 from algebroproj_sym.expressions import NotRationalError, ParseError, evaluate, free_symbols, parse
 from algebroproj_sym.proving import Outcome
-from algebroproj_sym.reading.deriving.rates import ZERO
-from algebroproj_sym.reading.judging.assuming import along_directions_in
-from algebroproj_sym.reading.judging.questions import (
+from algebroproj_sym.reading.asking.questions import (
     OTHER_SHAPES,
     Way,
     asked_of,
@@ -21,9 +19,11 @@ from algebroproj_sym.reading.judging.questions import (
     used_by,
     values_of,
 )
+from algebroproj_sym.reading.asking.sampling import POINTS, agree, samples_of
+from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.judging.repairs import STRONG, WITHIN, Repair, repairs
-from algebroproj_sym.reading.judging.sampling import POINTS, agree, samples_of
 from algebroproj_sym.reading.parsing.grammar import symbols_in
+from algebroproj_sym.reading.ways.assuming import along_directions_in
 
 _NO_SHAPES = ("the shapes", OTHER_SHAPES)
 """Why a relation cannot be asked that a missing or a wrong mark or power makes one of a number and a vector."""

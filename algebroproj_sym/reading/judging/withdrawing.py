@@ -5,8 +5,8 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from algebroproj_sym.reading.judging.memory import where_of
 from algebroproj_sym.reading.judging.verdicts import Reading
+from algebroproj_sym.reading.remembering.memory import where_of
 
 _PARTS = re.compile(r"the derivative of | with |, where ")
 """What stands between the places on which a derivative rests."""

@@ -11,10 +11,10 @@ from typing import Any
 
 from algebroproj_sym.files import write_texts
 from algebroproj_sym.proving import Question
+from algebroproj_sym.reading.asking.questions import values_of
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.displays import HEADING, MAX_WORDS, Display
 from algebroproj_sym.reading.documents.files import UnreadableDocumentError
-from algebroproj_sym.reading.judging.questions import values_of
 from algebroproj_sym.reading.judging.verdicts import Link, Reading
 
 _WIDTH = 100

@@ -4,18 +4,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
+from algebroproj_sym.reading.asking.questions import Way, used_by
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, extended, sides_of
 from algebroproj_sym.reading.deriving.arguments import Changed, alike, known_without, premise_without, without_arguments
 from algebroproj_sym.reading.deriving.components import columns_as_letters
 from algebroproj_sym.reading.deriving.multiples import Multiples
-from algebroproj_sym.reading.judging.constraining import under_equations
-from algebroproj_sym.reading.judging.questions import Way, used_by
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import solutions, with_premises
-from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, put_in, symbols_in
 from algebroproj_sym.reading.parsing.grammar import lone as lone_letter
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.ways.constraining import under_equations
+from algebroproj_sym.reading.ways.substituting import solutions, with_premises
+from algebroproj_sym.reading.ways.supposing import as_its_sentence_supposes
 
 
 def with_functions_as_letters(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:

@@ -5,20 +5,20 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 
+from algebroproj_sym.reading.asking.questions import A_VALUE, Way, complex_letters_in, used_by
+from algebroproj_sym.reading.asking.sampling import is_somewhere_positive
 from algebroproj_sym.reading.defining.maps import DIMENSIONS
 from algebroproj_sym.reading.defining.premises import extended
 from algebroproj_sym.reading.defining.tensors import depend_on_size
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.gradients import along_directions
 from algebroproj_sym.reading.deriving.rooting import with_roots_apart
-from algebroproj_sym.reading.judging.questions import A_VALUE, Way, complex_letters_in, used_by
-from algebroproj_sym.reading.judging.sampling import is_somewhere_positive
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.parsing.factors import CAPITAL
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, without_brackets
 from algebroproj_sym.reading.parsing.writing import text_of
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.remembering.survey import Survey
 
 Assumed = Callable[[Way], Iterator[Way]]
 

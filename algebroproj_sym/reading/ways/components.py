@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator
 
+from algebroproj_sym.reading.asking.questions import Way, used_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import applicable, extended
 from algebroproj_sym.reading.deriving.summation import in_components
-from algebroproj_sym.reading.judging.questions import Way, used_by
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import with_rates
 from algebroproj_sym.reading.parsing.grammar import Formula
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.ways.substituting import with_rates
 
 
 def with_printed_components(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

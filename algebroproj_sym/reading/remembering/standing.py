@@ -8,9 +8,9 @@ from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, applicable, extended, neighbours
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.parsing.grammar import Formula
 from algebroproj_sym.reading.prose.words import Beside
+from algebroproj_sym.reading.remembering.survey import Survey
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from lark import Tree
 
+from algebroproj_sym.reading.asking.questions import Way, used_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import ANY, letters_of_symbol
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, extended
@@ -12,9 +13,8 @@ from algebroproj_sym.reading.deriving.ends import with_same_ends
 from algebroproj_sym.reading.deriving.indexed import instance_of, instances, sources_of
 from algebroproj_sym.reading.deriving.indices import excludes
 from algebroproj_sym.reading.deriving.induction import steps_of
-from algebroproj_sym.reading.judging.questions import Way, used_by
-from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.remembering.standing import Standing
 
 
 def at_other_indices(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

@@ -11,8 +11,6 @@ from algebroproj_sym.reading.defining.recognising import (
     without_power,
 )
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.introducing import definition_in, is_only_one
-from algebroproj_sym.reading.judging.memory import MOST_WITHIN, Memory
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.reading.prose.sentences import last_sentence
 from algebroproj_sym.reading.prose.supposing import goes_on_with, is_denied_behind, leads_elsewhere, states
@@ -27,6 +25,8 @@ from algebroproj_sym.reading.prose.words import (
     is_given_within,
     is_item,
 )
+from algebroproj_sym.reading.remembering.introducing import definition_in, is_only_one
+from algebroproj_sym.reading.remembering.memory import MOST_WITHIN, Memory
 
 _BEGINS = re.compile(r"(?:\A|[.,;]|\band)\s*(?:[Ww]here|[Ii]n which)\s*\Z")
 """How a clause begins that says what something is: not as in "points where"."""

@@ -4,19 +4,19 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from algebroproj_sym.reading.asking.questions import Way, complex_letters_in, used_by
+from algebroproj_sym.reading.asking.sampling import is_somewhere_positive
 from algebroproj_sym.reading.defining.domains import is_outside, range_in
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.deriving.angles import of_angle
 from algebroproj_sym.reading.deriving.instances import powers_of
-from algebroproj_sym.reading.judging.components import with_printed_components
-from algebroproj_sym.reading.judging.constraining import under_equations
-from algebroproj_sym.reading.judging.questions import Way, complex_letters_in, used_by
-from algebroproj_sym.reading.judging.sampling import is_somewhere_positive
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import with_premises
-from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.remembering.survey import Survey
+from algebroproj_sym.reading.ways.components import with_printed_components
+from algebroproj_sym.reading.ways.constraining import under_equations
+from algebroproj_sym.reading.ways.substituting import with_premises
 
 _SEVERAL = re.compile(r"(.+)_\{?(?:12|1,2|1/2|\\pm)\}?")
 """A letter for both roots of an equation."""

@@ -5,12 +5,12 @@ from itertools import combinations
 
 from lark import Tree
 
+from algebroproj_sym.reading.asking.questions import Way, used_by
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, MOST_TOGETHER, Premise, extended, sides_of
 from algebroproj_sym.reading.defining.recognising import differ_in_one_letter
-from algebroproj_sym.reading.judging.questions import Way, used_by
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import with_rates
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.ways.substituting import with_rates
 
 
 def under_equations(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

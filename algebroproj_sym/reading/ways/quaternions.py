@@ -3,13 +3,13 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.deriving.quaternions import AsMatrices
-from algebroproj_sym.reading.judging.constraining import under_equations
-from algebroproj_sym.reading.judging.questions import Way
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import with_premises
 from algebroproj_sym.reading.parsing.factors import base_of
 from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.ways.constraining import under_equations
+from algebroproj_sym.reading.ways.substituting import with_premises
 
 
 def of_quaternions(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:

@@ -9,14 +9,14 @@ from algebroproj_sym.reading.defining.premises import Premise, sides_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.memory import MOST_WITHIN, Memory
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.stationary import set_to_zero
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.reading.prose.sentences import last_sentence
 from algebroproj_sym.reading.prose.supposing import goes_on_in_display, goes_on_with, names_behind, supposes
 from algebroproj_sym.reading.prose.words import has_ended
+from algebroproj_sym.reading.remembering.memory import MOST_WITHIN, Memory
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.remembering.stationary import set_to_zero
 
 _SAYS_THE_SAME = re.compile(r"(?:these|they|this|it) (?:is|are) (?:equivalent|equal|identical)\b")
 

@@ -42,11 +42,11 @@ from algebroproj_sym.reading.deriving.derivatives import derivatives_in
 from algebroproj_sym.reading.deriving.instances import numbers_put_in
 from algebroproj_sym.reading.deriving.rates import ZERO
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.memory import Memory, is_cited, where_of
 from algebroproj_sym.reading.parsing.factors import terms_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, lone, put_in, symbols_in, tokens_in, trees_in
 from algebroproj_sym.reading.prose.meanings import CHANGES
 from algebroproj_sym.reading.prose.words import beside
+from algebroproj_sym.reading.remembering.memory import Memory, is_cited, where_of
 
 
 def definition_in(memory: Memory, statement: Statement, formula: Parsed, *, explicit: bool) -> Definition | None:

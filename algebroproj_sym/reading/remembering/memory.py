@@ -5,6 +5,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from algebroproj_sym.reading.asking.sampling import agree, are_one_matrix, samples_of
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import letters_of_symbol, speaks_of
 from algebroproj_sym.reading.defining.notation import is_rate_of_one, order_of
@@ -25,8 +26,6 @@ from algebroproj_sym.reading.defining.recognising import (
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.documents.displays import HEADING, Display
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.sampling import agree, are_one_matrix, samples_of
-from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.reading.prose.acting import acted_on, is_acted_on
 from algebroproj_sym.reading.prose.citing import apart_in, cited_in
@@ -46,6 +45,7 @@ from algebroproj_sym.reading.prose.sentences import (
     words_of,
 )
 from algebroproj_sym.reading.prose.words import Beside, arithmetic_in, beside, denies, has_ended, is_denied, takes_back
+from algebroproj_sym.reading.remembering.survey import Survey
 
 Known = Premise | Definition
 MOST_WITHIN = 12

@@ -4,6 +4,8 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
+from algebroproj_sym.reading.asking.doubts import doubt_of, doubt_of_premises
+from algebroproj_sym.reading.asking.questions import A_VALUE, Way, complex_letters_in, used_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import free_symbols
 from algebroproj_sym.reading.defining.notation import derivative_in
@@ -18,13 +20,11 @@ from algebroproj_sym.reading.deriving.integrating import OVER, between_bounds, v
 from algebroproj_sym.reading.deriving.operating import computed, is_worked_out
 from algebroproj_sym.reading.deriving.places import at_places, is_at_place
 from algebroproj_sym.reading.deriving.solving import solution_of
-from algebroproj_sym.reading.judging.doubts import doubt_of, doubt_of_premises
-from algebroproj_sym.reading.judging.questions import A_VALUE, Way, complex_letters_in, used_by
-from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.parsing.factors import base_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.reading.prose.devices import says
 from algebroproj_sym.reading.prose.words import Beside
+from algebroproj_sym.reading.remembering.standing import Standing
 
 MOST_SOLVED = 4
 """For how many vectors and matrices an equation is solved."""

@@ -13,11 +13,11 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import text
 from algebroproj_sym.proving.reals.prove import may_agree
+from algebroproj_sym.reading.asking.questions import used_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
 from algebroproj_sym.reading.deriving.special import doubt_of_special
-from algebroproj_sym.reading.judging.questions import used_by
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, tokens_in, trees_in
 from algebroproj_sym.reading.prose.sentences import strange_word, words_of

@@ -12,6 +12,7 @@ import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import over, shape
+from algebroproj_sym.reading.asking.questions import Way, used_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.notation import (
     DOT,
@@ -30,11 +31,10 @@ from algebroproj_sym.reading.deriving.asking import slope_of, unchanged
 from algebroproj_sym.reading.deriving.components import column_of
 from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.deriving.totals import AT_START
-from algebroproj_sym.reading.judging.constraining import is_asserted
-from algebroproj_sym.reading.judging.memory import where_of
-from algebroproj_sym.reading.judging.questions import Way, used_by
-from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, lone, symbols_in, trees_in, without_brackets
+from algebroproj_sym.reading.remembering.memory import where_of
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.ways.constraining import is_asserted
 
 _WAVES = (sympy.sin, sympy.cos, sympy.exp)
 

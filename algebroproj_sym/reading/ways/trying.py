@@ -4,28 +4,28 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
+from algebroproj_sym.reading.asking.doubts import doubt_of
+from algebroproj_sym.reading.asking.questions import Sides, Way, used_by
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, extended, letter_of
 from algebroproj_sym.reading.defining.twists import tells_hat
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
 from algebroproj_sym.reading.deriving.induction import ends_in
 from algebroproj_sym.reading.deriving.series import with_exponentials
 from algebroproj_sym.reading.documents.statements import Statement
-from algebroproj_sym.reading.judging.assuming import assumptions
-from algebroproj_sym.reading.judging.components import by_components, with_printed_components
-from algebroproj_sym.reading.judging.constraining import under_equations
-from algebroproj_sym.reading.judging.doubts import doubt_of
-from algebroproj_sym.reading.judging.fields import of_fields
-from algebroproj_sym.reading.judging.indexing import at_other_indices, by_induction, with_same_ends_in
-from algebroproj_sym.reading.judging.inverting import of_inverse, raised
-from algebroproj_sym.reading.judging.quaternions import of_quaternions
-from algebroproj_sym.reading.judging.questions import Sides, Way, used_by
-from algebroproj_sym.reading.judging.renaming import as_multiples, with_columns_as_letters, with_functions_as_letters
-from algebroproj_sym.reading.judging.solutions import of_solutions
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import from_derivatives, from_worked_out, with_premises
-from algebroproj_sym.reading.judging.supposing import as_its_sentence_supposes
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, regrouped, with_divided_angles
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.ways.assuming import assumptions
+from algebroproj_sym.reading.ways.components import by_components, with_printed_components
+from algebroproj_sym.reading.ways.constraining import under_equations
+from algebroproj_sym.reading.ways.fields import of_fields
+from algebroproj_sym.reading.ways.indexing import at_other_indices, by_induction, with_same_ends_in
+from algebroproj_sym.reading.ways.inverting import of_inverse, raised
+from algebroproj_sym.reading.ways.quaternions import of_quaternions
+from algebroproj_sym.reading.ways.renaming import as_multiples, with_columns_as_letters, with_functions_as_letters
+from algebroproj_sym.reading.ways.solutions import of_solutions
+from algebroproj_sym.reading.ways.substituting import from_derivatives, from_worked_out, with_premises
+from algebroproj_sym.reading.ways.supposing import as_its_sentence_supposes
 
 
 def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: int) -> list[Way]:

@@ -14,9 +14,9 @@ from algebroproj_sym.expressions.bounds import MAX_BITS
 from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.letters import prove_texts
 from algebroproj_sym.proving.proof import UndefinedError
+from algebroproj_sym.reading.asking.questions import Sides, asked_of
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.vocabulary import MOST_PARTS, Vocabulary
-from algebroproj_sym.reading.judging.questions import Sides, asked_of
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import evaluated, evaluator
 from algebroproj_sym.reading.parsing.grammar import Formula

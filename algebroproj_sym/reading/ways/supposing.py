@@ -2,13 +2,13 @@
 
 from collections.abc import Collection, Iterator
 
+from algebroproj_sym.reading.asking.questions import Way, used_by
 from algebroproj_sym.reading.defining.dependence import index_of, letters_of_symbol
 from algebroproj_sym.reading.defining.premises import extended, given_values, sides_of, with_given
-from algebroproj_sym.reading.judging.questions import Way, used_by
-from algebroproj_sym.reading.judging.standing import Standing
-from algebroproj_sym.reading.judging.substituting import solutions, with_rates
-from algebroproj_sym.reading.judging.survey import Survey
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.remembering.survey import Survey
+from algebroproj_sym.reading.ways.substituting import solutions, with_rates
 
 
 def as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:

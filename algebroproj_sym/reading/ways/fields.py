@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from algebroproj_sym.expressions import shape
+from algebroproj_sym.reading.asking.questions import Sides, Way, rests_of, used_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, sides_of
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
@@ -20,13 +21,12 @@ from algebroproj_sym.reading.deriving.fields import (
     vectors_in,
     with_operators_apart,
 )
-from algebroproj_sym.reading.judging.constraining import is_asserted
-from algebroproj_sym.reading.judging.questions import Sides, Way, rests_of, used_by
-from algebroproj_sym.reading.judging.standing import Standing
 from algebroproj_sym.reading.lexing.names import bare_name
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 from algebroproj_sym.reading.parsing.operators import Applied
+from algebroproj_sym.reading.remembering.standing import Standing
+from algebroproj_sym.reading.ways.constraining import is_asserted
 
 MOST_UNDER = 6
 """How many equations serve together with their derivatives."""

@@ -1,0 +1,5 @@
+"""Asking: what the prover is asked of two sides.
+
+`questions` makes a question of a relation, with all definitions put in.  `sampling` is a sieve of points before the
+prover.  `doubts` says why a relation that fails need not be a contradiction.
+"""

@@ -1,0 +1,7 @@
+"""Remembering: what the document has said up to an equation.
+
+`survey` is what is known of the whole document before its equations are read in order.  `memory` is what was said so
+far, and `standing` what of it holds where an equation stands.  `introducing` says which equations define a letter.
+Formulas `within` the text and the `surroundings` of a display say more, also on derivatives that are zero
+(`stationary`).
+"""

@@ -21,6 +21,7 @@ from algebroproj_sym.reading.judging.verdicts import Link, Reading
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
 from algebroproj_sym.reading.prose.meanings import SUMMED, VARIES
+from algebroproj_sym.reading.remembering.hearing import listen
 from algebroproj_sym.reading.remembering.introducing import (
     begins_anew,
     definition_in,
@@ -32,6 +33,7 @@ from algebroproj_sym.reading.remembering.introducing import (
     split_again,
     tells,
 )
+from algebroproj_sym.reading.remembering.keeping import keep, renew
 from algebroproj_sym.reading.remembering.memory import Memory
 from algebroproj_sym.reading.remembering.stationary import derives
 from algebroproj_sym.reading.remembering.surroundings import is_supposed, ranges_beside, standing_at
@@ -58,7 +60,7 @@ def take_displayed(
     read = first + "".join(f" {relation} {side}" for relation, side in zip(formula.relations, others, strict=True))
     if statement.display is not memory.display:
         memory.above = frozenset(memory.seen)
-    memory.listen(statement)
+    listen(memory, statement)
     memory.ranges = tuple(ranges_beside(memory, statement.display, formula))
     if reason := memory.survey.meanings.reason(statement, formula):
         links, asked = _left_open(memory, statement, formula, place, reason)
@@ -123,9 +125,9 @@ def _judged(memory: Memory, statement: Statement, formula: Parsed, place: int) -
         memory.given_at[definition.symbol] = statement.display.place
     else:
         memory.note(statement, formula)
-        memory.renew(statement, formula)
+        renew(memory, statement, formula)
     memory.give_anew(formula)
-    memory.take(statement, formula, defines=definition is not None)
+    keep(memory, statement, formula, defines=definition is not None)
     return links, asked
 
 

@@ -25,6 +25,7 @@ from algebroproj_sym.reading.prose.words import (
     is_given_within,
     is_item,
 )
+from algebroproj_sym.reading.remembering.hearing import leave, stand_at
 from algebroproj_sym.reading.remembering.introducing import definition_in, is_only_one
 from algebroproj_sym.reading.remembering.memory import MOST_WITHIN, Memory
 
@@ -37,10 +38,10 @@ def take_within(memory: Memory, statement: Statement, formula: Parsed) -> None:
     if memory.survey.meanings.reason(statement, formula):
         return
     formula = formula.without_set()
-    memory.leave(statement.display)
+    leave(memory, statement.display)
     restricts = _restricts_new(memory, statement, formula)
     says = _is_said(statement, formula, restricts=restricts)
-    memory.stand_at(statement.display)
+    stand_at(memory, statement.display)
     at_value = len(formula.sides) == 2 and is_value_of_itself(*formula.sides)
     if len(formula.sides) == 2 and not at_value and (says or _is_stated(statement)):
         _give_or_restrict(memory, statement, formula, says=says, restricts=restricts)

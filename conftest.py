@@ -156,7 +156,7 @@ def decided_here(monkeypatch):
         yield lambda questions: map(here, questions)
 
     monkeypatch.setattr(worker, "asking", asking)
-    monkeypatch.setattr("algebroproj_sym.reading.asking.questions.asking", asking)
+    monkeypatch.setattr("algebroproj_sym.reading.asking.answering.asking", asking)
 
 
 @pytest.fixture

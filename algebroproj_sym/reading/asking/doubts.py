@@ -13,7 +13,6 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import text
 from algebroproj_sym.proving.reals.prove import may_agree
-from algebroproj_sym.reading.asking.questions import used_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
@@ -35,10 +34,10 @@ def doubt_of_premises(beside: Beside, formula: Parsed, index: int, vocabulary: V
 
     It must follow from them by its own words, or in a chain from definitions, and they must be in the same section.
     """
-    for each in used_by(vocabulary, formula.sides[index], formula.sides[index + 1]):
+    for each in vocabulary.used_in(formula.sides[index], formula.sides[index + 1]):
         if each.role != "definition" and each.part != beside.part:
             return "a letter was given in another section, where it may mean something else"
-    defined = all(each.role == "definition" for each in used_by(vocabulary, *formula.sides[index : index + 2]))
+    defined = all(each.role == "definition" for each in vocabulary.used_in(*formula.sides[index : index + 2]))
     if not (_is_said(beside, formula) or (index > 0 and defined)):
         return "no word says that it follows"
     return doubt_of(beside, formula, index, vocabulary)
@@ -48,7 +47,7 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
     """Return why a relation that fails for some values need not be a contradiction; empty if it must be one."""
     left, right = formula.sides[index], formula.sides[index + 1]
     symbols = {*symbols_in(left), *symbols_in(right)}
-    used = used_by(vocabulary, left, right)
+    used = vocabulary.used_in(left, right)
     if formula.relations[index] == "≡":
         return "≡ may be a congruence or a condition"
     if formula.relations[index] in (":=", "=:"):

@@ -1,42 +1,34 @@
 """What is asked of the prover: whether two sides are equal, with all definitions put in."""
 
-import re
-from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
-from itertools import islice
 from typing import Any
 
 import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import TooLargeError, entries, over, require_bounded, shape, text
-from algebroproj_sym.proving import Ask, Outcome, Question, asking
+from algebroproj_sym.proving import Question
 from algebroproj_sym.proving.reals.matrices import real_text
 from algebroproj_sym.proving.reals.reading import term_of
 from algebroproj_sym.proving.statements import has_functions
-from algebroproj_sym.reading.defining.definition import Definition
-from algebroproj_sym.reading.defining.dependence import captured_in, require_no_value
-from algebroproj_sym.reading.defining.domains import is_outside
+from algebroproj_sym.reading.asking.refusing import hides_an_index, of_other_letters, out_of_range
+from algebroproj_sym.reading.defining.dependence import require_no_value
 from algebroproj_sym.reading.defining.letters import lettered
-from algebroproj_sym.reading.defining.premises import Premise, letter_of, sides_of
+from algebroproj_sym.reading.defining.premises import Premise, sides_of
 from algebroproj_sym.reading.defining.values import Uncomputed, values_in, with_values
 from algebroproj_sym.reading.defining.vocabulary import UnsizedError, Vocabulary
 from algebroproj_sym.reading.deriving.components import multiplies_columns
 from algebroproj_sym.reading.deriving.parities import parities
-from algebroproj_sym.reading.lexing.names import split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS, evaluated
-from algebroproj_sym.reading.parsing.factors import terms_of
-from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, tokens_in, trees_in, without_brackets
+from algebroproj_sym.reading.parsing.evaluating import FUNCTIONS
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, tokens_in, without_brackets
 from algebroproj_sym.replaying.reals.terms import written
 
 Sides = tuple[Formula, Formula]
 OTHER_SHAPES = "its sides have different shapes"
 A_VALUE = "it rests on a value that may belong to another case"
-MOST_CALLS = 200
-"""How many values of functions are looked at, to see whether they are taken in their range."""
 
 
 @dataclass(frozen=True)
@@ -81,14 +73,9 @@ class Way:
         return tuple(dict.fromkeys((*rests, *(each.where for each in self.under))))
 
 
-def used_by(vocabulary: Vocabulary, *trees: Formula) -> list[Definition]:
-    """Return the definitions on which formulas rest."""
-    return [each for tree in trees for each in vocabulary.used_in(tree)]
-
-
 def rests_of(vocabulary: Vocabulary, *trees: Formula) -> tuple[str, ...]:
     """Return the places and words on which formulas rest."""
-    return tuple(dict.fromkeys(each.where for each in used_by(vocabulary, *trees)))
+    return tuple(dict.fromkeys(each.where for each in vocabulary.used_in(*trees)))
 
 
 def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_entries: bool = False) -> list[Question]:
@@ -105,7 +92,7 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
     properties = {vocabulary.properties_of(symbol) for symbol in vocabulary.letters_of(left, right)}
     if properties - {(), ("identity",)}:
         raise UnsizedError("a property of a letter, such as being a rotation, does not show in its entries")
-    for part in (big for tree in (left, right, *_trees_of(vocabulary, left, right)) for big in tree.find_data("big")):
+    for part in (big for tree in vocabulary.with_used(left, right) for big in tree.find_data("big")):
         require_no_value(str(part.children[0]), symbols_in(part), vocabulary.definitions)
     values = [vocabulary.value(tree) for tree in (left, right)]
     shapes = [shape(value) for value in values]
@@ -151,10 +138,6 @@ def questions_of(vocabulary: Vocabulary, left: Formula, right: Formula, *, by_en
     if (shape(values[0]) and (is_elementary or by_entries)) or vocabulary.parities:
         return [Question(_text(one), _text(other), nonzero=below) for one, other in pairs]
     return [Question(_text(values[0]), _text(values[1]))]
-
-
-def _trees_of(vocabulary: Vocabulary, *trees: Formula) -> list[Formula]:
-    return [each.tree for each in used_by(vocabulary, *trees)]
 
 
 def complex_letters_in(vocabulary: Vocabulary, *trees: Formula) -> frozenset[str]:
@@ -219,9 +202,9 @@ _UNASKED = (UnreadableError, TooLargeError, ZeroDivisionError, TypeError, ValueE
 
 def asked_of(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question] | str:
     """Return the questions, or why there are none."""
-    if other := _of_other_letters(vocabulary, left, right):
+    if other := of_other_letters(vocabulary, left, right):
         return f"{vocabulary.name(other)} with other arguments may be another function"
-    if refused := _hides_an_index(vocabulary, left, right) or out_of_range(vocabulary, left, right):
+    if refused := hides_an_index(vocabulary, left, right) or out_of_range(vocabulary, left, right):
         return refused
     try:
         return questions_of(vocabulary, left, right)
@@ -260,106 +243,6 @@ def _reason_of(error: Exception) -> str:
     return str(error).partition("\n")[0][:200] or type(error).__name__
 
 
-_SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")
-"""How functions are called that are the same ones of all letters, unlike p in p(x) and p(y)."""
-
-
-_DENSITY = re.compile(r"(?:\\[a-z]+\{)*(?:[pqP]|\\pi|\\rho|\\(?:var)?phi|N)\}*")
-"""How densities are called, which are other ones of other letters."""
-
-
-_OF_AN_AXIS = re.compile(r"(?:\\[a-z]+\{)?[A-Z]\}?_\{?(?:[123xyz]|\\(?:mathrm|text)\{[xyz]\})\}?")
-
-
-def _is_turn(definition: Definition) -> bool:
-    """Whether a function is the printed rotation about an axis, by which it is called: of any angle the same one."""
-    tree = without_brackets(definition.tree)
-    turns = [each for each in tree.find_data("function") if each.children[0] in ("sin", "cos")]
-    return (
-        tree.data == "matrix"
-        and _OF_AN_AXIS.fullmatch(definition.symbol) is not None
-        and {*symbols_in(tree)} == {*definition.parameters}
-        and len(tokens_in(tree, "SYMBOL")) == sum(len(tokens_in(each, "SYMBOL")) for each in turns) > 0
-    )
-
-
-def _of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
-    """Return a function that is taken at lone letters, all others than it was defined with; empty for none."""
-    operators = vocabulary.kinds.averages.operators
-    for call in (each for tree in trees for each in tree.find_data("call")):
-        definition = vocabulary.definitions.get(str(call.children[0]))
-        if definition is None or definition.part < 0 or _SAME_EVERYWHERE.fullmatch(definition.symbol):
-            continue
-        if definition.tree.data == "marked" or _is_turn(definition):
-            continue
-        if definition.symbol in operators or any(
-            each.children[0] in operators for each in definition.tree.find_data("call")
-        ):
-            continue
-        letters = [lone(without_brackets(each)) for items in trees_in(call) for each in items.children]
-        others = [split_symbol(each)[0] for each in letters if each]
-        if _are_of_one_kind(definition, letters):
-            continue
-        if letters and len(others) == len(letters) and not {*others, *letters} & {*definition.parameters}:
-            return definition.symbol
-    return ""
-
-
-def _are_of_one_kind(definition: Definition, letters: Sequence[str]) -> bool:
-    r"""Whether a function adds a letter to its parameter, as L in ``w(x) = x^2 (3 L - x)``: of L it is the same one."""
-    if len(letters) != 1 or len(definition.parameters) != 1 or _DENSITY.fullmatch(split_symbol(definition.symbol)[0]):
-        return False
-    alone = [{frozenset(symbols_in(term)) for term in terms_of(each)} for each in definition.tree.find_data("sum")]
-    return any({frozenset(letters), frozenset(definition.parameters)} <= each for each in alone)
-
-
-def _hides_an_index(vocabulary: Vocabulary, *trees: Formula) -> str:
-    """Return why letters under a sum may not be taken for fixed; empty if they may."""
-    letter, index = captured_in([*trees, *_trees_of(vocabulary, *trees)], partial(_hidden_in, vocabulary))
-    return f"{vocabulary.name(letter)} may depend on {index}, by which a sum or an integral runs" if letter else ""
-
-
-def _hidden_in(vocabulary: Vocabulary, symbol: str) -> Collection[str]:
-    """Return on what a letter may depend: an expected value, a constant and the imaginary unit on nothing."""
-    is_fixed = symbol in vocabulary.kinds.averages.operators or symbol == vocabulary.imaginary
-    return () if is_fixed or vocabulary.constant(symbol) is not None else vocabulary.hidden_in(symbol)
-
-
-def out_of_range(vocabulary: Vocabulary, *trees: Formula) -> str:
-    """Return which letter or function is given in a range in which nothing lies that is put in; empty for none."""
-    used = used_by(vocabulary, *trees)
-    if not any(each.ranges for each in used):
-        return ""
-    plain = lambda symbol: vocabulary.value(letter_of(symbol))  # noqa: E731
-    outside = (each.symbol for each in used if not each.parameters and is_outside(each.ranges, plain, plain))
-    given = (each.tree for each in used if not each.parameters)
-    left = iter(range(MOST_CALLS))
-    called = (_called_outside(vocabulary, each, plain, left) for each in (*trees, *given))
-    return next((_in_another_range(vocabulary, each) for each in outside), "") or next(filter(None, called), "")
-
-
-def _in_another_range(vocabulary: Vocabulary, symbol: str) -> str:
-    return f"{vocabulary.name(symbol)} is defined only for other values than those here"
-
-
-def _called_outside(vocabulary: Vocabulary, tree: Formula, names: Callable[[str], Any], left: Iterator[int]) -> str:
-    """Return which function a formula takes outside of its range, itself or through others, or that they are many."""
-    for call in tree.find_data("call"):
-        function = vocabulary.definitions.get(str(call.children[0]))
-        arguments = [each for items in call.children[1:] if isinstance(items, Tree) for each in trees_in(items)]
-        if function is None or not function.usable or len(arguments) != len(function.parameters):
-            continue
-        put = dict(zip(function.parameters, arguments, strict=True))
-        own = lambda symbol, put=put: evaluated(put[symbol], names) if symbol in put else names(symbol)  # noqa: E731
-        if next(left, None) is None:
-            return f"expected at most {MOST_CALLS} values of functions that are defined for a range, got more"
-        if is_outside(function.ranges, own, names):
-            return _in_another_range(vocabulary, function.symbol)
-        if inner := _called_outside(vocabulary, function.tree, own, left):
-            return inner
-    return ""
-
-
 def _with_values(vocabulary: Vocabulary, left: Formula, right: Formula) -> list[Question]:
     """Return the questions in which sums, integrals and values of functions are letters; none if there are vectors."""
     try:
@@ -373,7 +256,7 @@ def asked_under(way: Way) -> list[Question] | str:
     if not way.under:
         return asked_of(way.vocabulary, *way.sides)
     every = (*way.sides, *way.given)
-    if refused := out_of_range(way.vocabulary, *every) or _hides_an_index(way.vocabulary, *every):
+    if refused := out_of_range(way.vocabulary, *every) or hides_an_index(way.vocabulary, *every):
         return refused
     plain = way.vocabulary
     kept = (*FUNCTIONS, "root")
@@ -423,92 +306,3 @@ def values_of(questions: Sequence[Question]) -> set[str]:
 def _text(value: Any) -> str:
     """Return text in which no number looks like a letter: exp(1) is no E."""
     return written(term_of(value, "the equation")) if value.atoms(type(sympy.E)) else text(value)
-
-
-@contextmanager
-def asking_once(seconds: float, jobs: int) -> Iterator[Ask]:
-    """Give what decides questions as `asking` does, and each of them once."""
-    with asking(seconds=seconds, jobs=jobs) as ask:
-        known: dict[str, Outcome] = {}
-
-        def told(questions: Sequence[Question]) -> list[Outcome]:
-            new = {repr(each): each for each in questions if repr(each) not in known}
-            known.update(zip(new, ask([*new.values()]), strict=True))
-            return [known[repr(each)] for each in questions]
-
-        yield told
-
-
-def answers(ways: Sequence[Way], ask: Ask) -> list[tuple[tuple[Question, ...], Outcome]]:
-    """Return the questions of each way with the outcome; one that cannot be asked is open."""
-    asked = [asked_under(each) for each in ways]
-    told = iter(ask([question for group in asked if isinstance(group, list) for question in group]))
-    return [
-        (tuple(each), _of_questions(way, each, [*islice(told, len(each))]))
-        if isinstance(each, list)
-        else ((), Outcome("open", "none", 0.0, each))
-        for way, each in zip(ways, asked, strict=True)
-    ]
-
-
-def _of_questions(way: Way, questions: Sequence[Question], told: Sequence[Outcome]) -> Outcome:
-    """Return what the outcomes of all questions of a way come to."""
-    found = _without_opposite_roots(_of_entries(_without_squares(way, told)))
-    return _at_each_step(way, _with_letters(questions, found))
-
-
-def _without_squares(way: Way, found: Sequence[Outcome]) -> Sequence[Outcome]:
-    """Return the outcomes of a way: a sum of squares that is zero proves nothing of complex numbers."""
-    if not any(map(_is_of_squares, found)) or not complex_letters_in(way.vocabulary, *way.sides, *way.given):
-        return found
-    return [
-        Outcome("open", "none", each.seconds, "it is shown for real numbers only") if _is_of_squares(each) else each
-        for each in found
-    ]
-
-
-def _at_each_step(way: Way, outcome: Outcome) -> Outcome:
-    """Return an outcome; what is to hold at the last step of an induction is to hold at each one."""
-    if not way.last:
-        return outcome
-    letter = re.compile(rf"(?<![a-zA-Z_]){re.escape(way.vocabulary.name(way.last))}(?![a-zA-Z_])")
-    smaller = f", also for each smaller {way.vocabulary.name(way.last)}"
-    return replace(
-        outcome, hypotheses=tuple(f"{each}{smaller}" if letter.search(each) else each for each in outcome.hypotheses)
-    )
-
-
-def _is_of_squares(outcome: Outcome) -> bool:
-    certificate = outcome.certificate or {}
-    return "sums of squares" in (certificate.get("method"), certificate.get("proof", {}).get("method"))
-
-
-def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
-    """Return an outcome with what its letters are taken for among its hypotheses; a sum has the size of its terms."""
-    letters = {name: text for each in questions for name, text in (each.letters or {}).items() if name[-1:] != "_"}
-    below = dict.fromkeys(
-        each for one in questions for each in one.nonzero if not {each, f"{each} != 0"} & {*outcome.hypotheses}
-    )
-    taken = (*below, *(f"{name} is {text}" for name, text in letters.items()))
-    return replace(outcome, hypotheses=(*outcome.hypotheses, *taken))
-
-
-def _without_opposite_roots(outcome: Outcome) -> Outcome:
-    """Return an outcome; no proof if it holds but where something and its opposite are both the square of a root."""
-    roots = {each for each in outcome.hypotheses if each.endswith(" >= 0")}
-    if outcome.verdict == "proved" and any(f"-{each}" in roots for each in roots):
-        return Outcome("open", "none", outcome.seconds, "it is shown only where a root in it is zero")
-    return outcome
-
-
-def _of_entries(found: Sequence[Outcome]) -> Outcome:
-    """Return what the outcomes of all entries come to."""
-    if len(found) == 1:
-        return found[0]
-    decisive = next((each for each in found if each.verdict == "refuted"), None)
-    decisive = decisive or next((each for each in found if each.verdict != "proved"), None)
-    if decisive is not None:
-        return decisive
-    hypotheses = tuple(dict.fromkeys(name for each in found for name in each.hypotheses))
-    certificate = {"method": "entries", "entries": [each.certificate for each in found]}
-    return Outcome("proved", "entries", sum(each.seconds for each in found), "", hypotheses, None, certificate)

@@ -131,7 +131,7 @@ class Vocabulary:
 
     def _multiplies_identity(self, tree: Formula) -> bool:
         """Whether a lone I stands beside a vector or a matrix in a product: nobody writes the identity there."""
-        trees = [tree, *(each.tree for each in self.used_in(tree))]
+        trees = self.with_used(tree)
         for run in (_without_numbers(run, self.kinds) for each in trees for run in each.find_data("run")):
             factors = trees_in(run)
             identities = [each for each in factors if self.is_like_identity(lone(each))]
@@ -320,8 +320,16 @@ class Vocabulary:
         """Return what a symbol is said to be, such as a rotation."""
         return ("identity",) if _IDENTITY.fullmatch(symbol) else self.properties.get(symbol, ())
 
-    def used_in(self, tree: Formula) -> list[Definition]:
-        """Return the definitions on which a formula rests, each before those that use it; expected values have none."""
+    def used_in(self, *trees: Formula) -> list[Definition]:
+        """Return the definitions on which each formula rests, each before those that use it."""
+        return [each for tree in trees for each in self._used_in(tree)]
+
+    def with_used(self, *trees: Formula) -> list[Formula]:
+        """Return formulas, and those of the definitions on which they rest."""
+        return [*trees, *(each.tree for each in self.used_in(*trees))]
+
+    def _used_in(self, tree: Formula) -> list[Definition]:
+        """Return the definitions on which a formula rests; expected values have none."""
         operators = self.kinds.averages.operators
         found: dict[str, Definition] = {}
         waiting = symbols_in(tree)[::-1]
@@ -343,7 +351,7 @@ class Vocabulary:
     def letters_of(self, *trees: Formula) -> frozenset[str]:
         """Return the symbols of formulas that remain when all definitions are put in."""
         found = {symbol for tree in trees for symbol in symbols_in(tree)}
-        used = (each for tree in trees for each in self.used_in(tree))
+        used = self.used_in(*trees)
         found = found.union(*({*each.symbols}.difference(each.parameters) for each in used))
         found -= {*self.given.symbols}
         unknown = frozenset(s for s in found if s not in self.definitions or not self.definitions[s].usable)
@@ -429,7 +437,7 @@ class Vocabulary:
         return ""
 
     def _has_big(self, definition: Definition) -> bool:
-        trees = (definition.tree, *(each.tree for each in self.used_in(definition.tree)))
+        trees = self.with_used(definition.tree)
         return any(part.data == "big" for tree in trees for part in tree.iter_subtrees())
 
     def _function(self, definition: Definition, values: Mapping[str, Any]) -> Callable[..., Any]:

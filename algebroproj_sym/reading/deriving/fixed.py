@@ -111,6 +111,6 @@ def _has_rate_alone(asked: Asked, given: Definition) -> bool:
     if not PLAIN.fullmatch(below) or quotient(PARTIAL, asked.derivative.function, rate) not in asked.names:
         return False
     moving = {other for other in asked.occurring if with_dot(other) in map(bare, letters)} - {below}
-    trees = [given.tree, *(each.tree for each in vocabulary.used_in(given.tree))]
+    trees = vocabulary.with_used(given.tree)
     alone = letters & {lone(term) for each in trees for term in terms_of(each)}
     return not (alone or vocabulary.moves_with(letters - {rate} | moving, below))

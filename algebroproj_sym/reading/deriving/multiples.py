@@ -132,7 +132,7 @@ class Multiples:
 
     def are_sums(self, vocabulary: Vocabulary, sides: Sequence[Formula]) -> bool:
         """Whether sides are sums of multiples, with all definitions put in, and no number is given by what is none."""
-        used = [each for side in sides for each in vocabulary.used_in(side)]
+        used = vocabulary.used_in(*sides)
         trees = [*sides, *(each.tree for each in used)]
         inside = [big for tree in trees for big in tree.find_data("big")]
         inside += [each.tree for each in used if not self.is_letter(each.symbol)]

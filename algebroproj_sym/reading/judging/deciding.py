@@ -12,10 +12,10 @@ from algebroproj_sym.proving import Ask, Outcome, Question
 from algebroproj_sym.proving.letters.deciding import NOWHERE
 from algebroproj_sym.proving.reals.prove import often_agree
 from algebroproj_sym.proving.statements import has_functions
+from algebroproj_sym.reading.asking.answering import answers
 from algebroproj_sym.reading.asking.doubts import A_CONDITION, NOT_COMPUTED, NOT_GIVEN
 from algebroproj_sym.reading.asking.questions import (
     Way,
-    answers,
     asked_of,
     has_letters,
     is_lettered,

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from algebroproj_sym.reading.asking.questions import rests_of, stated_by, used_by
+from algebroproj_sym.reading.asking.questions import rests_of, stated_by
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -253,7 +253,7 @@ def _link(
         anew=begins_anew(memory, right) and not (words.follows or words.case_of_sentence),
         names=index == start and names_its_letter(memory, statement, first),
         chained=len(formula.sides) > 2,
-        certain=not known.letters_of(left, right) and all(each.explicit for each in used_by(known, left, right)),
+        certain=not known.letters_of(left, right) and all(each.explicit for each in known.used_in(left, right)),
         identity=memory.is_named(statement, memory.given.identities),
     )
     return link, Asked(place, index, ways, link, manner)

@@ -3,7 +3,7 @@
 from collections.abc import Collection
 from dataclasses import replace
 
-from algebroproj_sym.reading.asking.questions import asking_once
+from algebroproj_sym.reading.asking.answering import asking_once
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, operations_in, values_in
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.documents.displays import Document

@@ -16,7 +16,6 @@ from algebroproj_sym.reading.asking.questions import (
     asked_of,
     asked_under,
     is_lettered,
-    used_by,
     values_of,
 )
 from algebroproj_sym.reading.asking.sampling import POINTS, agree, samples_of
@@ -66,8 +65,7 @@ def likely_repairs(way: Way, *, chained: bool) -> list[Repaired]:
 
 def _changed(way: Way) -> list[Repaired]:
     """Return a way with single changes of its sides, those first that no special case makes."""
-    trees = (*way.sides, *way.given)
-    trees = (*trees, *(each.tree for each in used_by(way.vocabulary, *trees)))
+    trees = way.vocabulary.with_used(*way.sides, *way.given)
     symbols = {symbol for tree in trees for symbol in symbols_in(tree)}
     found = [(each, replace(way, right=each.formula)) for each in repairs(way.right, symbols)]
     found += [(each, replace(way, left=each.formula)) for each in repairs(way.left, symbols)]
@@ -116,7 +114,7 @@ def _begins_nested(text: str) -> bool:
 def _is_hard(way: Way) -> bool:
     if _nests_lengths(way):
         return True
-    if len(used_by(way.vocabulary, *way.sides)) > MOST_PUT_IN:
+    if len(way.vocabulary.used_in(*way.sides)) > MOST_PUT_IN:
         return True
     questions = asked_under(way) if way.under else ""
     return not isinstance(questions, str) and any(len(each.constraints) > MOST_CONSTRAINTS for each in questions)
@@ -148,6 +146,6 @@ def is_trivial(way: Way) -> bool:
     if _has_operators(way):
         return False
     questions = asked_of(way.vocabulary, *way.sides)
-    if isinstance(questions, str) or way.under or used_by(way.vocabulary, *way.sides) or values_of(questions):
+    if isinstance(questions, str) or way.under or way.vocabulary.used_in(*way.sides) or values_of(questions):
         return False
     return all(each.lhs == each.rhs for each in questions)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 
-from algebroproj_sym.reading.asking.questions import A_VALUE, Way, complex_letters_in, used_by
+from algebroproj_sym.reading.asking.questions import A_VALUE, Way, complex_letters_in
 from algebroproj_sym.reading.asking.sampling import is_somewhere_positive
 from algebroproj_sym.reading.defining.maps import DIMENSIONS
 from algebroproj_sym.reading.defining.premises import extended
@@ -52,7 +52,7 @@ def _with_usual_letters(survey: Survey, way: Way) -> Iterator[Way]:
     R is a rotation where words speak of rigid motions, P is symmetric where they speak of covariances, and matrices in
     expected values are not random.
     """
-    known, used = way.vocabulary, used_by(way.vocabulary, *way.sides)
+    known, used = way.vocabulary, way.vocabulary.used_in(*way.sides)
     trees = (*way.sides, *(each.tree for each in used), *way.given)
     symbols = {symbol for tree in trees for symbol in symbols_in(tree)}
     averages = known.kinds.averages
@@ -109,7 +109,7 @@ def along_directions_in(way: Way) -> Iterator[Way]:
 def _with_roots_apart(standing: Standing, way: Way) -> Iterator[Way]:
     """Yield a way in which roots of products are products of roots, of what may be positive."""
     known = way.vocabulary
-    used = [each for each in used_by(known, *way.sides) if not each.parameters]
+    used = [each for each in known.used_in(*way.sides) if not each.parameters]
     (left, more), (right, others), *trees = map(with_roots_apart, (*way.sides, *(each.tree for each in used)))
     positive = dict.fromkeys([*more, *others, *(factor for _, factors in trees for factor in factors)])
     excluded = way.reads or "negative" in standing.beside.words or complex_letters_in(known, *way.sides)
@@ -121,7 +121,7 @@ def _with_roots_apart(standing: Standing, way: Way) -> Iterator[Way]:
 
 def _with_three_rows(way: Way) -> Iterator[Way]:
     """Yield a way in which vectors and matrices have three rows, if that may matter and nothing says how many."""
-    known, used = way.vocabulary, used_by(way.vocabulary, *way.sides)
+    known, used = way.vocabulary, way.vocabulary.used_in(*way.sides)
     trees = [*way.sides, *(each.tree for each in used)]
     letters = known.letters_of(*trees)
     has_identity = any("identity" in known.properties_of(each) for each in letters)
@@ -139,7 +139,7 @@ def _with_complex_numbers(way: Way) -> Iterator[Way]:
         return
     unit = f"{known.imaginary} is the imaginary unit" if known.imaginary else "letters are complex numbers"
     yield _taken(way, known.changed(numbers="complex"), unit)
-    if known.imaginary or not {each.symbol for each in used_by(known, *way.sides)} & known.complexes:
+    if known.imaginary or not {each.symbol for each in known.used_in(*way.sides)} & known.complexes:
         some = known.changed(numbers="some complex")
         yield _taken(way, some, unit, "letters are real unless complex ones give them")
 
@@ -152,7 +152,7 @@ def _with_parities(ends: frozenset[str], way: Way) -> Iterator[Way]:
     known = way.vocabulary
     wholes = (known.wholes | ends) - {*known.definitions}
     letters = known.letters_of(*way.sides) & wholes
-    trees = [*way.sides, *(each.tree for each in used_by(known, *way.sides))]
+    trees = known.with_used(*way.sides)
     alternate = any(r"\pi" in symbols_in(each) or any(map(_is_of_minus_one, each.find_data("power"))) for each in trees)
     if letters and alternate and not way.under:
         assumed = (f"{known.name(each)} is a whole number" for each in sorted(letters))

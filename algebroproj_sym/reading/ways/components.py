@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from algebroproj_sym.reading.asking.questions import Way, used_by
+from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import applicable, extended
 from algebroproj_sym.reading.deriving.summation import in_components
@@ -23,7 +23,7 @@ def with_printed_components(standing: Standing, left: Formula, right: Formula) -
     for given in (crosses, made, [*made, *_last_entries(standing)]):
         for known in (extended(standing.vocabulary, given), extended(standing.told, given)):
             for changing in (known, with_rates(standing, (left, right), known)):
-                used = used_by(changing, left, right)
+                used = changing.used_in(left, right)
                 if used not in seen and any(each in given for each in used):
                     seen.append(used)
                     yield Way(left, right, changing)

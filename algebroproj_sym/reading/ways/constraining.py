@@ -5,7 +5,7 @@ from itertools import combinations
 
 from lark import Tree
 
-from algebroproj_sym.reading.asking.questions import Way, used_by
+from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, MOST_TOGETHER, Premise, extended, sides_of
 from algebroproj_sym.reading.defining.recognising import differ_in_one_letter
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
@@ -19,7 +19,7 @@ def under_equations(standing: Standing, left: Formula, right: Formula) -> Iterat
     An equation of vectors is one for each component.
     All are taken together only where words, an arrow or a citation say that it follows.
     """
-    if any(each.parameters for each in used_by(standing.vocabulary, left, right)):
+    if any(each.parameters for each in standing.vocabulary.used_in(left, right)):
         return
     letters = standing.vocabulary.letters_of(left, right)
     near = standing.near(MOST_TOGETHER)
@@ -90,7 +90,7 @@ def _with_rates_put_in(
     for under in [(each, *own) for each in others] or [(*own,)]:
         given = sides_of(under)
         told = with_rates(standing, (left, right, *given), known)
-        rates = {each.symbol for each in used_by(told, left, right, *given)} - {*known.definitions}
+        rates = {each.symbol for each in told.used_in(left, right, *given)} - {*known.definitions}
         letters = told.letters_of(left, right, *given[2:])
         if under and rates and told.letters_of(*given[:2]) <= letters:
             yield Way(left, right, told, under=under)

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from algebroproj_sym.expressions import shape
-from algebroproj_sym.reading.asking.questions import Sides, Way, rests_of, used_by
+from algebroproj_sym.reading.asking.questions import Sides, Way, rests_of
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.premises import MOST_NEAR, Premise, sides_of
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
@@ -42,7 +42,7 @@ def of_fields(standing: Standing, left: Formula, right: Formula) -> Iterator[Way
     """
     if standing.beside.variables - {*SPACE, "t"}:
         return
-    applied, used = standing.survey.applied, used_by(standing.vocabulary, left, right)
+    applied, used = standing.survey.applied, standing.vocabulary.used_in(left, right)
     if not any(_may_act(each, applied) for each in (left, right, *(each.tree for each in used))):
         return
     symbols = {*standing.survey.occurring, *(one for each in applied.values() for one in symbols_in(each.body))}
@@ -53,7 +53,7 @@ def of_fields(standing: Standing, left: Formula, right: Formula) -> Iterator[Way
     except UnreadableError:
         return
     known = _with_definitions_apart(standing.vocabulary, apart)
-    kinds = _kinds_in(*sides, *(each.tree for each in used_by(known, *sides)))
+    kinds = _kinds_in(*known.with_used(*sides))
     has_vectors = any(each.kind in ("div", "curl", *ALONG) for each in applied.values())
     if not kinds or ("lap" in kinds and not (has_vectors or kinds - _BY_PLACE)):
         return
@@ -102,7 +102,7 @@ def _with_fields(
 ) -> Iterator[Way]:
     """Yield a relation with its letters as fields; those that nothing derives may be constant."""
     trees = [*sides, *sides_of(under)]
-    used = used_by(known, *trees)
+    used = known.used_in(*trees)
     trees += [each.tree for each in used]
     kinds, letters = _kinds_in(*trees), known.letters_of(*trees)
     by = {kind[-1] for kind in kinds - _BY_PLACE}

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from lark import Tree
 
-from algebroproj_sym.reading.asking.questions import Way, used_by
+from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import ANY, letters_of_symbol
 from algebroproj_sym.reading.defining.premises import MOST_TOGETHER, extended
@@ -53,7 +53,7 @@ def gives_at_other_index(standing: Standing, left: Formula, right: Formula) -> b
 def with_same_ends_in(standing: Standing, ways: Sequence[Way]) -> Iterator[Way]:
     """Yield ways in which sums have the same ends, also in what is put in."""
     for way in ways:
-        used = [each for each in used_by(way.vocabulary, *way.sides) if any(True for _ in each.tree.find_data("big"))]
+        used = [each for each in way.vocabulary.used_in(*way.sides) if any(True for _ in each.tree.find_data("big"))]
         trees = [*way.sides, *(each.tree for each in used)]
         left, right, *others = with_same_ends(trees, standing.survey.indices)
         if [left, right, *others] != trees:

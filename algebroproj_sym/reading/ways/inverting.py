@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from algebroproj_sym.reading.asking.questions import Way, complex_letters_in, used_by
+from algebroproj_sym.reading.asking.questions import Way, complex_letters_in
 from algebroproj_sym.reading.asking.sampling import is_somewhere_positive
 from algebroproj_sym.reading.defining.domains import is_outside, range_in
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, letter_of
@@ -37,7 +37,7 @@ def raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
         powers = powers_of(letter_of(several[1]), right)
     is_root = powers is not None and not powers.is_open and not powers.is_of_left
     known = standing.vocabulary
-    if is_root and (not used_by(known, left, right) or complex_letters_in(known, left, right)):
+    if is_root and (not known.used_in(left, right) or complex_letters_in(known, left, right)):
         return
     if powers is None or known.is_matrix(symbols_in(powers.left)[0]):
         return
@@ -84,7 +84,7 @@ def of_inverse(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]
         *with_printed_components(standing, *plain.sides),
         *raised(standing, of_function, 0),
     ):
-        if not used_by(way.vocabulary, found.angle):
+        if not way.vocabulary.used_in(found.angle):
             yield replace(way, reads=reads, supposes=(*where, *way.supposes))
 
 

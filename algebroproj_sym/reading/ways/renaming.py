@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
-from algebroproj_sym.reading.asking.questions import Way, used_by
+from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, extended, sides_of
 from algebroproj_sym.reading.deriving.arguments import Changed, alike, known_without, premise_without, without_arguments
 from algebroproj_sym.reading.deriving.components import columns_as_letters
@@ -52,7 +52,7 @@ def _changed(
     sides = tuple(map(changed, formula.sides))
     left, right = sides[index : index + 2]
     known = known_without(standing.vocabulary, functions, changed)
-    used = (left, right, *(each.tree for each in used_by(known, left, right)))
+    used = known.with_used(left, right)
     made = {symbol for each in used for symbol in symbols_in(each)}
     told = ", ".join(f"{known.name(each)} is {what}" for each, what in stands_for.items() if each in made)
     if not told:

@@ -12,7 +12,7 @@ import sympy
 from lark import Token, Tree
 
 from algebroproj_sym.expressions import over, shape
-from algebroproj_sym.reading.asking.questions import Way, used_by
+from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.notation import (
     DOT,
@@ -149,7 +149,7 @@ def _is_of_one(standing: Standing, unknown: _Unknown, premise: Premise, right: F
     ]
     own = [call for side in premise.sides for call in side.find_data("call")]
     others = [call for call, letters in calls if call in own and letters != [unknown.variable]]
-    used = (each for each in used_by(known, *premise.sides, right) if each.symbol not in unknown.orders)
+    used = (each for each in known.used_in(*premise.sides, right) if each.symbol not in unknown.orders)
     hidden = {symbol for each in used for symbol in symbols_in(each.tree)}
     slopes = derivatives_among(standing.survey.occurring)
     partly = any((each.sign, each.function) == (PARTIAL, bare(unknown.letter)) for each in slopes)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from itertools import product
 
 from algebroproj_sym.reading.asking.doubts import doubt_of, doubt_of_premises
-from algebroproj_sym.reading.asking.questions import A_VALUE, Way, complex_letters_in, used_by
+from algebroproj_sym.reading.asking.questions import A_VALUE, Way, complex_letters_in
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.dependence import free_symbols
 from algebroproj_sym.reading.defining.notation import derivative_in
@@ -43,9 +43,9 @@ _CHANGES = frozenset(
 def with_premises(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     """Yield the ways to take a relation that rest on equations above it, and on derivatives."""
     left, right = formula.sides[index], formula.sides[index + 1]
-    seen = [tuple(map(id, used_by(standing.vocabulary, left, right)))]
+    seen = [tuple(map(id, standing.vocabulary.used_in(left, right)))]
     for known in _vocabularies(standing, left, right):
-        used = used_by(known, left, right)
+        used = known.used_in(left, right)
         if (ids := tuple(map(id, used))) not in seen:
             seen.append(ids)
             yield Way(left, right, known, doubt=doubt_of_premises(standing.beside, formula, index, known))
@@ -64,7 +64,7 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
         yield known
         yield with_rates(standing, (left, right), known)
     wanted = {*symbols_in(left), *symbols_in(right)}
-    parameters = {symbol for each in used_by(standing.vocabulary, left, right) for symbol in each.parameters}
+    parameters = {symbol for each in standing.vocabulary.used_in(left, right) for symbol in each.parameters}
     supposed = frozenset().union(*(each.symbols for each in standing.own))
     for each in standing.near():
         tied = (parameters | supposed) & each.symbols
@@ -113,7 +113,7 @@ def _with_computed(standing: Standing, formula: Parsed, index: int) -> Iterator[
     lone = [told.definitions[each] for each in (*symbols_in(left), *symbols_in(right)) if each in told.definitions]
     put_in = [
         each
-        for each in dict.fromkeys((*used_by(told, left, right), *(each for each in lone if each.holds)))
+        for each in dict.fromkeys((*told.used_in(left, right), *(each for each in lone if each.holds)))
         if any(map(_is_worked_out, each.tree.iter_subtrees()))
     ]
     worked = [_worked_out(each, standing, own) for each in (*sides, *(each.tree for each in put_in))]

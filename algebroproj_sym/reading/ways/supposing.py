@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator
 
-from algebroproj_sym.reading.asking.questions import Way, used_by
+from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.defining.dependence import index_of, letters_of_symbol
 from algebroproj_sym.reading.defining.premises import extended, given_values, sides_of, with_given
 from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
@@ -15,7 +15,7 @@ def as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) 
     """Yield a relation with what its own sentence supposes put in, alone and with the equations above it."""
     own = standing.supposed(left, right)
     supposed = [each.gives for each in own if each.gives is not None]
-    used = (left, right, *(each.tree for each in used_by(standing.vocabulary, left, right)))
+    used = standing.vocabulary.with_used(left, right)
     bound = {symbol for side in used for part in side.find_data("big") for symbol in _bound_in(part, standing.survey)}
     places = {(each.symbol, each.place) for each in supposed}
     twice = len({symbol for symbol, _ in places}) < len(places)
@@ -24,7 +24,7 @@ def as_its_sentence_supposes(standing: Standing, left: Formula, right: Formula) 
     for premises, given in (([], []), (standing.above, standing.given)):
         known = extended(standing.vocabulary, [*given, *supposed])
         changing = with_rates(standing, (left, right), known)
-        differs = used_by(changing, left, right) != used_by(known, left, right)
+        differs = changing.used_in(left, right) != known.used_in(left, right)
         yield from (Way(left, right, each) for each in (known, changing)[: 1 + differs])
         values = given_values([*premises, *own], known, (left, right))
         if values:

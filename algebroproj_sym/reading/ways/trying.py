@@ -5,7 +5,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from algebroproj_sym.reading.asking.doubts import doubt_of
-from algebroproj_sym.reading.asking.questions import Sides, Way, used_by
+from algebroproj_sym.reading.asking.questions import Sides, Way
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, extended, letter_of
 from algebroproj_sym.reading.defining.twists import tells_hat
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
@@ -66,7 +66,7 @@ def ways_of(standing: Standing, statement: Statement, formula: Parsed, index: in
         *of_solutions(standing, left, right),
         *by_induction(standing, left, right),
     ]
-    ends = ends_in(left, right, *(each.tree for each in used_by(known, left, right)))
+    ends = ends_in(left, right, *(each.tree for each in known.used_in(left, right)))
     for assumed in assumptions(standing, ends):
         ways += [each for way in ways for each in assumed(way)]
     return ways

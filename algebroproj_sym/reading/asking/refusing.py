@@ -19,16 +19,10 @@ from algebroproj_sym.reading.parsing.grammar import Formula, lone, symbols_in, t
 
 MOST_CALLS = 200
 """How many values of functions are looked at, to see whether they are taken in their range."""
-
-
 _SAME_EVERYWHERE = re.compile(r"(?:\\math[a-z]+\{)?[fghFGH]\}?'*")
 """How functions are called that are the same ones of all letters, unlike p in p(x) and p(y)."""
-
-
 _DENSITY = re.compile(r"(?:\\[a-z]+\{)*(?:[pqP]|\\pi|\\rho|\\(?:var)?phi|N)\}*")
 """How densities are called, which are other ones of other letters."""
-
-
 _OF_AN_AXIS = re.compile(r"(?:\\[a-z]+\{)?[A-Z]\}?_\{?(?:[123xyz]|\\(?:mathrm|text)\{[xyz]\})\}?")
 
 

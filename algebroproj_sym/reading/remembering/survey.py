@@ -17,8 +17,9 @@ from algebroproj_sym.reading.defining.dependence import (
     letters_of_symbol,
     ties_of,
 )
-from algebroproj_sym.reading.defining.kinds import Kinds, angles_in, kinds_of
+from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
 from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, labels_in, lone_letter, without_above
+from algebroproj_sym.reading.defining.positions import angles_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile

@@ -32,7 +32,7 @@ HALVES = " + ".join(rf"F(x/{part})" for part in range(2, 7))
     ids=["sums", "compositions", "products", "ranges"],
 )
 def test_what_functions_of_functions_come_to_is_bounded(latex, reason, monkeypatch):
-    for module in ("defining.vocabulary", "judging.sampling"):
+    for module in ("defining.vocabulary", "asking.sampling"):
         monkeypatch.setattr(f"algebroproj_sym.reading.{module}.MOST_PARTS", 500)
     last = read_document(document_of(latex), seconds=2)[-1]
     assert last.verdict == "not decided"

@@ -18,7 +18,7 @@ from algebroproj_sym.reading.parsing.factors import (
     is_inverse,
     terms_of,
 )
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, symbols_in, trees_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, symbols_in, trees_in, without_brackets
 
 SMALL = re.compile(r"(?:\\(?:bar|hat|tilde|dot|ddot)\{)*[a-z]\}*(?:_.*)?'*|\\Delta [a-z](?:_.*)?")
 BOLD = re.compile(r"\\(?:mathbf|mathsf|vec|overrightarrow)(?![a-z]{2})")
@@ -195,6 +195,17 @@ def numbers_in(side: Formula) -> Iterator[str]:
             inside = trees_in(tree) if named else []
         for each in inside:
             yield from factors_of(each)
+
+
+def divisors_in(side: Formula) -> Iterator[list[str]]:
+    r"""Yield the letters that stand below each line as they are, as E and I in ``\frac{M}{2 E I}``.
+
+    Those in a power, a function, or a product with a sign, such as ``b \cdot b``, are left out.
+    """
+    for tree in side.iter_subtrees():
+        if tree.data in ("fraction", "quotient"):
+            below = without_brackets(trees_in(tree)[1])
+            yield [*filter(None, map(lone, trees_in(below) if below.data == "run" else [below]))]
 
 
 def inverted_in(side: Formula) -> Iterator[str]:

@@ -95,12 +95,21 @@ class Vocabulary:
         self._sizes = {**sizes, **given.sizes}
         self.kinds = kinds
         self.properties = {**properties, **given.properties}
+        self._said = self._sizes, self.properties
         self.names = Identifiers(given.letters)
         self.values: dict[str, Any] = {}
         """What symbols stand for that have been computed."""
         self._mentioned: set[str] = set()
         self._parts = 0
         self._behind: dict[str, frozenset[str]] = {}
+
+    def regard(self, kinds: Kinds, numbers: frozenset[str]) -> None:
+        """Take letters for what they are in a section, where some are numbers that are none elsewhere."""
+        self.kinds = kinds
+        sizes, properties = self._said
+        self._sizes = {each: size for each, size in sizes.items() if each not in numbers}
+        self.properties = {each: said for each, said in properties.items() if each not in numbers}
+        self.forget()
 
     def copied(self) -> Self:
         """Return the vocabulary with the definitions that there are now."""

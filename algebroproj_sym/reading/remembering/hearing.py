@@ -40,7 +40,7 @@ def leave(memory: Memory, display: Display) -> None:
     if display.part != memory.part:
         for symbol in memory.valued & {*memory.vocabulary.definitions}:
             del memory.vocabulary.definitions[symbol]
-        memory.vocabulary.forget()
+        memory.vocabulary.regard(*memory.survey.kinds_in(display.part))
         memory.valued.clear()
     memory.scopes, ended, supposed = memory.scopes.at(display)
     if ended:

@@ -39,6 +39,7 @@ class Memory:
         self.survey = survey
         self.given = survey.given
         self.vocabulary = survey.vocabulary()
+        self.vocabulary.regard(*survey.kinds_in(0))
         self.asserted: dict[str, int] = {}
         self.seen = set[str]()
         self.equated = set[str]()
@@ -187,6 +188,11 @@ class Memory:
         here = None if self.display is None else self.display.place
         return place in self.over or (place in self.conditions - self.running and here not in (None, place))
 
+    def _is_of_other_kinds(self, known: Known) -> bool:
+        """Whether an equation of another section has a letter that is a number there and none here, or vice versa."""
+        here, there = (self.survey.kinds_in(part)[1] for part in (self.part, known.part))
+        return not symbols_of(known).isdisjoint(here ^ there)
+
     def known_here(self, letters: frozenset[str]) -> Vocabulary:
         """Return what letters stand for where an equation of some letters stands.
 
@@ -201,7 +207,7 @@ class Memory:
         for known in [*found.definitions.values()]:
             elsewhere = self.context.excludes(known.context) and not is_cited(known, self.cited)
             elsewhere = elsewhere or is_cited(known, self.apart) or self.tells_of_another(known, letters)
-            elsewhere = elsewhere or bool(self.beside.exchanged & symbols_of(known))
+            elsewhere = elsewhere or bool(self.beside.exchanged & symbols_of(known)) or self._is_of_other_kinds(known)
             if elsewhere and known.symbol in found.definitions:
                 found.drop(known.symbol)
         return found
@@ -234,6 +240,7 @@ class Memory:
             each
             for each in known
             if not (changed & each.symbols or is_cited(each, self.apart) or self._is_of_some(each))
+            and not self._is_of_other_kinds(each)
             and (is_cited(each, cited) or not (self.context.excludes(each.context) or self._is_over(each.place)))
         ]
 

@@ -17,9 +17,8 @@ from algebroproj_sym.reading.defining.dependence import (
     letters_of_symbol,
     ties_of,
 )
-from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
+from algebroproj_sym.reading.defining.kinds import Kinds
 from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, labels_in, lone_letter, without_above
-from algebroproj_sym.reading.defining.positions import angles_in
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -57,17 +56,14 @@ from algebroproj_sym.reading.prose.meanings import (
 from algebroproj_sym.reading.prose.numbers import has_gamma_function, wholes_in
 from algebroproj_sym.reading.prose.phrases import (
     called,
-    columns_in,
     complexes_in,
     constants_in,
-    matrices_in,
-    named_otherwise,
     properties_in,
     reals_in,
     sizes_in,
-    vectors_in,
 )
 from algebroproj_sym.reading.prose.words import beside
+from algebroproj_sym.reading.remembering.sections import kinds_by_section, kinds_in
 
 
 @dataclass(frozen=True)
@@ -477,11 +473,17 @@ class Survey:
     @cached_property
     def kinds(self) -> Kinds:
         """Which letters are vectors or matrices."""
-        words = " ".join(f"{each.before} {each.after}" for each in self.document.formulas)
-        said = vectors_in(self.statements) | {*properties_in(self.statements)}
-        found = kinds_of(self._read, said, words, columns_in(self.statements))
-        matrices = matrices_in(self.statements, angles_in(self._read))
-        return replace(found, no_numbers=found.no_numbers | matrices, named=named_otherwise(self.statements))
+        return kinds_in(self.statements, self.formulas)
+
+    def kinds_in(self, part: int) -> tuple[Kinds, frozenset[str]]:
+        """Return what letters are in a section, and which are numbers there that are none elsewhere."""
+        return self._kinds_by_section.get(part, (self.kinds, frozenset()))
+
+    @cached_property
+    def _kinds_by_section(self) -> dict[int, tuple[Kinds, frozenset[str]]]:
+        given = self.given.whole
+        told = {*given.symbols, *given.sizes, *given.properties}
+        return kinds_by_section(self.statements, self.formulas, self.kinds, told)
 
 
 _OF_NOISE = frozenset(("covariance", "covariances", "noise", "innovation", "uncertainty"))

@@ -65,3 +65,11 @@ def test_an_equation_of_vectors_gives_each_letter_in_which_it_is_linear(latex):
 )
 def test_no_factor_changes_its_side_and_nothing_singular_is_inverted(latex):
     assert last(latex).verdict not in ("follows", "contradicts")
+
+
+def test_a_letter_is_said_once_not_to_be_zero():
+    law = r"Snell's law is \[ n_1 \sin a_1 = n_2 \sin a_2. \] "
+    angle = r"Thus the angle is \[ a_2 = \arcsin\left(\frac{n_1}{n_2} \sin a_1\right). \]"
+    *_, last = read_document(document_of(law + angle))
+    assert last.verdict == "follows"
+    assert last.links[0].hypotheses[:2] == ("-pi/2 <= a_2 <= pi/2", "n_2 != 0")

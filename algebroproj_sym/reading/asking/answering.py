@@ -39,7 +39,7 @@ def answers(ways: Sequence[Way], ask: Ask) -> list[tuple[tuple[Question, ...], O
 def _of_questions(way: Way, questions: Sequence[Question], told: Sequence[Outcome]) -> Outcome:
     """Return what the outcomes of all questions of a way come to."""
     found = _without_opposite_roots(_of_entries(_without_squares(way, told)))
-    return _at_each_step(way, _with_letters(questions, found))
+    return _at_each_step(way, _with_letters(questions, _with_each_once(found)))
 
 
 def _without_squares(way: Way, found: Sequence[Outcome]) -> Sequence[Outcome]:
@@ -76,6 +76,12 @@ def _with_letters(questions: Sequence[Question], outcome: Outcome) -> Outcome:
     )
     taken = (*below, *(f"{name} is {text}" for name, text in letters.items()))
     return replace(outcome, hypotheses=(*outcome.hypotheses, *taken))
+
+
+def _with_each_once(outcome: Outcome) -> Outcome:
+    """Return an outcome in which no letter is said not to be zero with a minus as well."""
+    plain = (re.sub(r"^-(?=\w+ != 0$)", "", each) for each in outcome.hypotheses)
+    return replace(outcome, hypotheses=tuple(dict.fromkeys(plain)))
 
 
 def _without_opposite_roots(outcome: Outcome) -> Outcome:

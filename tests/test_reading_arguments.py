@@ -106,3 +106,36 @@ def test_a_letter_may_be_another_thing_than_the_function(name):
     last = read_document(document_of(MISLEADING[name]))[-1]
     assert last.read is not None
     assert last.verdict in ("independent", "not decided", "definition")
+
+
+FLIGHT = r"The abscissa is \[ x(t) = u t c. \] The flight takes the time \[ T = \frac{2 w}{g}. \] "
+LIKELIHOOD = r"""The log-likelihood is \[ \ell(\mu, \sigma^2) = -\frac N2 \ln(2 \pi \sigma^2)
+- \frac{1}{2 \sigma^2} \sum_{i=1}^N (x_i - \mu)^2. \] """
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        FLIGHT + r"The range is \[ r = x(T) = \frac{2 u w c}{g}. \]",
+        LIKELIHOOD + r"Its derivative is \[ \frac{\partial \ell}{\partial \mu} = \frac{1}{\sigma^2} "
+        r"\sum_{i=1}^N (x_i - \mu). \]",
+    ],
+)
+def test_a_function_is_taken_at_a_letter_that_is_given_or_at_a_square(latex):
+    assert read_document(document_of(latex))[-1].links[-1].verdict == "follows"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"The density is \[ p(x) = e^{-x}. \] Let \[ y = 2 x. \] Hence \[ p(y) = e^{-y}. \]",
+        r"The path is \[ x(t) = a \cos(w t), \] where \[ q = w t. \] Hence \[ x(q) = a \cos q. \]",
+        r"The sum is \[ f(x^1, x^2) = x^1 + x^2. \] Hence \[ \frac{\partial f}{\partial x} = 2. \]",
+        r"The sum is \[ f(x, x^2) = x + x^2. \] Hence \[ \frac{\partial f}{\partial x} = 1. \]",
+        r"The sum is \[ f(a, x^2) = a + x^2. \] Hence \[ f(a, 3) = a + 9. \]",
+        LIKELIHOOD + r"Hence \[ \ell(\mu, \sigma) = -\frac N2 \ln(2 \pi \sigma^2) - \frac{1}{2 \sigma^2} "
+        r"\sum_{i=1}^N (x_i - \mu)^2. \]",
+    ],
+)
+def test_a_function_at_another_argument_may_be_another_one(latex):
+    assert read_document(document_of(latex))[-1].verdict not in ("follows", "contradicts")

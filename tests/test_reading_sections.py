@@ -1,4 +1,7 @@
-r"""A letter is a number in a section where it stands below a line, and a vector or a matrix in another one."""
+r"""A letter is a number in a section where it stands below a line, and a vector or a matrix in another one.
+
+A function of which another section states a differential equation is another one.
+"""
 
 import pytest
 
@@ -55,3 +58,17 @@ def test_what_a_letter_is_elsewhere_does_not_matter():
 )
 def test_what_does_not_hold_of_matrices_and_vectors_does_not_follow(latex):
     assert verdicts(latex)[-1] != "follows"
+
+
+STONE = r"\section{Stones} A stone falls by \[ x(t) = \frac12 g t^2. \] "
+
+
+def test_a_differential_equation_in_another_section_is_of_another_function():
+    spring = (
+        r"\section{Springs} \[ m \ddot x + k x = 0. \] The energy is \[ E = \frac12 m \dot x^2 + \frac12 k x^2. \] "
+    )
+    rate = r"Its rate is \[ \frac{dE}{dt} = m \dot x \ddot x + k x \dot x. \]"
+    assert verdicts(STONE + spring + rate)[-1] == "follows"
+    assert verdicts(STONE + r"Hence \[ \dot x = g t. \]")[-1] == "follows"
+    assert verdicts(STONE + r"\section{Motion} Hence \[ \dot x = g t. \]")[-1] == "follows"
+    assert verdicts(STONE + r"\section{Motion} \[ \ddot x + k x = 0 \] Hence \[ \dot x = g t. \]")[-1] != "follows"

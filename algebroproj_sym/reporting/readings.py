@@ -136,6 +136,10 @@ def _heading(reading: Reading) -> str:
     return f"{reading.where}{number}  {reading.verdict}"
 
 
+_SAYS = re.compile(r"[<>=]|[\w)'] [a-z]")
+"""What a condition has, unlike an expression that is not zero: a relation, or words."""
+
+
 def _whole(reading: Reading) -> Iterator[str]:
     yield f"{_heading(reading)}  {reading.read or ' '.join(reading.latex.split())[:100]}"
     link = decisive(reading)
@@ -146,9 +150,7 @@ def _whole(reading: Reading) -> Iterator[str]:
     if link.rests_on:
         yield f"    rests on {'; '.join(link.rests_on)}"
     supposed = [each for each in link.hypotheses if TRUE_HERE in each]
-    conditions = (
-        each if re.search("[<>=]| (?:is|are|has|have) ", each) else f"{each} != 0" for each in link.hypotheses
-    )
+    conditions = (each if _SAYS.search(each) else f"{each} != 0" for each in link.hypotheses)
     if shown := simple_conditions(each for each in conditions if each not in supposed):
         yield folded(f"    holds where {', '.join(shown)}", 400)
     if supposed:

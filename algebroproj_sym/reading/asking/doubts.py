@@ -13,6 +13,7 @@ from lark import Token, Tree
 
 from algebroproj_sym.expressions import text
 from algebroproj_sym.proving.reals.prove import may_agree
+from algebroproj_sym.reading.asking.refusing import taken_at_other_letters
 from algebroproj_sym.reading.defining.definition import Definition
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.defining.vocabulary import UNCOMPUTED, Vocabulary
@@ -70,6 +71,8 @@ def doubt_of(beside: Beside, formula: Parsed, index: int, vocabulary: Vocabulary
             return "its sides may be angles that differ by full turns"
         if word := strange_word(f"{beside.before} {beside.sentence} {beside.behind}", ()):
             return f"the word {word!r} beside it may mean another arithmetic, such as that of a clock"
+    if others := [each.symbol for each, _ in taken_at_other_letters(vocabulary, left, right)]:
+        return f"{vocabulary.name(others[0])} with other arguments may be another function"
     if formula.chose:
         return formula.chose
     unusable = sorted(s for s in symbols if s in vocabulary.definitions and not vocabulary.definitions[s].usable)

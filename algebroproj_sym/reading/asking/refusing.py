@@ -39,7 +39,18 @@ def _is_turn(definition: Definition) -> bool:
 
 
 def of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
-    """Return a function that is taken at lone letters, all others than it was defined with; empty for none."""
+    """Return a function that is taken at lone letters, all others than it was defined with; empty for none.
+
+    At a letter that is given, as x at the time ``T = 2 v/g``, it is the same one, but for densities.
+    """
+    for definition, letters in taken_at_other_letters(vocabulary, *trees):
+        if _is_density(definition) or not all(each in vocabulary.definitions for each in letters):
+            return definition.symbol
+    return ""
+
+
+def taken_at_other_letters(vocabulary: Vocabulary, *trees: Formula) -> Iterator[tuple[Definition, list[str]]]:
+    """Yield the functions that are taken at lone letters, all others than they were defined with, with these."""
     operators = vocabulary.kinds.averages.operators
     for call in (each for tree in trees for each in tree.find_data("call")):
         definition = vocabulary.definitions.get(str(call.children[0]))
@@ -56,13 +67,16 @@ def of_other_letters(vocabulary: Vocabulary, *trees: Formula) -> str:
         if _are_of_one_kind(definition, letters):
             continue
         if letters and len(others) == len(letters) and not {*others, *letters} & {*definition.parameters}:
-            return definition.symbol
-    return ""
+            yield definition, letters
+
+
+def _is_density(definition: Definition) -> bool:
+    return _DENSITY.fullmatch(split_symbol(definition.symbol)[0]) is not None
 
 
 def _are_of_one_kind(definition: Definition, letters: Sequence[str]) -> bool:
     r"""Whether a function adds a letter to its parameter, as L in ``w(x) = x^2 (3 L - x)``: of L it is the same one."""
-    if len(letters) != 1 or len(definition.parameters) != 1 or _DENSITY.fullmatch(split_symbol(definition.symbol)[0]):
+    if len(letters) != 1 or len(definition.parameters) != 1 or _is_density(definition):
         return False
     alone = [{frozenset(symbols_in(term)) for term in terms_of(each)} for each in definition.tree.find_data("sum")]
     return any({frozenset(letters), frozenset(definition.parameters)} <= each for each in alone)

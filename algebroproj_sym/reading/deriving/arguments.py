@@ -8,10 +8,10 @@ from lark import Tree
 
 from algebroproj_sym.reading.defining.notation import has_rate
 from algebroproj_sym.reading.defining.premises import Premise, letter_of
-from algebroproj_sym.reading.defining.recognising import defined_by
+from algebroproj_sym.reading.defining.recognising import defined_by, without_power
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.lexing.names import bare_name
-from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in, trees_in
+from algebroproj_sym.reading.lexing.names import OF_CHANCE, bare_name
+from algebroproj_sym.reading.parsing.grammar import Formula, lone, put_in, symbols_in, trees_in
 
 Changed = Callable[[Formula], Formula]
 _AT_ONE_TIME = re.compile(
@@ -61,6 +61,28 @@ def lone_arguments(formulas: Iterable[Sequence[Formula]], prose: str) -> dict[st
         and beside.isdisjoint((each, one) for one in letter.split())
         and re.sub(r"[{}]", "", each) not in apart
     }
+
+
+def with_plain_arguments(formulas: Sequence[Sequence[Formula]]) -> dict[Formula, Formula]:
+    r"""Return calls of functions that are given, and have the power of a letter in one place everywhere, without it.
+
+    So ``\ell(\mu, \sigma^2)`` is a function of ``\mu`` and ``\sigma``.  The formulas are given by their sides.
+    """
+    calls: dict[str, set[Formula]] = {}
+    for call in (call for sides in formulas for side in sides for call in side.find_data("call")):
+        calls.setdefault(str(call.children[0]), set()).add(call)
+    given = {str(side.children[0]) for sides in formulas for side in sides if side.data == "call" and len(sides) > 1}
+    found: dict[Formula, Formula] = {}
+    for name in sorted(given):
+        items = [call.children[1] for call in calls[name] if len(call.children) == 2]
+        places = [trees_in(each) for each in items if isinstance(each, Tree)]
+        if len(places) < len(calls[name]) or len({*map(len, places)}) > 1 or len(places[0]) < 2:
+            continue
+        same = [column[0] for column in zip(*places, strict=True) if len({*column}) == 1]
+        plain = {each: letter_of(base) for each in same if each.data == "power" and (base := lone(without_power(each)))}
+        if plain and not OF_CHANCE.fullmatch(name) and len({*plain.values(), *same} - {*plain}) == len(same):
+            found |= {call: put_in(call, plain) for call in calls[name]}
+    return found
 
 
 def alike(

@@ -33,7 +33,7 @@ from algebroproj_sym.reading.remembering.introducing import (
     split_again,
     tells,
 )
-from algebroproj_sym.reading.remembering.keeping import keep, renew
+from algebroproj_sym.reading.remembering.keeping import forget_other_functions, keep, renew
 from algebroproj_sym.reading.remembering.memory import Memory
 from algebroproj_sym.reading.remembering.stationary import derives
 from algebroproj_sym.reading.remembering.surroundings import is_supposed, ranges_beside, standing_at
@@ -101,6 +101,7 @@ def _judged(memory: Memory, statement: Statement, formula: Parsed, place: int) -
     """Return the links of an equation; keep the definition, or the premise, that it is."""
     if formula.relations[:1] == (":=",) and memory.survey.says(r"\b<programs>\b"):
         memory.forget(defined_by(formula.sides[0])[0])
+    forget_other_functions(memory, formula)
     split_again(memory.vocabulary, formula)
     definition = _definition_in(memory, statement, formula)
     begins = definition is not None or ":=" in formula.relations or _begins(memory, statement, formula)

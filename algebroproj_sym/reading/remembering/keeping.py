@@ -1,9 +1,11 @@
 """Which equations are kept as premises, and what an equation that gives a letter anew puts an end to."""
 
+from collections import Counter
 from dataclasses import replace
 
 from algebroproj_sym.reading.asking.sampling import agree, are_one_matrix, samples_of
 from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.notation import bare, derivative_in
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, Premise, extended
 from algebroproj_sym.reading.defining.recognising import (
     EQUALITIES,
@@ -74,6 +76,25 @@ def renew(memory: Memory, statement: Statement, formula: Parsed) -> None:
         held = memory.beside.place, words, memory.context, apart, memory.ranges
         made = Definition(*given, True, "definition", *held)
         memory.vocabulary.define(replace(made, usable=computes(made, memory.vocabulary)))
+
+
+def forget_other_functions(memory: Memory, formula: Parsed) -> None:
+    r"""Forget what another section gives as a function of which a differential equation is stated: it is another one.
+
+    Such is ``m \ddot x + k x = 0`` in a section on springs, below one in which x is where a stone flies.
+    """
+    if memory.beside.follows or memory.cited:
+        return
+    symbols = {symbol for side in formula.sides for symbol in symbols_in(side)}
+    calls = {str(call.children[0]) for side in formula.sides for call in side.find_data("call")}
+    derived = {symbol: each for symbol in symbols | calls if (each := derivative_in(symbol)) is not None}
+    orders = {(each.head, len(each.letters)) for each in derived.values()}
+    orders |= {(bare(each), 0) for each in (symbols | calls) - {*derived}}
+    times = Counter(function for function, _ in orders)
+    rates = {function for function, order in orders if order and times[function] > 1}
+    for known in [*memory.vocabulary.definitions.values()]:
+        if bare(known.symbol) in rates and known.part != memory.part:
+            memory.forget(known.symbol)
 
 
 def keep(memory: Memory, statement: Statement, formula: Parsed, *, defines: bool) -> None:

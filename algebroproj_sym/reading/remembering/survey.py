@@ -24,7 +24,7 @@ from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by,
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
 from algebroproj_sym.reading.defining.tensors import speaks_of_tensors, with_traces
 from algebroproj_sym.reading.defining.vocabulary import Vocabulary
-from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments
+from algebroproj_sym.reading.deriving.arguments import lone_arguments, omits_arguments, with_plain_arguments
 from algebroproj_sym.reading.deriving.crossed import crossed_in
 from algebroproj_sym.reading.deriving.entries import entries_in
 from algebroproj_sym.reading.deriving.indices import Indices
@@ -38,7 +38,7 @@ from algebroproj_sym.reading.lexing.commands import MARKS, RELATIONS
 from algebroproj_sym.reading.lexing.names import OF_CHANCE, OFTEN_FUNCTION, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_pieces
 from algebroproj_sym.reading.lexing.tokens import tokens_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, parsed, put_in, symbols_in
 from algebroproj_sym.reading.parsing.operators import Applied, Operators, operators_in, with_operators
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_rows_apart, with_transposes
 from algebroproj_sym.reading.prose.acting import acted_on
@@ -219,9 +219,18 @@ class Survey:
     @cached_property
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
-        if not (self.labels or self._has_transposes or self.operators):
-            return self._first
-        return {id(each): self._parsed(each, self.labels) for each in self.statements}
+        found = self._first
+        if self.labels or self._has_transposes or self.operators:
+            found = {id(each): self._parsed(each, self.labels) for each in self.statements}
+        plain = with_plain_arguments([each.sides for each in found.values() if isinstance(each, Parsed)])
+        if not plain:
+            return found
+        return {
+            each: replace(formula, sides=tuple(put_in(side, plain) for side in formula.sides))
+            if isinstance(formula, Parsed)
+            else formula
+            for each, formula in found.items()
+        }
 
     @cached_property
     def _read(self) -> list[Parsed]:

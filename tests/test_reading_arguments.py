@@ -109,6 +109,7 @@ def test_a_letter_may_be_another_thing_than_the_function(name):
 
 
 FLIGHT = r"The abscissa is \[ x(t) = u t c. \] The flight takes the time \[ T = \frac{2 w}{g}. \] "
+PATH = FLIGHT + r"The ordinate is \[ y(t) = w t - \frac12 g t^2. \] "
 LIKELIHOOD = r"""The log-likelihood is \[ \ell(\mu, \sigma^2) = -\frac N2 \ln(2 \pi \sigma^2)
 - \frac{1}{2 \sigma^2} \sum_{i=1}^N (x_i - \mu)^2. \] """
 
@@ -117,6 +118,9 @@ LIKELIHOOD = r"""The log-likelihood is \[ \ell(\mu, \sigma^2) = -\frac N2 \ln(2 
     "latex",
     [
         FLIGHT + r"The range is \[ r = x(T) = \frac{2 u w c}{g}. \]",
+        PATH + r"Eliminating the time $t$ yields \[ y = \frac{w x}{u c} - \frac{g x^2}{2 u^2 c^2}. \]",
+        PATH + r"Eliminating the time $t$ yields the curve \[ y = a x - b x^2. \] The summit is at "
+        r"\[ h = y(T/2) = \frac{w^2}{2 g}. \]",
         LIKELIHOOD + r"Its derivative is \[ \frac{\partial \ell}{\partial \mu} = \frac{1}{\sigma^2} "
         r"\sum_{i=1}^N (x_i - \mu). \]",
     ],
@@ -128,6 +132,9 @@ def test_a_function_is_taken_at_a_letter_that_is_given_or_at_a_square(latex):
 @pytest.mark.parametrize(
     "latex",
     [
+        PATH + r"Eliminating the time $t$ yields \[ y = \frac{w x}{u c} - \frac{g x^2}{u^2 c^2}. \]",
+        PATH + r"Hence \[ y = \frac{w x}{u c} - \frac{g x^2}{2 u^2 c^2}. \]",
+        PATH + r"Eliminating the speed $u$ yields \[ y = \frac{w x}{u c} - \frac{g x^2}{2 u^2 c^2}. \]",
         r"The density is \[ p(x) = e^{-x}. \] Let \[ y = 2 x. \] Hence \[ p(y) = e^{-y}. \]",
         r"The path is \[ x(t) = a \cos(w t), \] where \[ q = w t. \] Hence \[ x(q) = a \cos q. \]",
         r"The sum is \[ f(x^1, x^2) = x^1 + x^2. \] Hence \[ \frac{\partial f}{\partial x} = 2. \]",

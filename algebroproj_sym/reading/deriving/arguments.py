@@ -28,9 +28,23 @@ _WITHOUT_ARGUMENTS = re.compile(
 )
 
 
+_ELIMINATES = re.compile(r"\b[Ee]liminat(?:e|es|ed|ing|ion of)\b[^.$]{0,40}\$([^$]*)\$")
+
+
 def omits_arguments(prose: str) -> bool:
     """Whether words say that functions are written without their arguments."""
     return _WITHOUT_ARGUMENTS.search(prose) is not None
+
+
+def eliminated_in(sentence: str) -> frozenset[str]:
+    """Return the letters that a sentence eliminates: functions of them are taken at one and the same value.
+
+    Examples
+    --------
+    >>> sorted(eliminated_in("Eliminating the time $t$ yields the trajectory"))
+    ['t']
+    """
+    return frozenset(_ELIMINATES.findall(sentence))
 
 
 def lone_arguments(formulas: Iterable[Sequence[Formula]], prose: str) -> dict[str, str]:

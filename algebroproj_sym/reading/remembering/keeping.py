@@ -33,7 +33,8 @@ def renew(memory: Memory, statement: Statement, formula: Parsed) -> None:
     """Forget what a letter was in another section or context, and what rests on it, where one gives it anew.
 
     It does if words say so, or if its value is another one of the same letters; one of other letters may be equal.
-    The letter stands for the new value from there on, unless words speak of a case.
+    The letter stands for the new value from there on, unless words speak of a case.  A function stays what it is where
+    an equation of the letter alone is said to follow.
     """
     if not formula.relations or formula.relations[0] not in EQUALITIES:
         return
@@ -48,6 +49,8 @@ def renew(memory: Memory, statement: Statement, formula: Parsed) -> None:
         memory.context.excludes(known.context) or (known.part == part and bool(memory.beside.strange(known.words)))
     )
     if before == part and not (known and memory.beside.defines) and not elsewhere:
+        return
+    if known is not None and known.parameters and not parameters and memory.beside.follows:
         return
     older, recent = memory.premises[:-MOST_PREMISES], memory.premises[-MOST_PREMISES:]
     told = extended(memory.vocabulary, [each.gives for each in recent if each.gives and each.gives.symbol == symbol])

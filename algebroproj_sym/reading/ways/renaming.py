@@ -6,7 +6,14 @@ from functools import partial
 
 from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, extended, sides_of
-from algebroproj_sym.reading.deriving.arguments import Changed, alike, known_without, premise_without, without_arguments
+from algebroproj_sym.reading.deriving.arguments import (
+    Changed,
+    alike,
+    eliminated_in,
+    known_without,
+    premise_without,
+    without_arguments,
+)
 from algebroproj_sym.reading.deriving.components import columns_as_letters
 from algebroproj_sym.reading.deriving.multiples import Multiples
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -23,6 +30,10 @@ def with_functions_as_letters(standing: Standing, formula: Parsed, index: int) -
     survey = standing.survey
     known, omitted = standing.vocabulary, survey.omits_arguments
     functions = alike(survey.lone_arguments, survey.occurring, known, standing.premises, omitted=omitted)
+    eliminated = eliminated_in(standing.beside.sentence)
+    for each in known.definitions.values():
+        if len(each.parameters) == 1 and eliminated.issuperset(each.parameters):
+            functions[each.symbol] = each.parameters[0]
     if functions:
         name = standing.vocabulary.name
         calls = {each: f"{name(each)}({', '.join(of.split())})" for each, of in sorted(functions.items())}

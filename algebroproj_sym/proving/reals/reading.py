@@ -319,8 +319,12 @@ def witness_of(given: Any, names: Collection[str]) -> dict[str, Fraction]:
     return found
 
 
-def expression_of(term: Term) -> sympy.Expr:
-    """Return a term as SymPy has it, in positive symbols.
+def _positive(name: str) -> sympy.Symbol:
+    return sympy.Symbol(name, positive=True)
+
+
+def expression_of(term: Term, symbol: Callable[[str], sympy.Symbol] = _positive) -> sympy.Expr:
+    """Return a term as SymPy has it, in positive symbols or in those that are made.
 
     Examples
     --------
@@ -331,10 +335,10 @@ def expression_of(term: Term) -> sympy.Expr:
     if kind == "number":
         return sympy.Rational(value.numerator, value.denominator)
     if kind == "symbol":
-        return sympy.Symbol(value, positive=True)
+        return symbol(value)
     if kind == "pi":
         return sympy.pi
-    parts = [*map(expression_of, args)]
+    parts = [expression_of(each, symbol) for each in args]
     if kind == "^":
         return parts[0] ** sympy.Rational(value.numerator, value.denominator)
     return _OPERATIONS[kind](*parts) if kind in _OPERATIONS else getattr(sympy, _NAMES.get(kind, kind))(*parts)

@@ -12,6 +12,7 @@ from algebroproj_sym.proving.reals.reading import expression_of
 from algebroproj_sym.replaying.reals.terms import read
 from algebroproj_sym.replaying.rejection import Rejected
 
+_PI = re.compile(r"\bpi\b")
 _DETERMINANT = re.compile(r"det\(-?(\w+)(\.T)?\)")
 
 
@@ -27,24 +28,24 @@ def simple_conditions(conditions: Iterable[str]) -> list[str]:
     >>> simple_conditions(["2*s**2 != 0", "sqrt(pi)*sqrt(s**2) != 0", "s**2 >= 0", "exp(x)/sqrt(s**2) > 0"])
     ['s != 0']
     """
-    return [each for each in dict.fromkeys(map(_simple, conditions)) if each]
+    return [*dict.fromkeys(each for condition in conditions for each in _simple(condition))]
 
 
-def _simple(condition: str) -> str:
-    """Return the shortest form of a condition; empty if it always holds where its denominators are not zero."""
+def _simple(condition: str) -> list[str]:
+    """Return the shortest form of a condition; nothing if it always holds where its denominators are not zero."""
     formula, _, sign = condition.removesuffix(" 0").rpartition(" ")
     if sign not in ("!=", ">", ">="):
-        return condition
+        return [condition]
     if sign == "!=" and (matrix := _DETERMINANT.fullmatch(formula)):
-        return f"det({matrix[1]}) != 0"
+        return [f"det({matrix[1]}) != 0"]
     try:
-        found = _rational(formula, sign)
+        found = _rational(formula, sign) if not _PI.search(formula) else _of_functions(formula, sign)
     except (ParseError, ZeroDivisionError):
         found = _of_functions(formula, sign)
-    return condition if found is None else min(found, condition, key=len)
+    return [condition] if found is None or max(map(len, found), default=0) > len(condition) else found
 
 
-def _rational(formula: str, sign: str) -> str | None:
+def _rational(formula: str, sign: str) -> list[str] | None:
     """Return what a condition on a rational function says; it raises `ParseError` if it is none."""
     value = reduced(parse(formula))
     above, below = sympy.fraction(value)
@@ -56,33 +57,29 @@ def _rational(formula: str, sign: str) -> str | None:
     return _signed(real, value, sign)
 
 
-def _of_functions(formula: str, sign: str) -> str | None:
+def _of_functions(formula: str, sign: str) -> list[str] | None:
     """Return what a condition with functions says; None if it cannot be read."""
     try:
         term = read(formula)
         value = expression_of(term, sympy.Symbol)
-        return (
-            _nonzero(value)
-            if sign == "!="
-            else _signed(expression_of(term, partial(sympy.Symbol, real=True)), value, sign)
-        )
+        real = expression_of(term, partial(sympy.Symbol, real=True))
     except (Rejected, AttributeError, TypeError, ValueError):
         return None
+    return _nonzero(value) if sign == "!=" else _signed(real, value, sign)
 
 
-def _signed(real: sympy.Expr, value: sympy.Expr, sign: str) -> str:
+def _signed(real: sympy.Expr, value: sympy.Expr, sign: str) -> list[str]:
     """Return what says that a real value has a sign, where its denominator is not zero."""
-    above, below = sympy.fraction(real)
+    above, below = sympy.fraction(real.replace(sympy.exp, lambda argument: sympy.Dummy(positive=True)))
     if not (above.is_nonnegative and below.is_nonnegative):
-        return f"{value} {sign} 0"
-    return "" if sign == ">=" or above.is_positive else _nonzero(value)
+        return [f"{value} {sign} 0"]
+    return [] if sign == ">=" or above.is_positive else _nonzero(value)
 
 
-def _nonzero(value: sympy.Expr) -> str:
+def _nonzero(value: sympy.Expr) -> list[str]:
     """Return what says that no factor of a value is zero; a power, and what is never zero, is none."""
     factors = dict.fromkeys(map(_base, sympy.Mul.make_args(value)))
-    left = [each for each in factors if not (each.is_nonzero or each.is_infinite)]
-    return f"{sympy.Mul(*left)} != 0" if left else ""
+    return [f"{each} != 0" for each in factors if not (each.is_nonzero or each.is_infinite)]
 
 
 def _base(factor: sympy.Expr) -> sympy.Expr:

@@ -72,3 +72,14 @@ def test_a_differential_equation_in_another_section_is_of_another_function():
     assert verdicts(STONE + r"Hence \[ \dot x = g t. \]")[-1] == "follows"
     assert verdicts(STONE + r"\section{Motion} Hence \[ \dot x = g t. \]")[-1] == "follows"
     assert verdicts(STONE + r"\section{Motion} \[ \ddot x + k x = 0 \] Hence \[ \dot x = g t. \]")[-1] != "follows"
+
+
+RESIDUALS = r"\section{Fit} The residuals are \[ e = y - z, \] so \[ y = z + e. \] "
+
+
+def test_e_is_eulers_number_in_a_section_of_its_own():
+    charge = r"\section{Charge} It decays as \[ q(t) = q_0 e^{-t/T}. \] "
+    charge += r"Hence the current is \[ \dot q = -\frac{q_0}{T} e^{-t/T}. \]"
+    assert verdicts(RESIDUALS + charge)[-2:] == ["definition", "follows"]
+    iterates = r"\section{Steps} \[ e^{k+1} = a e^k \] Hence \[ \frac{d}{dk} e^k = e^k. \]"
+    assert verdicts(RESIDUALS + iterates)[-1] != "follows"

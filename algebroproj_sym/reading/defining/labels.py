@@ -270,3 +270,11 @@ def has_euler(sides: Iterable[Formula]) -> bool:
     letters = [token for side in every for token in tokens_in(side) if token == "e"]
     exponents = [exponent for base, exponent in _powers_in(every) if base == E]
     return len(exponents) == len(letters) and any(map(symbols_in, exponents))
+
+
+def shows_euler(sides: Iterable[Formula]) -> bool:
+    r"""Whether e is Euler's number in a section, whatever it is in others, as in ``e^{-t/T}``, unlike ``e^{k+1}``."""
+    every = [*sides]
+    raised = [without_brackets(exponent) for base, exponent in _powers_in(every) if base == E and symbols_in(exponent)]
+    negative = (each.data == "sum" and len(each.children) == 2 for each in raised)
+    return has_euler(every) and (any(negative) or any(each.data in ("run", "fraction", "quotient") for each in raised))

@@ -89,7 +89,7 @@ class Vocabulary:
         self.rows: int | None = None
         """How many rows vectors and matrices have if nothing else says it."""
         self.dependence = dependence
-        self.euler = euler
+        self.euler = self._euler = euler
         self.uncomputed: Values | None = None
         self.definitions: dict[str, Definition] = {}
         self._sizes = {**sizes, **given.sizes}
@@ -106,6 +106,7 @@ class Vocabulary:
     def regard(self, kinds: Kinds, numbers: frozenset[str]) -> None:
         """Take letters for what they are in a section, where some are numbers that are none elsewhere."""
         self.kinds = kinds
+        self.euler = self._euler or "e" in numbers
         sizes, properties = self._said
         self._sizes = {each: size for each, size in sizes.items() if each not in numbers}
         self.properties = {each: said for each, said in properties.items() if each not in numbers}

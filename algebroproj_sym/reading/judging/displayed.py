@@ -152,7 +152,7 @@ def _told(memory: Memory, formula: Parsed, index: int, definition: Definition | 
     """Return a link that needs no question: it gives a letter, or says in what range or of what kind it is."""
     relation = formula.relations[index]
     if index == 0 and definition is not None and not memory.ties(definition):
-        known = memory.vocabulary
+        known = memory.known_here(frozenset(definition.symbols))
         rests, stated = rests_of(known, definition.tree), stated_by(known, definition.tree)
         memory.tie(formula.sides[:1])
         return Link("definition", rests_on=rests, asked=stated)

@@ -201,13 +201,14 @@ class Memory:
         """
         found = self.vocabulary.copied()
         for known in [*found.definitions.values()]:
-            if self._is_of_some(known) or (self._is_over(known.place) and not is_cited(known, self.cited)):
+            over = self._is_over(known.place) and not is_cited(known, self.cited)
+            if self._is_of_some(known) or over or self._is_of_other_kinds(known):
                 del found.definitions[known.symbol]
         found.forget()
         for known in [*found.definitions.values()]:
             elsewhere = self.context.excludes(known.context) and not is_cited(known, self.cited)
             elsewhere = elsewhere or is_cited(known, self.apart) or self.tells_of_another(known, letters)
-            elsewhere = elsewhere or bool(self.beside.exchanged & symbols_of(known)) or self._is_of_other_kinds(known)
+            elsewhere = elsewhere or bool(self.beside.exchanged & symbols_of(known))
             if elsewhere and known.symbol in found.definitions:
                 found.drop(known.symbol)
         return found

@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
+from algebroproj_sym.reading.defining.labels import shows_euler
 from algebroproj_sym.reading.defining.positions import BOLD, angles_in, divisors_in
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
@@ -32,11 +33,8 @@ def kinds_by_section(
     They stand below a line there, and nothing in the section, nor the user, says that they are no numbers.  Two of them
     below one line may be vectors that are multiplied.
     """
-    sections: dict[int, list[Statement]] = {}
-    for each in statements:
-        sections.setdefault(each.display.part, []).append(each)
     found: dict[int, tuple[Kinds, frozenset[str]]] = {}
-    for part, own in sections.items() if len(sections) > 1 else ():
+    for part, own in _sections(statements).items():
         sides = [side for each in _read(own, formulas) for side in each.sides]
         unsure = {each for each in whole.no_numbers | whole.open if each not in given and not BOLD.search(each)}
         divisors = [[each for each in below if each in unsure] for side in sides for below in divisors_in(side)]
@@ -48,6 +46,25 @@ def kinds_by_section(
             absent = whole.no_numbers - {symbol for side in sides for symbol in symbols_in(side)}
             found[part] = _with_numbers(whole, here, others.open, absent, numbers), numbers
     return found
+
+
+def sections_with_euler(statements: Sequence[Statement], formulas: Formulas) -> frozenset[int]:
+    r"""Return the sections in which e is Euler's number, as in ``e^{-t/T}``, where it is something else in others."""
+    sections = _sections(statements)
+    shown = (
+        part
+        for part, own in sections.items()
+        if shows_euler(side for each in _read(own, formulas) for side in each.sides)
+    )
+    return frozenset(shown)
+
+
+def _sections(statements: Sequence[Statement]) -> dict[int, list[Statement]]:
+    """Return the statements of each section; nothing if there is only one."""
+    found: dict[int, list[Statement]] = {}
+    for each in statements:
+        found.setdefault(each.display.part, []).append(each)
+    return found if len(found) > 1 else {}
 
 
 def _with_numbers(

@@ -63,7 +63,7 @@ from algebroproj_sym.reading.prose.phrases import (
     sizes_in,
 )
 from algebroproj_sym.reading.prose.words import beside
-from algebroproj_sym.reading.remembering.sections import kinds_by_section, kinds_in
+from algebroproj_sym.reading.remembering.sections import kinds_by_section, kinds_in, sections_with_euler
 
 
 @dataclass(frozen=True)
@@ -465,7 +465,7 @@ class Survey:
             self.kinds,
             properties,
             dependence=self.dependence,
-            euler=has_euler(self._sides),
+            euler=self._has_euler,
             complexes=complexes_in(self.statements) | self._units | {*self._equated_with_units},
             imaginary=self.imaginary,
             reals=reals_in(self.statements) | {*self._compared},
@@ -486,7 +486,16 @@ class Survey:
 
     def kinds_in(self, part: int) -> tuple[Kinds, frozenset[str]]:
         """Return what letters are in a section, and which are numbers there that are none elsewhere."""
-        return self._kinds_by_section.get(part, (self.kinds, frozenset()))
+        kinds, numbers = self._kinds_by_section.get(part, (self.kinds, frozenset()))
+        return kinds, numbers | ({"e"} if part in self._sections_with_euler else frozenset())
+
+    @cached_property
+    def _has_euler(self) -> bool:
+        return has_euler(self._sides)
+
+    @cached_property
+    def _sections_with_euler(self) -> frozenset[int]:
+        return frozenset() if self._has_euler else sections_with_euler(self.statements, self.formulas)
 
     @cached_property
     def _kinds_by_section(self) -> dict[int, tuple[Kinds, frozenset[str]]]:

@@ -23,6 +23,9 @@ PLANAR = (
     r"\frac{\partial L}{\partial r}. \] This gives "
 )
 FALL = r"Conservation of energy gives \[ l \dot\phi^2 = 3 g \sin\phi. \] "
+RELATIVE = r"The position is \[ z = x - y. \] Differentiating twice gives "
+TURNED = r"The position is \[ z = a x. \] Differentiating twice gives "
+SLOPE = r"The direction is given by \[ \tan b = \frac uw. \] Differentiating gives "
 DISC = r"The moment of inertia is \[ J = \int_0^l \frac{m}{l} x^2 \, dx = \frac13 m l^2. \] "
 UNIT = (
     r"The pressure is \[ p = \frac13 \operatorname{tr} \boldsymbol\sigma. \] The stress deviator is \[ \boldsymbol s = "
@@ -52,6 +55,9 @@ def last(latex):
         (SWING + r"\[ l \ddot\theta + g \sin\theta = 0. \]", "g, l, m do not change"),
         (PLANAR + r"\[ m \ddot r = m r \dot\phi^2 - k r. \]", "k, m do not change"),
         (FALL + r"Differentiation gives \[ \ddot\phi = \frac{3 g}{2 l} \cos\phi. \]", "2*l*phi_dot != 0"),
+        (RELATIVE + r"\[ \ddot z = \ddot x - \ddot y. \]", "line 1 holds for every t"),
+        (TURNED + r"\[ \frac{d^2 z}{dt^2} = a \frac{d^2 x}{dt^2}. \]", "a does not change"),
+        (SLOPE + r"\[ \dot b = \frac{\dot u w - u \dot w}{u^2 + w^2}. \]", "line 1 holds for every t"),
         (DISC + r"With the energy \[ E = \frac12 J w^2 \] we have \[ E = \frac16 m l^2 w^2. \]", ""),
         (UNIT + r"\[ \operatorname{tr} \boldsymbol s = 0. \]", "space has three dimensions"),
         (PIPE + r"\[ p = \rho (a - b) (a + b). \]", ""),
@@ -86,6 +92,10 @@ def test_what_mechanics_derives_follows_and_says_what_it_takes_for_fixed(latex, 
         PLANAR.replace(r"\dot\phi^2)", r"\dot\phi^2) + c \dot r \dot\phi") + r"\[ m \ddot r = m r \dot\phi^2 - k r. \]",
         FALL + r"Differentiation gives \[ \ddot\phi = \frac{3 g}{l} \cos\phi. \]",
         FALL + r"The string $l$ shrinks. Differentiation gives \[ \ddot\phi = \frac{3 g}{2 l} \cos\phi. \]",
+        RELATIVE + r"\[ \ddot z = \ddot x + \ddot y. \]",
+        TURNED + r"\[ \frac{d^2 z}{dt^2} = a \frac{dx}{dt}. \]",
+        TURNED + r"\[ \frac{d^2 z}{dt^2} = a \frac{d^2 x}{dt^2} + 2 \frac{da}{dt} x. \]",
+        SLOPE + r"\[ \dot b = \frac{u \dot w - \dot u w}{u^2 + w^2}. \]",
         DISC.replace(r"\frac13", r"\frac12") + r"With the energy \[ E = J w^2 \] we have \[ E = \frac12 m l^2 w^2. \]",
         UNIT.replace("second-order unit tensor", "stress at the wall") + r"\[ \operatorname{tr} \boldsymbol s = 0. \]",
         UNIT + r"\[ \operatorname{tr} \boldsymbol s = p. \]",

@@ -73,3 +73,20 @@ def test_a_letter_is_said_once_not_to_be_zero():
     *_, last = read_document(document_of(law + angle))
     assert last.verdict == "follows"
     assert last.links[0].hypotheses[:2] == ("-pi/2 <= a_2 <= pi/2", "n_2 != 0")
+
+
+def test_an_equation_is_solved_for_the_letter_that_is_asked_for():
+    (link,) = last(
+        r"The torque is \[ a \mathbf{w}^T \mathbf{r} + (c + d) s = -a p q + t. \] Hence "
+        r"\[ s = \frac{t - a \mathbf{w}^T \mathbf{r} - a p q}{c + d}. \]"
+    ).links
+    assert link.hypotheses == ("c + d", "w is nx1", "r is nx1")
+
+
+def test_no_equation_is_solved_for_the_identity():
+    (link,) = last(
+        r"Let $R$ be a rotation matrix. "
+        r"\[ [\mathbf{w}]_\times^2 = \mathbf{w} \mathbf{w}^T - (\mathbf{w}^T \mathbf{w}) I \] Hence \[ R^T R = I \]"
+    ).links
+    assert link.rests_on == ()
+    assert "I is the identity" in link.hypotheses

@@ -74,7 +74,7 @@ def _rate(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
     if tree.data == "power":
         base, exponent = trees_in(tree)
         return _of_power(base, exponent, rates)
-    if tree.data == "function" and tree.children[0] in ("sin", "cos", "exp", "ln", "log"):
+    if tree.data == "function" and tree.children[0] in ("sin", "cos", "tan", "exp", "ln", "log"):
         return _of_function(tree, rates)
     if tree.data == "function" and tree.children[0] in ("tr", "Tr", "trace", "dev", "sym"):
         return _with(tree, 1, _rate(trees_in(tree)[0], rates))
@@ -202,6 +202,9 @@ def _of_function(tree: Formula, rates: Mapping[str, Formula]) -> Formula | None:
         return None
     if rate.data == "items":
         (rate,) = trees_in(rate)
+    if name == "tan":
+        square: Formula = Tree("power", [tree, TWO])
+        return Tree("chained", [Tree("sum", [ONE, Token("SIGN", "+"), square]), rate])
     if name in ("ln", "log"):
         return Tree("fraction", [rate, *(trees_in(inside) if inside.data == "items" else [inside])])
     other: Formula = Tree("function", [Token("FUNCTION", {"sin": "cos", "cos": "sin"}.get(name, name)), inside])

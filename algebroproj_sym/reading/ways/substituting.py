@@ -63,7 +63,7 @@ def _vocabularies(standing: Standing, left: Formula, right: Formula) -> Iterator
         known = extended(standing.vocabulary, given)
         yield known
         yield with_rates(standing, (left, right), known)
-    wanted = {*symbols_in(left), *symbols_in(right)}
+    wanted = [*symbols_in(left), *symbols_in(right)]
     parameters = {symbol for each in standing.vocabulary.used_in(left, right) for symbol in each.parameters}
     supposed = frozenset().union(*(each.symbols for each in standing.own))
     for each in standing.near():
@@ -152,7 +152,7 @@ def from_worked_out(standing: Standing, left: Formula, right: Formula) -> Iterat
 
     Such an equation has integrals, ``\frac{d}{dt}`` or derivatives at a place.
     """
-    own, wanted = free_symbols(left) | free_symbols(right), {*symbols_in(left), *symbols_in(right)}
+    own, wanted = free_symbols(left) | free_symbols(right), [*symbols_in(left), *symbols_in(right)]
     for each in standing.near():
         if not any(_is_worked_out(part) for side in each.sides for part in side.iter_subtrees()):
             continue
@@ -182,12 +182,13 @@ def from_derivatives(standing: Standing, left: Formula, right: Formula) -> Itera
     given = sorted(standing.vocabulary.definitions.values(), key=lambda each: each.place)[-MOST_NEAR:]
     near += [said_by(each) for each in given if each.part == standing.part and not each.parameters]
     for variable, each in product(derived_by(left, right), near):
-        made = differentiated(each, variable, standing.vocabulary, standing.survey.occurring)
-        if made is not None and not _rests_on_what_changes(made, standing.beside):
+        for made in differentiated(each, variable, standing.vocabulary, standing.survey.occurring):
+            if _rests_on_what_changes(made, standing.beside):
+                continue
             where = (f"{each.where} holds for every {standing.vocabulary.name(variable)}",)
             for under in ((made,), (made, each)):
                 yield Way(left, right, standing.vocabulary, under=under, supposes=where)
-            for solution in solutions(made, standing.vocabulary, {*symbols_in(left), *symbols_in(right)}):
+            for solution in solutions(made, standing.vocabulary, [*symbols_in(left), *symbols_in(right)]):
                 yield Way(left, right, extended(standing.vocabulary, [solution]), supposes=where)
 
 
@@ -201,10 +202,12 @@ def solutions(premise: Premise, vocabulary: Vocabulary, wanted: Collection[str])
     factors = factors_of_zero(*premise.sides)
     if are_lone(factors):
         return
-    unknown = premise.symbols.intersection(wanted).difference(vocabulary.definitions)
+    unknown = [each for each in wanted if each in premise.symbols and each not in vocabulary.definitions]
     has_vectors = any(map(vocabulary.is_matrix, premise.symbols))
+    if has_vectors and vocabulary.with_identity(*premise.sides) is not None:
+        unknown = [each for each in unknown if not vocabulary.is_like_identity(each)]
     factors = [each for each in factors if not vocabulary.is_matrix(base_of(each))]
-    numbers = {each: not vocabulary.is_matrix(each) for each in sorted(unknown)}
+    numbers = {each: not vocabulary.is_matrix(each) for each in unknown}
     values = {
         each: solution_of(*premise.sides, each, is_number=is_number)
         for each, is_number in numbers.items()

@@ -20,6 +20,7 @@ from algebroproj_sym.reading.defining.maps import (
 )
 from algebroproj_sym.reading.defining.parts import (
     MOST_TERMS,
+    Depends,
     Part,
     Shape,
     Size,
@@ -34,6 +35,7 @@ from algebroproj_sym.reading.defining.parts import (
     product_terms,
     refused,
     scalar,
+    skew,
     sum_of,
     times,
     transposed,
@@ -41,7 +43,7 @@ from algebroproj_sym.reading.defining.parts import (
     without_numbers,
 )
 from algebroproj_sym.reading.defining.sizing import POSITIVE, TABLE, Reader
-from algebroproj_sym.reading.defining.summing import Depends, arranged
+from algebroproj_sym.reading.defining.summing import arranged
 from algebroproj_sym.reading.defining.tensors import CONTRACTS
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import MOST_MATRIX_POWER, MOST_ROWS
@@ -190,7 +192,7 @@ class _Parts(_Gathering):
             return self._hat_of_both([cell for row in base.blocks for cell in row], self.reader.kinds.turning)
         if mark == "hat" and not base.is_number:
             column(base, 3)
-            return Part((Size(3), Size(3)), lambda: f"skew({base.text()})", base)
+            return skew(base)
         if mark == "vee" and not base.is_number:
             for size in base.shape:
                 size.unite(Size(3))

@@ -67,6 +67,7 @@ def _split(total: Size, blocks: Sequence[Size]) -> None:
 Shape = tuple[Size, Size]
 Term = tuple[bool, list["Part"]]
 Blocks = list[list["Part"]]
+Depends = Callable[["Part"], bool]
 MOST_TERMS = 100
 
 
@@ -83,6 +84,8 @@ class Part:
         Its square, if that is simpler.
     turned : Part or None
         What it is the transpose of.
+    crossed : Part or None
+        The vector, if it is the matrix of a cross product.
     scaled : tuple of Part or None
         The number, and what it is multiplied by, if it is such a product.
     weight : int
@@ -110,6 +113,7 @@ class Part:
         self.text = text
         self.square: Callable[[], Part] | None = None
         self.turned: Part | None = None
+        self.crossed: Part | None = None
         self.scaled: tuple[Part, Part] | None = None
         self.blocks: Blocks = []
         self.weight: int = 1 + sum(part.weight for part in inside)
@@ -358,6 +362,30 @@ def without_numbers(part: Part) -> tuple[list[Part], Part]:
     return [*before, first, *behind], last
 
 
+def skew(part: Part) -> Part:
+    """Return the matrix of the cross product with a vector; it is a sum as the vector is one."""
+    found = _of_cross(part)
+    if part.terms != [(False, [part])]:
+        apart = [(minus, *numbers_apart(factors)) for minus, factors in part.terms]
+        found.terms = [(minus, [*numbers, _of_cross(reduce(times, rest))]) for minus, numbers, rest in apart]
+    return found
+
+
+def _of_cross(vector: Part) -> Part:
+    found = Part((Size(3), Size(3)), lambda: f"skew({vector.text()})", vector)
+    found.crossed = vector
+    return found
+
+
+def with_fixed_first(factors: Sequence[Part], depends: Depends) -> Sequence[Part]:
+    """Return the factors of a product with a cross at its end so that the vector that does not depend is first."""
+    numbers, others = numbers_apart(factors)
+    vector = others[-2].crossed if len(others) > 1 else None
+    if vector is None or depends(others[-1]) or not depends(vector):
+        return factors
+    return [*numbers, constant("(-1)"), *others[:-2], _of_cross(others[-1]), vector]
+
+
 def joined(kind: str, left: Part, right: Part) -> Part:
     """Return a product with a point or a cross, or ``A : B``, the sum of the products of their entries."""
     if kind in (":", "colon") and 1 not in (left.shape[1].value, right.shape[1].value):
@@ -376,9 +404,11 @@ def joined(kind: str, left: Part, right: Part) -> Part:
     if kind == "CROSS":
         column(left, 3)
         if right.shape[1].value not in (None, 1):
-            return times(Part((Size(3), Size(3)), lambda: f"skew({left.text()})", left), right)
+            return times(skew(left), right)
         column(right, 3)
-        return Part((Size(3), Size(1)), lambda: f"cross({left.text()}, {right.text()})", left, right)
+        found = Part((Size(3), Size(1)), lambda: f"cross({left.text()}, {right.text()})", left, right)
+        found.terms = product_terms(skew(left), right) or found.terms
+        return found
     ends = (left.shape[1].value, right.shape[1].value)
     maps = left.is_table or left.turned is not None or left.shape[0].value == 1
     if kind == "DOT" and 1 in ends and None in ends and not (maps and ends[1] == 1):

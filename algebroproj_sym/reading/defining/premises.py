@@ -36,8 +36,8 @@ MOST_TOGETHER = 6
 """Under how many equations before one it may hold together, besides those that it names."""
 _VALUES = ("call", "function", "raised_function", "power", "inner", "norm")
 """What may be given as a whole: a value of a function, and a square."""
-_ACCENTED = re.compile(r"\\(?:wide)?(hat|tilde)\{(.+)\}(.*)")
-_JOINED = re.compile(r"\\times(?=[a-zA-Z])")
+_ACCENTED = re.compile(r"\\(?:wide)?(hat|tilde)\{((?:[^{}]|\{[^{}]*\})+)\}(.*)")
+_JOINED = re.compile(r"\\(times|mathbf|mathcal|mathrm|vec)(?=[a-zA-Z])")
 
 
 @dataclass(frozen=True)
@@ -289,7 +289,7 @@ def crosses_in(symbols: Collection[str], hats: Collection[str]) -> Iterator[Defi
         match = _ACCENTED.fullmatch(symbol) if symbol not in hats else None
         if match is not None and match[1] in accents:
             with suppress(UnreadableError):
-                inside = parsed(_JOINED.sub(r"\\times ", f"{match[2]}{match[3]}")).sides[0]
+                inside = parsed(_JOINED.sub(r"\\\1 ", f"{match[2]}{match[3]}")).sides[0]
                 yield Definition(symbol, (), Tree("marked", [inside, Token("MARK", "hat")]), where, 0, True)
 
 

@@ -4,13 +4,11 @@ A product of a row and a column is a number, which may be turned round: ``a_i^T 
 of ``(a_i^T x)^2`` is ``x^T``, the sum of ``a_i a_i^T``, and ``x``.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 
-from algebroproj_sym.reading.defining.parts import Part, numbers_apart, times, transposed
-
-Depends = Callable[[Part], bool]
+from algebroproj_sym.reading.defining.parts import Depends, Part, numbers_apart, times, transposed, with_fixed_first
 
 
 @dataclass(frozen=True)
@@ -26,7 +24,7 @@ class Arranged:
 
 def arranged(factors: Sequence[Part], depends: Depends) -> Arranged:
     """Return the factors of a product with those at its ends that do not depend on the index of a sum."""
-    numbers, others = numbers_apart(factors)
+    numbers, others = numbers_apart(with_fixed_first(factors, depends))
     lead, groups = _groups(others)
     turning = sorted((each for each in groups if _is_free_at_an_end(each, depends)), key=_order)
     ends = turning[: 1 if lead else 2]

@@ -7,6 +7,7 @@ from itertools import permutations
 from lark import Token, Tree
 
 from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.notation import by_bare
 from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.deriving.components import is_column
 from algebroproj_sym.reading.lexing.names import split_symbol
@@ -50,8 +51,7 @@ def _vector_of(side: Formula, entries: Sequence[str], occurring: Collection[str]
         letter = inside[0] if len(inside) == 1 else ""
     else:
         accent = _ACCENT.fullmatch(lone(side))
-        letter = f"{accent[1]}{accent[2]}" if accent else ""
-        letter = letter if letter in occurring else ""
+        letter = by_bare(occurring).get(f"{accent[1]}{accent[2]}", "") if accent else ""
     return letter if _are_components(entries, letter) else ""
 
 

@@ -40,6 +40,7 @@ from algebroproj_sym.reading.lexing.pieces import UnreadableError, bare, split_p
 from algebroproj_sym.reading.lexing.tokens import tokens_of
 from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, Sides, lone, parsed, put_in, symbols_in
 from algebroproj_sym.reading.parsing.operators import Applied, Operators, operators_in, with_operators
+from algebroproj_sym.reading.parsing.tildes import crossed_by_tildes, with_crosses
 from algebroproj_sym.reading.parsing.transposes import are_transposes, with_rows_apart, with_transposes
 from algebroproj_sym.reading.prose.acting import acted_on
 from algebroproj_sym.reading.prose.describing import described
@@ -198,6 +199,11 @@ class Survey:
         return are_transposes(self._first_equations, self._prose)
 
     @cached_property
+    def _tildes(self) -> Mapping[str, str]:
+        """The letters with a tilde that are matrices of cross products, with the vectors."""
+        return crossed_by_tildes(self._first_equations)
+
+    @cached_property
     def operators(self) -> Operators | None:
         """Which operators there are that are applied to something."""
         return operators_in(self._first_equations)
@@ -220,7 +226,7 @@ class Survey:
     def formulas(self) -> Mapping[int, Parsed | UnreadableError]:
         """What was parsed of each statement, by its id."""
         found = self._first
-        if self.labels or self._has_transposes or self.operators:
+        if self.labels or self._has_transposes or self._tildes or self.operators:
             found = {id(each): self._parsed(each, self.labels) for each in self.statements}
         plain = with_plain_arguments([each.sides for each in found.values() if isinstance(each, Parsed)])
         if not plain:
@@ -261,6 +267,8 @@ class Survey:
         found = parsed(statement.pieces, is_name, self.functions, wide)
         found = with_traces(found) if self.has_tensors_of_three_rows else found
         found = with_rows_apart(found if plain or not self._has_transposes else with_transposes(found))
+        if not plain and self._tildes:
+            found = with_crosses(found, self._tildes)
         if not plain and self.operators:
             found = with_operators(found, self.operators)
         return found

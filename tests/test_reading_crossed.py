@@ -4,6 +4,8 @@ import pytest
 from cases import for_each
 
 from algebroproj_sym.reading import document_of, read_document
+from algebroproj_sym.reading.defining.kinds import kinds_of
+from algebroproj_sym.reading.parsing.grammar import parsed
 
 pytestmark = pytest.mark.usefixtures("verdicts_alone")
 
@@ -150,3 +152,8 @@ def test_a_cross_product_in_a_sum_is_taken_term_by_term():
 def test_its_factors_keep_their_order(one, other):
     assert one in _PARTS
     assert verdicts((_MOMENTUM + _PARTS.replace(one, other)).replace("@", r"\mathbf "))[-1] != "follows"
+
+
+def test_a_small_letter_before_the_matrix_of_a_cross_product_is_a_number():
+    torque = parsed(r"(m [\mathbf c]_\times + \mathbf C) \mathbf a = \mathbf f")
+    assert "m" not in kinds_of([torque], set(), "", frozenset()).open

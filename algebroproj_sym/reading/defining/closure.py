@@ -86,7 +86,7 @@ class Closure:
         first, other = lone(factors[0]), factors[1]
         if before.data != "marked" and not self._is_matrix(base_of(before)):
             behind = ""
-        if len(factors) > 2 or other.data != "marked":
+        if len(factors) > 2 or other.data != "marked" or other.children[1] == "hat":
             first = ""
         self.open |= {each for each in (behind, first) if SMALL.fullmatch(each)} - self._numbers - self._scales
 

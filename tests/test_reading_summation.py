@@ -24,6 +24,15 @@ FLUID = (
     r"strain rate \[ S_{ij} = \frac12 \left( \frac{\partial u_i}{\partial x_j} + \frac{\partial u_j}{\partial x_i} "
     r"\right). \] Hence "
 )
+STRAIN = (
+    r"With the summation convention, \[ e_{ij} = \frac12 (u_{i,j} + u_{j,i}). \] "
+    r"It is symmetric: \[ e_{ij} = e_{ji}. \] The rotation is \[ w_{ij} = \frac12 (u_{i,j} - u_{j,i}). \] Hence "
+)
+SOLID = (
+    r"Summation over repeated indices is understood. Let $e_{ij}$ be the strain tensor. With the stiffness "
+    r"\[ C_{ijkl} = \lambda \delta_{ij} \delta_{kl} + \mu (\delta_{ik} \delta_{jl} + \delta_{il} \delta_{jk}) \] "
+    r"the stress is \[ s_{ij} = C_{ijkl} e_{kl}. \] Hence "
+)
 SIGNS = r"With the permutation symbol $\epsilon_{ijk}$ and the summation convention, "
 CROSS = SIGNS + r"\[ w_i = \epsilon_{ijk} u_j v_k. \] Hence "
 
@@ -45,6 +54,10 @@ def last(latex):
         (FLUID, r"\sigma_{kk} = -3 p + 2 \mu S_{kk}"),
         (FLUID, r"\sigma_{ij} = \sigma_{ji}"),
         (FLUID, r"\sigma_{ij} S_{ij} = - p S_{kk} + 2 \mu S_{ij} S_{ij}"),
+        (STRAIN, r"u_{i,j} = e_{ij} + w_{ij}"),
+        (STRAIN, r"e_{kk} = u_{k,k}"),
+        (SOLID, r"s_{ij} = \lambda e_{kk} \delta_{ij} + \mu (e_{ij} + e_{ji})"),
+        (r"With the summation convention, \[ u_{i,j} = a_{ij}. \] Hence ", r"u_i u_i a_{jj} = u_j u_j a_{ii}"),
         (SIGNS, r"\epsilon_{ijk} \epsilon_{imn} = \delta_{jm} \delta_{kn} - \delta_{jn} \delta_{km}"),
         (CROSS, r"w_i u_i = 0"),
         (r"With the summation convention, \[ s = a_{ii} b. \] Let \[ a_{ij} = c_i d_j. \] Hence ", r"s = c_i d_i b"),
@@ -63,6 +76,9 @@ def test_what_follows_by_components(above, claim):
         (DEVIATOR, r"J = \frac12 \sigma_{ij} \sigma_{ij} + \frac16 \sigma_{kk}^2"),
         (STIFFNESS, r"C_{ijkl} e_{kl} = \lambda e_{kk} \delta_{ij} + \mu e_{ij}"),
         (STIFFNESS, r"C_{ijkl} = C_{ikjl}"),
+        (STRAIN, r"u_{i,j} = e_{ij} - w_{ij}"),
+        (STRAIN, r"w_{ij} = w_{ji}"),
+        (SOLID, r"s_{ij} = \lambda e_{kk} \delta_{ij} + 2 \mu e_{ij}"),
         (FLUID, r"\sigma_{kk} = -p + 2 \mu S_{kk}"),
         (SIGNS, r"\epsilon_{ijk} \epsilon_{imn} = \delta_{jm} \delta_{kn} + \delta_{jn} \delta_{km}"),
         (CROSS, r"w_i u_j = 0"),
@@ -83,6 +99,7 @@ def test_a_misprint_does_not_follow(above, claim):
         r"Hence \[ s_{kk} = 0 \]",
         r"With the summation convention, \[ w_i = \epsilon_{ijk} u_j v_k. \] Hence \[ w_i u_i = 0 \]",
         r"With the summation convention, \[ \delta_{ij} = x_i y_j. \] Hence \[ \delta_{ij} a_j = a_i \]",
+        r"With the summation convention, \[ \delta_{ij} a_j = a_i. \] Hence \[ \delta_{ij,k} \delta_{ij,k} = 9 \]",
         r"The graph has the weights \[ L_{ij} = d_i \delta_{ij} - a_{ij}. \] Hence \[ L_{ii} = 3 d_i - a_{ii} \]",
     ],
 )

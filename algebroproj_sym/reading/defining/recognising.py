@@ -257,6 +257,22 @@ def is_value_of_itself(left: Formula, right: Formula) -> bool:
     return bool(symbol) and symbol != value and split_symbol(value)[0] == symbol
 
 
+def is_symmetry(left: Formula, right: Formula) -> bool:
+    """Whether two sides are a letter with its indices in two orders: that they are equal gives neither.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> [is_symmetry(*parsed(each).sides) for each in ("a_{ij} = a_{ji}", "a_{ij} = b_{ji}", "a_{ij} = a_{kj}")]
+    [True, False, False]
+    """
+    one, other = defined_by(left)[0], defined_by(right)[0]
+    if not one or not other or "/" in one + other:
+        return False
+    (letter, primes, below, above), (like, others, under, over) = split_symbol(one), split_symbol(other)
+    return (letter, primes, above) == (like, others, over) and sorted(below) == sorted(under)
+
+
 def is_case_of(parameters: tuple[str, ...], value: Formula) -> bool:
     """Whether an equation says one value of a function, and its value names the argument nowhere.
 
@@ -363,7 +379,9 @@ def is_update(left: Formula, right: Formula) -> bool:
 
 
 def computes(definition: Definition, vocabulary: Vocabulary) -> bool:
-    """Whether what a definition says is a value or a function, and not only read."""
+    """Whether what a definition says is a value or a function, and not only read, or known without it."""
+    if definition.symbol == r"\Gamma" and vocabulary.gamma:
+        return False
     if definition.parameters:
         return True
     try:

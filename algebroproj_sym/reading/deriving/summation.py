@@ -51,8 +51,9 @@ class _Indexed:
         if self.head[0] == "slope":
             _, above, over, below = self.head
             return rf"\partial{above}_{{{''.join(values[:-1])}}}{over}/\partial{below}_{values[-1]}"
-        _, letter, primes, above, own = self.head
-        first, rest = values[: int(own)], values[int(own) :]
+        _, letter, primes, above, counts = self.head
+        own = int(counts.partition(",")[0])
+        first, rest = values[:own], values[own:]
         return written(letter, int(primes), ",".join(filter(None, ("".join(first), "".join(rest)))), above)
 
 
@@ -71,7 +72,8 @@ def _indexed(symbol: str, letters: frozenset[str]) -> _Indexed | None:
     groups = [each.strip() for each in below.split(",")]
     if len(groups) > 2 or not all(groups) or not letters.issuperset("".join(groups)):
         return None
-    return _Indexed(("letter", letter, str(primes), above, str(len(groups[0]))), (*"".join(groups),))
+    counts = ",".join(str(len(each)) for each in groups)
+    return _Indexed(("letter", letter, str(primes), above, counts), (*"".join(groups),))
 
 
 def indices_in(symbols: Iterable[str]) -> frozenset[str]:

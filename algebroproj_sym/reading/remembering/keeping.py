@@ -18,6 +18,7 @@ from algebroproj_sym.reading.defining.recognising import (
     is_circular,
     is_named,
     is_one_value,
+    is_symmetry,
     is_update,
 )
 from algebroproj_sym.reading.documents.statements import Statement
@@ -43,7 +44,7 @@ def renew(memory: Memory, statement: Statement, formula: Parsed) -> None:
     known = memory.vocabulary.definitions.get(symbol)
     before = known.part if known else memory.alone.get(given_by(left), part)
     said = known is not None and (known.parameters, known.tree) == (parameters, value)
-    if not given_by(left) or said or memory.is_named(statement, memory.given.statements):
+    if not given_by(left) or said or memory.is_named(statement, memory.given.statements) or is_symmetry(left, value):
         return
     elsewhere = known is not None and (
         memory.context.excludes(known.context) or (known.part == part and bool(memory.beside.strange(known.words)))

@@ -1,6 +1,7 @@
 """Relations by components: of vectors in printed cross products, and in index notation."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from algebroproj_sym.reading.asking.questions import Way
 from algebroproj_sym.reading.defining.definition import Definition
@@ -39,7 +40,8 @@ def _last_entries(standing: Standing) -> list[Definition]:
 def by_components(standing: Standing, left: Formula, right: Formula) -> Iterator[Way]:
     """Yield a relation in index notation by its components, with the last that is given of each letter.
 
-    Of what is given in the same section, the first serves as well.
+    Of what is given in the same section, the first serves as well.  What may be a matrix beside a letter with indices
+    is a number.
     """
     survey = standing.survey
     if not survey.sums_over_indices or survey.is_flat:
@@ -48,6 +50,7 @@ def by_components(standing: Standing, left: Formula, right: Formula) -> Iterator
     given = [*standing.vocabulary.definitions.values(), *(each.gives for each in (*above, *standing.own) if each.gives)]
     given.sort(key=lambda each: each.place)
     shown = standing.vocabulary.equation(left, right)
+    numbers = standing.vocabulary.changed(kinds=replace(standing.vocabulary.kinds, open=frozenset()))
     seen = []
     here, others = ([each for each in given if (each.part == standing.part) is same] for same in (True, False))
     for serving in (given, [*others, *here[::-1]]):
@@ -59,4 +62,4 @@ def by_components(standing: Standing, left: Formula, right: Formula) -> Iterator
         if components & {*standing.vocabulary.definitions} - {each.symbol for each in known}:
             return
         reads = f"{shown}, with sums from 1 to 3 over what stands twice in a term as an index"
-        yield Way(ours, theirs, extended(standing.vocabulary, known), reads)
+        yield Way(ours, theirs, extended(numbers, known), reads)

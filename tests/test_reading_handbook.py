@@ -24,6 +24,10 @@ FACTORIALS = r"""For whole numbers |>\[ (n + 1)! = (n + 1) \, n! \] |>\[ \binom{
 y^{n - k} = (x + y)^n. \]"""
 GAMMA = r"""The gamma function has |>\[ \Gamma(z + 1) = z \Gamma(z) \] |>\[ \Gamma(n + 1) = n! \] |>\[
 \Gamma\left(\tfrac12\right) = \sqrt{\pi} \] |>\[ \Gamma(z + 2) = z (z + 1) \Gamma(z). \]"""
+EULER = r"""\[ \Gamma(x) = \int_0^\infty t^{x-1} e^{-t} dt \] This extends $\Gamma$ to all numbers. |>\[ \Gamma(x + 1) =
+x \Gamma(x) \] |>\[ \Gamma(n + 1) = n! \] |>\[ \Gamma\left(\tfrac32\right) = \frac{\sqrt\pi}{2} \] The beta function is
+\[ B(x, y) = \frac{\Gamma(x) \Gamma(y)}{\Gamma(x + y)}. \] It has |>\[ B(x + 1, y) = \frac{x}{x + y} B(x, y) \] |>\[
+B(x, 1) = \frac1x. \]"""
 SUMS = r"""The sums are |>\[ \sum_{k=1}^n k^2 = \frac{n (n + 1) (2 n + 1)}{6} \] |>\[ \sum_{k=0}^n x^k =
 \frac{x^{n + 1} - 1}{x - 1} \] |>\[ \sum_{k=1}^n \frac{1}{k (k + 1)} = \frac{n}{n + 1} \] |>\[ \prod_{k=1}^n k = n! \]
 |>\[ \sum_{k=1}^n k \, k! = (n + 1)! - 1 \] |>\[ \sum_{k=1}^n \cos(k x) = \frac{\sin\frac{n x}{2} \cos\frac{(n + 1)
@@ -34,6 +38,7 @@ TEXTS = {
     "slopes": SLOPES,
     "factorials": FACTORIALS,
     "gamma": GAMMA,
+    "euler": EULER,
     "sums": SUMS,
 }
 MISPRINTS = [
@@ -53,6 +58,8 @@ MISPRINTS = [
     ("factorials", r"= 2^n", r"= 2^n - 1"),
     ("gamma", r"z (z + 1) \Gamma(z)", r"z (z - 1) \Gamma(z)"),
     ("gamma", r"\Gamma(n + 1) = n!", r"\Gamma(n) = n!"),
+    ("euler", r"\frac{x}{x + y} B(x, y)", r"\frac{y}{x + y} B(x, y)"),
+    ("euler", r"B(x, 1) = \frac1x", r"B(x, 1) = \frac2x"),
     ("sums", r"(2 n + 1)}{6}", r"(2 n - 1)}{6}"),
     ("sums", r"\frac{x^{n + 1} - 1}", r"\frac{x^n - 1}"),
     ("sums", r"= (n + 1)! - 1", r"= (n + 1)! + 1"),
@@ -118,6 +125,7 @@ ENEMIES = [
     r"The gamma function is rare. The circulation $\Gamma(r)$ depends on $r$. \[ \Gamma(r+1) = r \Gamma(r) \]",
     r"The $q$-gamma function: \[ \Gamma(z+1) = z \Gamma(z) \]",
     r"The $p$-adic gamma function: \[ \Gamma(z+1) = z \Gamma(z) \]",
+    r"\[ \Gamma(x) = \int_0^\infty t^x e^{-t} dt \] Hence \[ \Gamma(x + 1) = x \Gamma(x) \]",
     r"The gamma function is not meant. \[ \Gamma(x+1) = x \Gamma(x) \]",
     r"\[ \frac{d}{dx} \operatorname{sign} x = 0 \]",
 ]

@@ -141,8 +141,9 @@ def _above_vectors(equations: Sequence[Sides]) -> set[str]:
 
 _LABEL = re.compile(r"[a-z]|\\[a-zA-Z]+|[A-Z]{1,3}")
 _CAPITAL = re.compile(r"[A-Z](?:_|$)")
-_BOLD = re.compile(r"\\(?:mathbf|vec)\{")
-_VECTOR = re.compile(r"\\(?:mathbf|vec)\{(?:\\\w+\{)*(?:[a-z]|\\[a-z]+)\}|\\(?:d*dot|bar|hat|tilde)\{\\mathbf[a-z]")
+_ACCENTED = r"\\(?:d*dot|bar|hat|tilde|widehat|widetilde|overline)\{\\mathbf"
+_BOLD = re.compile(rf"\\(?:mathbf|vec)\{{|{_ACCENTED}")
+_VECTOR = re.compile(rf"\\(?:mathbf|vec)\{{(?:\\\w+\{{)*(?:[a-z]|\\[a-z]+)\}}|{_ACCENTED}(?:[a-z]|\\[a-z]+)\}}")
 _MATRIX = re.compile(r"[A-Z]_|\\d*dot\{[A-Z]\}_")
 """A vector by its style, and a capital with a subscript."""
 
@@ -260,6 +261,35 @@ def _not_raised(tree: Any, frames: Collection[str]) -> Iterator[str]:
     else:
         for child in tree.children:
             yield from _not_raised(child, frames)
+
+
+def has_gamma_integral(equations: Iterable[Sides]) -> bool:
+    r"""Whether an equation says that a capital gamma is Euler's integral, ``\int_0^\infty t^{x-1} e^{-t} \, dt``.
+
+    Examples
+    --------
+    >>> from algebroproj_sym.reading.parsing.grammar import parsed
+    >>> forms = (r"t^{x-1} e^{-t} dt", r"e^{-u} u^{x-1} du", r"t^{x} e^{-t} dt")
+    >>> [has_gamma_integral([parsed(rf"\Gamma(x) = \int_0^\infty {each}").sides]) for each in forms]
+    [True, True, False]
+    """
+    return any(map(_is_gamma_integral, equations))
+
+
+def _is_gamma_integral(sides: Sides) -> bool:
+    argument = _GAMMA.fullmatch(" ".join(tokens_in(sides[0])))
+    if argument is None or len(sides) < 2 or sides[1].data != "big" or sides[1].children[0] != r"\int_{0}^{\infty}":
+        return False
+    factors = sorted(" ".join(tokens_in(each)) for body in trees_in(sides[1]) for each in trees_in(body))
+    steps = {each[2:] for each in factors if each.startswith("d ")} or {*factors} - {"d"}
+    return any(
+        [each for each in factors if each not in ("d", step, f"d {step}")]
+        == sorted((f"{step} {argument[1]} - 1", f"e - {step}"))
+        for step in steps
+    )
+
+
+_GAMMA = re.compile(r"\\Gamma (\w|\\[a-z]+)")
 
 
 def has_euler(sides: Iterable[Formula]) -> bool:

@@ -18,7 +18,15 @@ from algebroproj_sym.reading.defining.dependence import (
     ties_of,
 )
 from algebroproj_sym.reading.defining.kinds import Kinds
-from algebroproj_sym.reading.defining.labels import E, has_euler, iterates_in, labels_in, lone_letter, without_above
+from algebroproj_sym.reading.defining.labels import (
+    E,
+    has_euler,
+    has_gamma_integral,
+    iterates_in,
+    labels_in,
+    lone_letter,
+    without_above,
+)
 from algebroproj_sym.reading.defining.premises import crosses_in
 from algebroproj_sym.reading.defining.recognising import EQUALITIES, defined_by, introduced_by
 from algebroproj_sym.reading.defining.symbols import SymbolsFile
@@ -478,7 +486,7 @@ class Survey:
             imaginary=self.imaginary,
             reals=reals_in(self.statements) | {*self._compared},
             wholes=wholes_in(self._prose),
-            gamma=has_gamma_function(self._prose),
+            gamma=has_gamma_function(self._prose) or has_gamma_integral(each.sides for each in self._read),
         )
         hats = frozenset(each.symbol for each in self.crossed if each.tree.data == "marked" and not each.parameters)
         given = {defined_by(each.sides[0])[0] for each in self._read if len(each.sides) > 1}

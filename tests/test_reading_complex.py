@@ -92,3 +92,8 @@ def test_what_does_not_hold_of_complex_numbers_does_not_follow(latex):
 def test_the_reading_is_shown():
     (link,) = last(SPOKEN + r"\[ |e^{it}| = 1 \]").links
     assert link.hypotheses[:2] == ("i is the imaginary unit", "letters are real unless complex ones give them")
+
+
+def test_a_huge_complex_number_is_no_sample():
+    text = r"With the imaginary unit, $i^2 = -1$, \[ z = a + i b. \] \[ z = 15 \cdot 10^{307} (1 + i) e^{i a}. \]"
+    assert [each.verdict for each in read_document(document_of(text))] == ["definition", "definition"]

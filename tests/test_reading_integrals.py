@@ -98,3 +98,8 @@ def test_a_wrong_one_does_not_follow(latex, suggestion):
     found = last_of(latex)
     assert found.verdict not in ("follows", "contradicts")
     assert suggestion is None or found.suggestion == suggestion
+
+
+def test_an_empty_entry_beside_an_integral_is_no_bound():
+    found = last_of(r"\[ \begin{pmatrix} a & \\ & b \end{pmatrix} x = \int_a^b t \, dt \]")
+    assert found.verdict == "not decided"

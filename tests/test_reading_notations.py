@@ -160,6 +160,7 @@ def test_operators_stand_in_a_matrix() -> None:
             r"\newcommand{\diag}{{\ensuremath{\mathrm{diag}}}} \[ D = \diag(a)\,\left[ b \right] \]",
             r"\[ D = \mathrm{diag}(a) [b] \]",
         ),
+        (r"\[ x_{} = y^{} + {}_{}z \]", r"\[ x = y + z \]"),
         (r"\[ p = \mid k \mid^2 + a \]", r"\[ p = |k|^2 + a \]"),
         (r"\begin{align} {}&= a \\ {}&= b \end{align}", r"\begin{align} &= a \\ &= b \end{align}"),
         (r"\[ {N}(w, t) = {\cal L}(w, t) \]", r"\[ N(w, t) = \mathcal{L}(w, t) \]"),

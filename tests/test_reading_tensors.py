@@ -39,6 +39,11 @@ MIXED = (
     r"Of the tensor $\mathbf{C}$ we have \[ \psi = \frac{\mu}{2} (@tr(\mathbf{C}) - 3) - "
     r"\frac{\mu}{2} \ln \det \mathbf{C}. \] Hence "
 )
+RATES = (
+    r"Of tensors, \[ \dot{@E} = \dot{@E}^e + \dot{@E}^p \] and \[ \dot{@E}^p = @g @s. \] "
+    r"The factor is \[ c = e + p^2. \] Hence "
+)
+NORM = r"Of a stress $@s$ the norm is \[ q = \| @s \|_{}. \] Hence "
 BRACKET = r"The stress tensor is \[ @S = \lambda (@I : @E) @I + 2 \mu @E. \] Hence "
 ELASTIC = (
     r"The stress tensor of an elastic body is \[ @S = \lambda @tr(@E) @I + 2 \mu @E \] with "
@@ -50,7 +55,7 @@ DYAD = (
 )
 
 
-SHORT = {"@tr": r"\mathrm{tr} "} | {
+SHORT = {"@tr": r"\mathrm{tr} ", "@g": r"\dot\gamma"} | {
     f"@{letter}": rf"\boldsymbol{{{full}}}"
     for letter, full in (("S", r"\sigma"), ("E", r"\varepsilon"), ("e", r"\epsilon"), ("I", "I"), ("s", "s"))
 }
@@ -81,6 +86,8 @@ FOLLOWING = [
     (GRADIENT, r"\dot J = J @tr(\dot{\mathbf{F}} \mathbf{F}^{-1})"),
     (PARTS, r"@S = \mathbb{D} : @E - \mathbb{D} : @E_p"),
     (MIXED, r"2 \frac{\partial \psi}{\partial \mathbf{C}} = \mu (\mathbf{I} - \mathbf{C}^{-T})"),
+    (RATES, r"\dot{@E}^e = \dot{@E} - @g @s"),
+    (NORM, r"q^2 = @s : @s"),
     (BRACKET, r"@S = \lambda @tr(@E) @I + 2 \mu @E"),
     (ELASTIC, r"@E = \frac{1 + \nu}{E} @S - \frac{\nu}{E} @tr(@S) @I"),
     (DYAD, r"\boldsymbol{P} \boldsymbol{v} = \boldsymbol{v} - (\boldsymbol{n} \cdot \boldsymbol{v}) \boldsymbol{n}"),
@@ -105,6 +112,8 @@ MISPRINTS = [
     (GRADIENT, r"\frac{\partial J}{\partial \mathbf{F}} = J \mathbf{F}^{-1}"),
     (PARTS, r"@S = \mathbb{D} : @E + \mathbb{D} : @E_p"),
     (MIXED, r"2 \frac{\partial \psi}{\partial \mathbf{C}} = \mu (\mathbf{I} + \mathbf{C}^{-T})"),
+    (RATES, r"\dot{@E}^e = \dot{@E} + @g @s"),
+    (NORM, r"q^2 = 2 @s : @s"),
     (ELASTIC, r"@E = \frac{1 + \nu}{E} @S - \frac{2 \nu}{E} @tr(@S) @I"),
     (DYAD, r"\boldsymbol{P} \boldsymbol{v} = \boldsymbol{v} + (\boldsymbol{n} \cdot \boldsymbol{v}) \boldsymbol{n}"),
 ]
@@ -153,3 +162,9 @@ def test_other_products_with_these_signs_are_left_open(latex):
 def test_a_letter_behind_a_nabla_is_no_tensor_of_the_second_order():
     sides = parsed(r"s = \tr(\nabla \mathbf{u} + (\nabla \mathbf{u})^T) + \nabla \mathbf{v} : \mathbf{e}").sides
     assert second_in([sides]) == {r"\mathbf{e}"}
+
+
+def test_no_size_is_called_as_a_letter_that_comes_later():
+    claim = r"\sqrt{@s : @s} = \sqrt{q^2 \boldsymbol{n} : \boldsymbol{n}}"
+    above = r"Of tensors, the stress is $@S$. \[ @s = @S - p \boldsymbol{1}. \] Hence "
+    assert last(rf"{above}\[ {claim} \]").verdict == "independent"

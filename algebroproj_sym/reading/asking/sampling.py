@@ -45,7 +45,9 @@ class Sample:
         left, right = map(self.at, sides)
         if left is None or right is None or len(left) != len(right):
             return None
-        return all(_are_near(a, b) for a, b in zip(left, right, strict=True))
+        with suppress(OverflowError):
+            return all(_are_near(a, b) for a, b in zip(left, right, strict=True))
+        return None
 
     def at(self, tree: Formula) -> tuple[Any, ...] | None:
         """Return the entries of a formula; None if it has no value."""

@@ -65,6 +65,7 @@ def _first_read(vocabulary: Vocabulary, read: Callable[[Reader], Read]) -> Read:
 
 
 def _asked(reader: Reader, left: Formula, right: Formula, given: Sequence[tuple[Formula, Formula]]) -> list[Question]:
+    reader.keep_names(left, right, *(side for pair in given for side in pair))
     sides = _of_one_shape(reader, left, right)
     constraints = [pair for each in given for pair in _in_blocks(_of_one_shape(reader, *each))]
     if any(side.blocks for pair in constraints for side in pair):

@@ -16,7 +16,7 @@ from algebroproj_sym.reading.defining.vocabulary import Vocabulary, is_operator
 from algebroproj_sym.reading.lexing.commands import VECTOR_STYLE
 from algebroproj_sym.reading.lexing.names import bare_name, split_symbol
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
-from algebroproj_sym.reading.parsing.grammar import Formula
+from algebroproj_sym.reading.parsing.grammar import Formula, symbols_in
 
 _BARE = re.compile(rf"{VECTOR_STYLE}\{{?(?:[a-z]|\\[a-z]+)")
 _DOTS = re.compile(r"\\d*dot(?![a-z])")
@@ -64,6 +64,12 @@ class Reader:
         self._no_numbers: list[tuple[str, Part]] = []
         self._values: dict[tuple[str, ...], Shape] = {}
 
+    def keep_names(self, *trees: Formula) -> None:
+        """Call no size as a letter in formulas, or in what they stand for."""
+        vocabulary = self._vocabulary
+        every = {*trees, *(each.tree for tree in trees for each in vocabulary.used_in(tree))}
+        self._names |= {vocabulary.name(symbol) for tree in every for symbol in symbols_in(tree)}
+
     def part(self, tree: Formula) -> Part:
         """Return a formula as a part, with all definitions put in."""
         for definition in self._vocabulary.used_in(tree):
@@ -91,7 +97,6 @@ class Reader:
     def _letter(self, symbol: str) -> Part:
         vocabulary = self._vocabulary
         name, size, properties = vocabulary.name(symbol), vocabulary.size_of(symbol), vocabulary.properties_of(symbol)
-        self._names.add(name)
         if symbol in vocabulary.kinds.fourth:
             return self._fourth(symbol, is_identity="identity" in properties)
         if vocabulary.is_component(symbol):

@@ -98,6 +98,8 @@ def between_bounds(tree: Formula, variables: Mapping[tuple[str, str], str], voca
 
 def _bounds_of(tree: Formula) -> tuple[str, str] | None:
     """Return between which bounds the value of a bracket, or of what stands before a bar, is taken; None for others."""
+    if tree.data not in ("marked", "power"):
+        return None
     first, *rest = tree.children
     if tree.data == "marked" and (match := _AT.fullmatch(str(rest[0]))):
         return match[1], match[2]

@@ -373,6 +373,13 @@ def _not(page: Page, piece: Piece) -> bool:
     return relation is not None
 
 
+def _empty_script(page: Page, piece: Piece) -> bool:
+    """Leave a script out in which nothing stands."""
+    if found := page.waiting.follows("{", "}"):
+        del page.waiting[-2:]
+    return found
+
+
 def _prime_behind_nothing(page: Page, piece: Piece) -> bool:
     if [each.text for each in page.out[-2:]] == ["{", "}"]:
         raise UnreadableError("a prime without a letter before it may belong to a whole sum", piece.place)
@@ -504,6 +511,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[Page, Piece], bool]], ...] = (
     (("!",), _unequal),
     (("=",), _arrow),
     ((r"\not",), _not),
+    (("_", "^"), _empty_script),
     (("'",), _prime_behind_nothing),
     ((r"\partial",), _slope),
     (("e",), _scientific),

@@ -160,6 +160,13 @@ def test_operators_stand_in_a_matrix() -> None:
             r"\newcommand{\diag}{{\ensuremath{\mathrm{diag}}}} \[ D = \diag(a)\,\left[ b \right] \]",
             r"\[ D = \mathrm{diag}(a) [b] \]",
         ),
+        (r"\def\mean<#1>{\|#1\|} \[ a = \mean<x + y> + c \]", r"\[ a = \|x + y\| + c \]"),
+        (
+            r"\def\tab#1={#1\;&=} \begin{align} \tab a = b \\ \tab = c \end{align}",
+            r"\begin{align} a &= b \\ &= c \end{align}",
+        ),
+        (r"\[ a = \int_D f \text{ d} x \]", r"\[ a = \int_D f \, \mathrm{d} x \]"),
+        (r"\[ {d \over dx} x^2 = {\frac{a}{b}} c \]", r"\[ \frac{d}{dx} x^2 = \frac{a}{b} c \]"),
         (r"\[ x_{} = y^{} + {}_{}z \]", r"\[ x = y + z \]"),
         (r"\[ p = \mid k \mid^2 + a \]", r"\[ p = |k|^2 + a \]"),
         (r"\begin{align} {}&= a \\ {}&= b \end{align}", r"\begin{align} &= a \\ &= b \end{align}"),

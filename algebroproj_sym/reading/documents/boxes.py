@@ -50,7 +50,7 @@ def read_box(out: list[Piece], waiting: Pending, piece: Piece) -> None:
         waiting.put(_named(piece, re.sub(r"[^A-Za-z]", "", name)))
         return
     called = (_is_name(name) or name in FUNCTIONS) and _OPENS.fullmatch(waiting.next)
-    named = (name in FUNCTIONS and waiting.next == "^") or name == "d"
+    named = (name in FUNCTIONS and waiting.next == "^") or name.strip() == "d"
     acts = _acts(name, waiting.next) or (_is_letter(name) and _ends_factor(out))
     if called or named or (_is_name(name) and waiting.next in ("_", "^")) or acts:
         word = [each for each in inside if not each.text.isspace()]

@@ -3,7 +3,7 @@ r"""Macros of a document: ``\newcommand``, ``\def`` and ``\DeclareMathOperator``
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from algebroproj_sym.reading.lexing.commands import MAX_PIECES
 from algebroproj_sym.reading.lexing.pieces import Piece, UnreadableError, pieces_of
@@ -19,7 +19,7 @@ _PAIRED = re.compile(r"\\DeclarePairedDelimiter\*?\s*\{?\s*(\\[a-zA-Z]+)\s*\}?\s
 _DOCUMENT_COMMAND = re.compile(
     r"\\(?:New|Renew|Provide|Declare)DocumentCommand\s*\{?\s*(\\[a-zA-Z]+)\s*\}?\s*\{\s*(O\{[^{}]*\})?([m\s]*)\}\s*\{"
 )
-_DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)((?:#\d)*)")
+_DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)([^{}\\\n]*)(?=\{)")
 _ENVIRONMENT = re.compile(r"\\(?:re)?newenvironment\*?\s*\{([a-zA-Z]+\*?)\}")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
 _ALPHABET = re.compile(r"\\DeclareMathAlphabet\s*\{\s*(\\[a-zA-Z]+)\s*\}(?:\s*\{[^{}]*\}){2}\s*\{[a-z]?bx?\}")
@@ -123,6 +123,8 @@ class Macro:
     default: str | None
     body: str
     is_guessed: bool = field(default=False, repr=False)
+    marks: tuple[str, ...] = field(default=(), repr=False)
+    r"""What stands before its arguments, and behind each, as ``<`` and ``>`` of ``\def\mean<#1>``."""
 
 
 def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
@@ -155,11 +157,11 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
     for match in _PAIRED.finditer(text):
         found |= dict.fromkeys((match[1], f"{match[1]}*"), Macro(1, None, rf"\left{match[2]} #1\right{match[3]} "))
         spans.append(match.span())
-    for name, count, default, begin, start in _begun(text):
+    for name, macro, begin, start in _begun(text):
         end = _closing(text, start)
         if end is not None:
             body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
-            found.setdefault(name, Macro(count, default, body))
+            found.setdefault(name, replace(macro, body=body))
             spans.append((abs(begin), end + 1))
     return {**known, **found}, spans
 
@@ -168,11 +170,11 @@ def redefinitions(text: str) -> list[tuple[int, str, Macro]]:
     """Return the definitions of macros that have several, in order: place, name and meaning."""
     made = list[tuple[int, str, Macro]]()
     before: dict[str, Macro] = {}
-    for name, count, default, begin, start in sorted(_begun(text), key=lambda each: abs(each[3])):
+    for name, macro, begin, start in sorted(_begun(text), key=lambda each: abs(each[2])):
         if (end := _closing(text, start)) is None or (text.startswith(r"\provide", begin) and name in before):
             continue
         body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
-        made.append((abs(begin), name, Macro(count, default, body)))
+        made.append((abs(begin), name, replace(macro, body=body)))
         if name in before and (group := _end_of_group(text, end + 1)) is not None:
             made.append((group, name, before[name]))
         else:
@@ -181,27 +183,31 @@ def redefinitions(text: str) -> list[tuple[int, str, Macro]]:
     return sorted((each for each in made if times[each[1]] > 1), key=lambda each: each[0])
 
 
-def _begun(text: str) -> Iterator[tuple[str, int, str | None, int, int]]:
-    """Yield name, count, default, the place of the definition, negative for an operator, and that of the body."""
+def _begun(text: str) -> Iterator[tuple[str, Macro, int, int]]:
+    """Yield names and macros without a body, the place of the definition, negative for an operator, and of the body."""
     for match in _COMMAND.finditer(text):
         place, count, default = _parameters(text, match.end())
         if body := _OPENING.match(text, place):
-            yield match[1] or match[2], count, default, match.start(), body.end()
+            yield match[1] or match[2], Macro(count, default, ""), match.start(), body.end()
     for match in _DEFINITION.finditer(text):
-        if text[match.end() : match.end() + 1] == "{":
-            yield match[1], match[2].count("#"), None, match.start(), match.end() + 1
+        marks = (*map(str.strip, re.split(r"#\d", match[2])),)
+        if all(len(each) < 2 for each in marks):
+            macro = Macro(len(marks) - 1, None, "", marks=marks if any(marks) else ())
+            yield match[1], macro, match.start(), match.end() + 1
     for match in _DOCUMENT_COMMAND.finditer(text):
         default = match[2][2:-1] if match[2] else None
-        yield match[1], match[3].count("m") + (default is not None), default, match.start(), match.end()
+        macro = Macro(match[3].count("m") + (default is not None), default, "")
+        yield match[1], macro, match.start(), match.end()
     for match in _ENVIRONMENT.finditer(text):
         place, count, default = _parameters(text, match.end())
         for mark, many in (("begin", count), ("end", 0)):
             if (body := _OPENING.match(text, place)) and (end := _closing(text, body.end())):
-                yield rf"\{mark}{{{match[1]}}}", many, default if many else None, match.start(), body.end()
+                macro = Macro(many, default if many else None, "")
+                yield rf"\{mark}{{{match[1]}}}", macro, match.start(), body.end()
                 place = end + 1
     for match in _OPERATOR.finditer(text):
         if body := _OPENING.match(text, match.end()):
-            yield match[1], 0, None, -match.start() or -1, body.end()
+            yield match[1], Macro(0, None, ""), -match.start() or -1, body.end()
 
 
 def _parameters(text: str, place: int) -> tuple[int, int, str | None]:
@@ -215,6 +221,8 @@ def _parameters(text: str, place: int) -> tuple[int, int, str | None]:
 
 def filled_in(macro: Macro, text: str, place: int) -> tuple[str, int] | None:
     """Return what a macro stands for that is called before a place of a text, and where its arguments end."""
+    if macro.marks:
+        return None
     arguments = list[str]()
     for number in range(macro.count):
         if number == 0 and macro.default is not None:
@@ -301,16 +309,32 @@ _QUANTITIES = {"(": "pmatrix", "[": "bmatrix", "{": "matrix"}
 
 def _filled(macro: Macro, call: Piece, waiting: list[Piece]) -> str:
     arguments = list[str]()
+    if any(macro.marks[:1]):
+        _until(macro.marks[0], call, waiting)
     for number in range(macro.count):
         while waiting and waiting[-1].text.isspace():
             waiting.pop()
-        if macro.is_guessed and macro.body in _DERIVATIVES and number == macro.count - 1 and _next(waiting) != "{":
+        if any(macro.marks[number + 1 : number + 2]):
+            arguments.append(_until(macro.marks[number + 1], call, waiting))
+        elif macro.is_guessed and macro.body in _DERIVATIVES and number == macro.count - 1 and _next(waiting) != "{":
             arguments.insert(-1, "")
         elif number == 0 and macro.default is not None:
             arguments.append(_optional(waiting, macro.default))
         else:
             arguments.append(_argument(call, waiting))
     return _PARAMETER.sub(lambda found: _put_in(found, arguments), macro.body)
+
+
+def _until(mark: str, call: Piece, waiting: list[Piece]) -> str:
+    """Take what stands before a mark that ends an argument, and the mark."""
+    taken, depth = "", 0
+    while waiting:
+        piece = waiting.pop()
+        if piece.text == mark and depth == 0:
+            return taken
+        depth += (piece.text == "{") - (piece.text == "}")
+        taken += piece.text
+    raise UnreadableError(f"the macro {call.text} expects {mark} behind its argument", call.place)
 
 
 def _next(waiting: Sequence[Piece]) -> str:

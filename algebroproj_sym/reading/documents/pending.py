@@ -13,6 +13,11 @@ _IN_BRACES = re.compile(
     r"(?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{[a-zA-Z]+\})?))\s*\}(?=\s*[(_])|\s*\}(?=\s*[&=])"
 )
 """What stands in braces for its looks alone, and their end."""
+_FLAT = r"(?:[^{}&]|\{[^{}]*\})*"
+_FRACTION = re.compile(
+    rf"\s*(?:\\frac\s*\{{({_FLAT})\}}\s*\{{({_FLAT})\}}\s*|({_FLAT}?)\\over(?![a-z])({_FLAT}))\}}(?!\s*[_^])"
+)
+"""A fraction in braces, of which the first one stands before."""
 _END = re.compile(MATRIX.pattern.replace("begin", "end"))
 _SKIP = re.compile(r"\[\s*-?[\d.]*\s*(?:pt|mm|cm|in|ex|em|mu|\\[a-z]+)\s*\]")
 
@@ -90,14 +95,19 @@ class Pending(list[Piece]):
         return None
 
     def name_in_braces(self) -> list[Piece] | None:
-        r"""Take what is left of braces: nothing before ``&`` or ``=``, or a lone name before a bracket."""
-        match = _IN_BRACES.match("".join(each.text for each in self[-1:-40:-1]))
-        if match is None:
+        r"""Take what is left of braces: nothing before ``&`` or ``=``, a lone name before a bracket, or a fraction."""
+        text = "".join(each.text for each in self[-1:-40:-1])
+        if match := _IN_BRACES.match(text):
+            style, name = match["style"], match["name"] or ""
+            found = rf"\mathcal{{{name}}}" if style else name
+        elif match := _FRACTION.match(text):
+            above, below = (each for each in match.groups() if each is not None)
+            found = rf"\frac{{{above}}}{{{below}}}"
+        else:
             return None
         place = self[-1].place
         del self[-len(pieces_of(match.group())) :]
-        style, name = match["style"], match["name"] or ""
-        return at(Piece("", place), rf"\mathcal{{{name}}}" if style else name)
+        return at(Piece("", place), found)
 
     def brackets_in_braces(self) -> list[Piece] | None:
         r"""Take the end of braces that have nothing but a round bracket; None if they have something else."""

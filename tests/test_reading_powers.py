@@ -9,6 +9,7 @@ pytestmark = pytest.mark.usefixtures("verdicts_alone")
 SPHERE = r"The volume is \[ V = \frac43 \pi r^3. \] Hence the radius is "
 MONIC = r"We have \[ x^2 + 2 b x + c = 0. \] Hence "
 SWINGS = r"The position is \[ x = A \cos(\omega t). \] Therefore "
+LENGTH = r"Of vectors, \[ \mathbf{v} = s \mathbf{a}. \] Hence "
 MEAN = r"The variance is \[ \sigma^2 = \mathbb{E}[(x - m)^2] \] where $m = \mathbb{E}[x]$ is the expected value. Hence "
 
 
@@ -29,6 +30,8 @@ def last_of(latex):
         SWINGS + r"\[ \ddot x = -\omega^2 x. \]",
         r"The position is \[ x(t) = A \cos(\omega t). \] Therefore \[ \frac{d^2 x}{dt^2} = -\omega^2 x. \]",
         MEAN + r"\[ \sigma^2 = \mathbb{E}[x^2] - m^2. \]",
+        LENGTH + r"\[ \|\mathbf{v}\| = s \|\mathbf{a}\|. \]",
+        LENGTH.replace("s ", "-2 ") + r"\[ \|\mathbf{v}\| = 2 \|\mathbf{a}\|. \]",
     ],
 )
 def test_it_follows(latex):
@@ -51,6 +54,14 @@ def test_it_follows(latex):
         SWINGS.replace("There", r"The amplitude falls, \[ \dot A = -k A. \] There") + r"\[ \ddot x = -\omega^2 x. \]",
         SWINGS.replace("There", r"Here \[ \omega = c t. \] There") + r"\[ \ddot x = -\omega^2 x. \]",
         MEAN + r"\[ \sigma^2 = \mathbb{E}[x^2] + m^2. \]",
+        LENGTH + r"\[ \|\mathbf{v}\| = 2 s \|\mathbf{a}\|. \]",
+        LENGTH.replace("s ", "-2 ") + r"\[ \|\mathbf{v}\| = -2 \|\mathbf{a}\|. \]",
+        LENGTH.replace("s ", "2 ") + r"\[ \|\mathbf{v}\| = -2 \sqrt{\mathbf{a} \cdot \mathbf{a}}. \]",
+        r"The matrices have \[ \mathbf{A} = \sqrt{2} \mathbf{C} \] and "
+        r"\[ \mathbf{B} \mathbf{B} = 4 \mathbf{C} \mathbf{C}. \] Hence \[ \sqrt{2} \mathbf{A} = \mathbf{B}. \]",
+        r"We have \[ a = 4. \] Hence \[ \sqrt a = -2. \]",
+        r"We have \[ a = 4. \] Hence \[ \frac{\sqrt a}{-2} = 1. \]",
+        r"We have \[ a = (1 + b^2)^2. \] Hence \[ \sqrt a = -1 - b^2. \]",
     ],
 )
 def test_it_does_not_follow(latex):

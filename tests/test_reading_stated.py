@@ -109,3 +109,8 @@ def test_while_is_no_time_where_it_names_a_letter(words, then, verdict):
 )
 def test_nor_does_what_holds_of_a_case(latex):
     assert verdict_of(latex) != "follows"
+
+
+def test_each_time_step_is_no_other_constant_each_time():
+    text = r"The rate at $t$ is held constant over each time step. \[ v = a t \] Hence \[ 2 v = 2 a t \]"
+    assert read_document(document_of(text))[-1].verdict == "follows"

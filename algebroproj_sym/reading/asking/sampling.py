@@ -8,6 +8,7 @@ from itertools import count
 from typing import Any
 
 import sympy
+from lark import Tree
 
 from algebroproj_sym.expressions import NotRationalError, entries, evaluate, over, shape
 from algebroproj_sym.expressions.bounds import MAX_BITS
@@ -16,10 +17,12 @@ from algebroproj_sym.proving.letters import prove_texts
 from algebroproj_sym.proving.proof import UndefinedError
 from algebroproj_sym.reading.asking.questions import Sides, asked_of
 from algebroproj_sym.reading.defining.definition import Definition
+from algebroproj_sym.reading.defining.premises import letter_of
 from algebroproj_sym.reading.defining.vocabulary import MOST_PARTS, Vocabulary
+from algebroproj_sym.reading.deriving.rates import TWO
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.evaluating import evaluated, evaluator
-from algebroproj_sym.reading.parsing.grammar import Formula
+from algebroproj_sym.reading.parsing.grammar import Formula, put_in
 
 POINTS = (Fraction(3, 2), Fraction(-5, 3), Fraction(7, 5), Fraction(11, 4), Fraction(-13, 7))
 _UNDEFINED = (UnreadableError, ZeroDivisionError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
@@ -168,6 +171,21 @@ def is_somewhere_positive(vocabulary: Vocabulary, number: Formula) -> bool:
     """Whether a number is seen to be real and not negative at some point."""
     values = (complex(value) for each in samples_of(vocabulary, number) for value in each.at(number) or ())
     return any(value.imag == 0 <= value.real for value in values)
+
+
+def have_one_sign(vocabulary: Vocabulary, sides: Sides) -> bool | None:
+    """Whether two sides are seen to be real, and of one sign, at some point; None if none has values.
+
+    A length is the square of a letter: it is never negative.
+    """
+    lengths = [norm for side in sides for norm in side.find_data("norm")]
+    letters = (letter_of(rf"\bullet_{{{place}}}") for place in count())
+    squares = {each: Tree("power", [letter, TWO]) for each, letter in zip(lengths, letters, strict=False)}
+    left, right = (put_in(side, squares) for side in sides)
+    samples = samples_of(vocabulary, left, right)
+    values = ([complex(entry) for side in (left, right) for entry in each.at(side) or ()] for each in samples)
+    pairs = (each for each in values if len(each) == 2)
+    return any(a.imag == 0 == b.imag and a.real * b.real >= 0 for a, b in pairs) if samples else None
 
 
 def are_one_matrix(vocabulary: Vocabulary, sides: Sides) -> bool:

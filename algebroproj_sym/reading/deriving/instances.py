@@ -70,7 +70,7 @@ def powers_of(left: Formula, right: Formula) -> Powers | None:
     """
     degrees = _degree(left), _degree(right)
     is_value = left.data in ("symbol", "function")
-    if not is_value and degrees == (2, 1):
+    if not is_value and degrees in ((2, 1), (2, 2)):
         return replace(_raised(left, right, 2), is_of_left=False)
     above, *below = right.children if right.data == "fraction" else [right]
     terms = above.children if isinstance(above, Tree) and above.data == "sum" else []
@@ -96,8 +96,11 @@ def _raised(left: Formula, right: Formula, degree: int) -> Powers:
 
 
 def _degree(tree: Formula) -> int:
-    """Return the degree of the only root among the factors of a formula; 1 if there is none, or several differ."""
-    if tree.data == "root":
+    """Return the degree of the only root among the factors of a formula; 1 if there is none, or several differ.
+
+    A length is a root, too.
+    """
+    if tree.data in ("root", "norm"):
         return 2
     if tree.data == "nth_root":
         return _whole(tree.children[0])

@@ -38,6 +38,7 @@ _OTHERWISE |= {
     r"\>": r"\:",
     r"\pmod": r"\bmod",
     r"\mod": r"\bmod",
+    r"\intop": r"\int",
 }
 _OTHERWISE |= dict.fromkeys((r"\begin{dcases}", r"\begin{dcases*}", r"\begin{cases*}"), r"\begin{cases}")
 _OTHERWISE |= dict.fromkeys((r"\end{dcases}", r"\end{dcases*}", r"\end{cases*}"), r"\end{cases}")

@@ -118,7 +118,8 @@ _CALLED = re.compile(r"^\s*(?:is|are|be|denotes?|represents?)\b")
 _IS_NAME_OF = re.compile(r"\b(?:the|an?) (?!value |factor |angle |phase |limit |interval )[a-z]{4,} $")
 _EACH_TIME = re.compile(
     r"\$([^$=]*)\$[^.$]*\b(?:constants?|noise)\b[^.$]*"
-    r"\b(?:each time|anew|afresh|from (?:one )?(?:line|place|equation) to|not necessarily the same"
+    r"\b(?:each time(?! (?:step|interval|level|point|instant)s?\b)"
+    r"|anew|afresh|from (?:one )?(?:line|place|equation) to|not necessarily the same"
     r"|need not be (?:equal|the same)|(?:each|every) occurrence)",
     re.IGNORECASE,
 )

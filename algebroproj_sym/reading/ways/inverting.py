@@ -5,13 +5,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from algebroproj_sym.reading.asking.questions import Way, complex_letters_in
-from algebroproj_sym.reading.asking.sampling import is_somewhere_positive
+from algebroproj_sym.reading.asking.sampling import have_one_sign, is_somewhere_positive
 from algebroproj_sym.reading.defining.domains import is_outside, range_in
 from algebroproj_sym.reading.defining.premises import MOST_PREMISES, letter_of
 from algebroproj_sym.reading.defining.recognising import defined_by
 from algebroproj_sym.reading.deriving.angles import of_angle
 from algebroproj_sym.reading.deriving.instances import powers_of
-from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in
+from algebroproj_sym.reading.parsing.grammar import Formula, Parsed, symbols_in, trees_in
 from algebroproj_sym.reading.remembering.standing import Standing
 from algebroproj_sym.reading.remembering.survey import Survey
 from algebroproj_sym.reading.ways.components import with_printed_components
@@ -25,9 +25,9 @@ _SEVERAL = re.compile(r"(.+)_\{?(?:12|1,2|1/2|\\pm)\}?")
 def raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     """Yield the powers of a letter and of a root that it is, as they rest on others.
 
-    Both have one sign, or its degree is odd.  A root that is no multiple of letters has the plus sign, if the letter
-    may have it; elsewhere words speak of a root, or of what is never negative.  A root on the left speaks for itself,
-    of real letters that equations above give.
+    Both have one sign, which they may have, or its degree is odd.  A root that is no multiple of letters has the plus
+    sign, if the letter may have it; elsewhere words speak of a root, or of what is never negative.  A root on the left
+    speaks for itself, of real letters that equations above give.
     """
     left, right = formula.sides[index : index + 2]
     several = _SEVERAL.fullmatch(defined_by(left)[0])
@@ -39,7 +39,8 @@ def raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     known = standing.vocabulary
     if is_root and (not known.used_in(left, right) or complex_letters_in(known, left, right)):
         return
-    if powers is None or known.is_matrix(symbols_in(powers.left)[0]):
+    outside = [each for side in (left, right) for each in _outside_of_roots(side)]
+    if powers is None or any(map(known.is_matrix, outside if is_root else symbols_in(powers.left)[:1])):
         return
     branches = ({"branch", "lower"}, {"branch", "negative"})
     below = any(words <= each.words for words in branches for each in standing.premises[-MOST_PREMISES:])
@@ -51,13 +52,25 @@ def raised(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:
     reads = f"{known.equation(left, right)}, as {known.equation(*of_powers.sides)}"
     same = f"{known.text(left)} >= 0" if positive else "both sides have the same sign"
     plain = Way(powers.left, powers.right, known)
+    signed = not (powers.is_open or powers.degree % 2)
     for way in (
         *[plain][: bool(certain or positive)],
         *with_premises(standing, of_powers, 0),
         *under_equations(standing, *plain.sides),
     ):
+        one_sign = have_one_sign(way.vocabulary, (left, right)) if signed else True
+        if one_sign is False or (one_sign is None and is_root):
+            continue
         if certain or not positive or is_somewhere_positive(way.vocabulary, left):
-            yield replace(way, reads=reads, supposes=() if powers.is_open or powers.degree % 2 else (same,))
+            yield replace(way, reads=reads, supposes=(same,) if signed else ())
+
+
+def _outside_of_roots(tree: Formula) -> Iterator[str]:
+    """Yield the symbols of a formula that stand in no root and in no length."""
+    if tree.data in ("symbol", "opaque"):
+        yield str(tree.children[0])
+    for part in trees_in(tree) if tree.data not in ("root", "norm") else ():
+        yield from _outside_of_roots(part)
 
 
 def of_inverse(standing: Standing, formula: Parsed, index: int) -> Iterator[Way]:

@@ -167,6 +167,7 @@ def test_operators_stand_in_a_matrix() -> None:
         ),
         (r"\[ a = \int_D f \text{ d} x \]", r"\[ a = \int_D f \, \mathrm{d} x \]"),
         (r"\[ a = \intop_0^L f \, dx \]", r"\[ a = \int_0^L f \, dx \]"),
+        (r"\def\D{\mathrm{d} } \[ {\D \over \D  x} x^2 = 2 x \]", r"\[ \frac{d}{dx} x^2 = 2 x \]"),
         (r"\[ {d \over dx} x^2 = {\frac{a}{b}} c \]", r"\[ \frac{d}{dx} x^2 = \frac{a}{b} c \]"),
         (r"\[ x_{} = y^{} + {}_{}z \]", r"\[ x = y + z \]"),
         (r"\[ p = \mid k \mid^2 + a \]", r"\[ p = |k|^2 + a \]"),

@@ -105,8 +105,9 @@ class Pending(list[Piece]):
             found = rf"\frac{{{above}}}{{{below}}}"
         else:
             return None
-        place = self[-1].place
-        del self[-len(pieces_of(match.group())) :]
+        place, left = self[-1].place, len(match.group())
+        while left:
+            left -= len(self.pop().text)
         return at(Piece("", place), found)
 
     def brackets_in_braces(self) -> list[Piece] | None:

@@ -189,3 +189,48 @@ def test_a_sentence_of_a_step_between_supposes_nothing(between):
         -1
     ]
     assert (found.verdict, found.supposes) == ("follows", False)
+
+
+SETTINGS = [
+    ("Steady:", "Unsteady: the load is"),
+    ("Phase 1 (ascent):", "Phase 2 (descent): the load is"),
+    ("Thin rods obey", "The load on a thick one is"),
+    ("Drawing with replacement,", "Drawing without replacement, the load is"),
+    ("Most springs have", "A spring carries"),
+    ("Apart from the last one, each has", "The last one carries"),
+    ("In the linear range", "In saturation the load is"),
+    (r"\textbf{Rods.} The stiffness is", r"\textbf{Plates.} The load is"),
+    (r"\emph{Rods:} the stiffness is", r"\emph{Plates:} the load is"),
+    (r"\begin{description} \item[Rods]", r"\item[Plates] The load is"),
+    (r"There are two options: \begin{itemize} \item", r"\item The load is"),
+    ("(a) The stiffness of a rod is", "(b) The load on a plate is"),
+    ("The stiffness is", "Another body carries"),
+    ("True or false?", "The load is"),
+]
+"""How a sentence says of what alone it speaks, and one behind it that speaks of another thing."""
+
+
+@pytest.mark.parametrize("lines", ["\n", " "])
+@pytest.mark.parametrize(("one", "other"), SETTINGS)
+def test_what_is_said_of_things_of_a_sort_or_in_an_item_is_supposed_of_others(one, other, lines):
+    text = lines.join((one, r"\[ k = a b. \]", other, r"\[ q = k c. \]", "Hence", r"\[ q = a b c. \]"))
+    found = read_document(document_of(text), seconds=5)[-1]
+    assert found.supposes or found.verdict != "follows"
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("The stiffness is", "The load is"),
+        ("By Hooke's law,", "Newton's second law gives"),
+        (r"\textbf{Proof.} The stiffness is", "We have"),
+        ("Let", "Then"),
+        ("Similarly,", "Finally,"),
+        (r"\begin{itemize} \item Rods have", "Hence they have"),
+    ],
+)
+def test_what_goes_on_of_the_same_thing_supposes_nothing(one, other):
+    text = "\n".join((one, r"\[ k = a b. \]", other, r"\[ q = k c. \]", "Hence", r"\[ q = a b c. \]"))
+    found = read_document(document_of(text), seconds=5)[-1]
+    assert found.verdict == "follows"
+    assert not found.supposes

@@ -20,6 +20,7 @@ from algebroproj_sym.reading.defining.positions import (
     above_lines,
     accents_in,
     accents_of_vectors,
+    acting_in,
     crossed_in,
     derived_in,
     inverted_in,
@@ -104,7 +105,7 @@ def kinds_of(
     numbers = {symbol for side in sides for symbol in (*numbers_in(side), *above_lines(side), *squared_in(side))}
     crossed = crossed_in(equations, known)
     columns |= frozenset((*stretched_in(equations), *measured_in(sides), *of_forms_in(sides), *crossed)) - numbers
-    known |= vectors_in(sides, words) - numbers | columns
+    known |= vectors_in(sides, words).union(acting_in(sides)) - numbers | columns
     known |= {*filter(_OF_FRAMES.match, occurring), *composed_in(equations, occurring, words, numbers)}
     known |= {each for each in occurring if BOLD.search(before_condition(each))}
     second = second_in(equations) if speaks_of_tensors(words) else frozenset[str]()

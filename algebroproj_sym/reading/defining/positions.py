@@ -88,6 +88,14 @@ def stretched_in(equations: Iterable[Sides]) -> Iterator[str]:
                 yield from () if lone(trees_in(other)[0]) == capital else (letter,)
 
 
+def acting_in(sides: Iterable[Formula]) -> Iterator[str]:
+    r"""Yield the kets, and the capitals before them: operators, as A and B in ``A B |\psi\rangle``."""
+    for *before, last in (trees_in(run) for side in sides for run in side.find_data("run")):
+        if lone(last).startswith(r"\ket{"):
+            yield from filter(CAPITAL.match, map(base_of, before))
+            yield lone(last)
+
+
 def measured_in(sides: Iterable[Formula]) -> Iterator[str]:
     r"""Yield the small letters of a vector of which there is a length, as x and b in ``\|A x - b\|``."""
     for norm in (norm for side in sides for norm in side.find_data("norm")):

@@ -51,6 +51,8 @@ _CODE = re.compile(
 )
 _BEHIND = re.compile(r"\\end\{document\}(?!.*\\end\{document\}).*", re.DOTALL)
 """What stands behind the end of a document."""
+_EXCLUDED = re.compile(r"\\exclude(?:version|comment)\s*\{(\w+)\}")
+"""The environments that a document leaves out."""
 _SWITCH = re.compile(r"\\newif\s*\\if([a-zA-Z]+)")
 _UNREACHED = re.compile(
     r"(\\iftrue(?![a-zA-Z])(?:(?!\\if|\\fi|\\else).)*\\else(?![a-zA-Z]))((?:(?!\\if|\\fi).)*)", re.DOTALL
@@ -61,7 +63,14 @@ _HIDDEN = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _INDENTS = re.compile(r"\\(?:noindent|indent)(?![a-zA-Z])")
 _ROOM_IN_MARK = re.compile(r"(\\(?:begin|end))([ \t]+)(\{[a-zA-Z]+\*?\})")
 """A mark of an environment with room in it."""
-_STRUCK = re.compile(r"\\(?:sout|st|todo(?:\[[^\]]*\])?)\{(?:[^{}]|\{[^{}]*\})*\}")
+_TEST = re.compile(
+    r"\\if(?:num|dim|x|odd|case|cat|defined|csname)?(?![a-zA-Z])(?:(?!\\if|\\fi|\$\$|\\\[|\\begin).)*"
+    r"(?:\$\$|\\\[|\\begin)(?:(?!\\if|\\fi).)*\\fi(?![a-zA-Z])",
+    re.DOTALL,
+)
+"""A test of TeX that may leave out a formula: nothing says how it ends."""
+_ARGUMENT = r"(?:\[[^\]]*\])?\{(?:[^{}]|\{[^{}]*\})*\}"
+_STRUCK = re.compile(rf"(?P<kept>\\replaced{_ARGUMENT})\s*{_ARGUMENT}|\\(?:sout|xout|st|deleted|todo){_ARGUMENT}")
 _STRUCK_IN_MARKDOWN = re.compile(
     r"(?<!~)~~(?![~\s])(?:[^~\n$]|\$[^$\n~]*\$)+~~(?!~)|<(del|s|strike|template)>.{0,2000}?</\1>|" + _STRUCK.pattern,
     re.DOTALL,
@@ -188,11 +197,11 @@ def document_of(text: str, *, latex: bool = True, lines: tuple[Line, ...] | None
     numbered = lines or tuple(map(Line, range(1, text.count("\n") + 2)))
     if latex:
         plain = _ROOM_IN_MARK.sub(r"\1\3\2", _INDENTS.sub(_blank, text))
-        plain = _BEHIND.sub(_blank, _STRUCK.sub(_blank, _without_code(without_comments(plain))))
+        plain = _BEHIND.sub(_blank, _STRUCK.sub(_kept, _TEST.sub(_blank, _without_code(without_comments(plain)))))
         plain = _without_versions(plain)
     else:
         plain = _QUOTE.sub(_unquoted, _HIDDEN.sub(_blank, _FRONT_MATTER.sub(_blank, text)))
-        plain = _STRUCK_IN_MARKDOWN.sub(_blank, _CODE_IN_LINE.sub(_uncited, _without_blocks(plain)))
+        plain = _STRUCK_IN_MARKDOWN.sub(_kept, _CODE_IN_LINE.sub(_uncited, _without_blocks(plain)))
         plain = with_marks(_INDENTED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), plain))
     written = str if latex else partial(unescaped, subscripts=escapes_subscripts(plain), rows=escapes_rows(plain))
     plain = with_displays(plain)
@@ -230,6 +239,8 @@ def _without_code(text: str) -> str:
 def _without_versions(text: str) -> str:
     r"""Return LaTeX without what stands behind ``\ifname`` where nothing says ``\nametrue``, and without ``\else``."""
     text = _UNREACHED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), text)
+    for name in {*_EXCLUDED.findall(text)}:
+        text = re.sub(rf"\\begin\{{{name}\}}.*?\\end\{{{name}\}}", _blank, text, flags=re.DOTALL)
     for name in {*_SWITCH.findall(text)}:
         if rf"\{name}true" not in text:
             switch = rf"(?<!\\newif)(?<!\\newif )\\if{name}(?![a-zA-Z])(?:(?!\\if|\\fi|\\else).)*"
@@ -254,6 +265,12 @@ class _Following:
 
 def _blank(found: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", found.group())
+
+
+def _kept(found: re.Match[str]) -> str:
+    """Return blanks for what is struck out, and what stands instead of it."""
+    kept = found["kept"] or ""
+    return kept + re.sub(r"[^\n]", " ", found[0][len(kept) :])
 
 
 def _unquoted(found: re.Match[str]) -> str:
@@ -350,6 +367,7 @@ def _formulas(
             place = end + len(ending)
             continue
         after = _HTML.sub(_blank, text[end + len(ending) : end + len(ending) + 300])
+        after = after if inline else _EMPTY_LINE.sub("\n", after)
         pieces, reason = _expanded(without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")
         numbered = numbered or (mark in unknown and _LABEL.search(inside) is not None)
@@ -371,6 +389,10 @@ _TITLE = re.compile(r"\*?\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{[^{}]*\})*\}|(?<=# ).
 """The title of a section, which ends a sentence."""
 
 _PARTNERS = {r"\[": r"\]", "$$": "$$", r"\(": r"\)", "$": "$"}
+
+
+_EMPTY_LINE = re.compile(r"\A[ \t]*\n\s*\n\s*(?=\(?[a-z]|[?,;])")
+"""An empty line right behind a display, if its sentence goes on there, as it does in Markdown."""
 
 
 def _up_to_formula(after: str) -> str:

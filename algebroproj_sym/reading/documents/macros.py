@@ -19,7 +19,9 @@ _PAIRED = re.compile(r"\\DeclarePairedDelimiter\*?\s*\{?\s*(\\[a-zA-Z]+)\s*\}?\s
 _DOCUMENT_COMMAND = re.compile(
     r"\\(?:New|Renew|Provide|Declare)DocumentCommand\s*\{?\s*(\\[a-zA-Z]+)\s*\}?\s*\{\s*(O\{[^{}]*\})?([m\s]*)\}\s*\{"
 )
-_DEFINITION = re.compile(r"\\def\s*(\\[a-zA-Z]+)([^{}\\\n]*)(?=\{)")
+_DEFINITION = re.compile(r"(?:\\global\s*)?\\g?def\s*(\\[a-zA-Z]+)([^{}\\\n]*)(?=\{)")
+_LET = re.compile(r"(?:\\global\s*)?\\let\s*(\\[a-zA-Z]+)\s*=?\s*(\\[a-zA-Z]+|[a-zA-Z])")
+_GLOBAL = (r"\gdef", r"\global")
 _ENVIRONMENT = re.compile(r"\\(?:re)?newenvironment\*?\s*\{([a-zA-Z]+\*?)\}")
 _OPERATOR = re.compile(r"\\DeclareMathOperator\*?\s*\{\s*(\\[a-zA-Z]+)\s*\}")
 _ALPHABET = re.compile(r"\\DeclareMathAlphabet\s*\{\s*(\\[a-zA-Z]+)\s*\}(?:\s*\{[^{}]*\}){2}\s*\{[a-z]?bx?\}")
@@ -157,12 +159,9 @@ def macros_in(text: str) -> tuple[dict[str, Macro], list[tuple[int, int]]]:
     for match in _PAIRED.finditer(text):
         found |= dict.fromkeys((match[1], f"{match[1]}*"), Macro(1, None, rf"\left{match[2]} #1\right{match[3]} "))
         spans.append(match.span())
-    for name, macro, begin, start in _begun(text):
-        end = _closing(text, start)
-        if end is not None:
-            body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
-            found.setdefault(name, replace(macro, body=body))
-            spans.append((abs(begin), end + 1))
+    for name, begin, end, meaning in _given(text):
+        found.setdefault(name, meaning)
+        spans.append((begin, end))
     return {**known, **found}, spans
 
 
@@ -170,17 +169,31 @@ def redefinitions(text: str) -> list[tuple[int, str, Macro]]:
     """Return the definitions of macros that have several, in order: place, name and meaning."""
     made = list[tuple[int, str, Macro]]()
     before: dict[str, Macro] = {}
-    for name, macro, begin, start in sorted(_begun(text), key=lambda each: abs(each[2])):
-        if (end := _closing(text, start)) is None or (text.startswith(r"\provide", begin) and name in before):
+    for name, begin, end, meaning in sorted((*_given(text), *_copied(text)), key=lambda each: each[1]):
+        if text.startswith(r"\provide", begin) and name in before:
             continue
-        body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
-        made.append((abs(begin), name, replace(macro, body=body)))
-        if name in before and (group := _end_of_group(text, end + 1)) is not None:
+        made.append((begin, name, before.get(meaning.body, meaning) if meaning.is_guessed else meaning))
+        is_local = not text.startswith(_GLOBAL, begin)
+        if is_local and name in before and (group := _end_of_group(text, end)) is not None:
             made.append((group, name, before[name]))
         else:
             before[name] = made[-1][2]
     times = Counter(name for _, name, _ in made)
     return sorted((each for each in made if times[each[1]] > 1), key=lambda each: each[0])
+
+
+def _given(text: str) -> Iterator[tuple[str, int, int, Macro]]:
+    """Yield name, the place where a definition begins, where it ends, and what it says."""
+    for name, macro, begin, start in _begun(text):
+        if (end := _closing(text, start)) is not None:
+            body = text[start:end] if begin >= 0 else rf"\operatorname{{{text[start:end]}}}"
+            yield name, abs(begin), end + 1, replace(macro, body=body)
+
+
+def _copied(text: str) -> Iterator[tuple[str, int, int, Macro]]:
+    r"""Yield likewise what ``\let`` gives: the meaning that another macro has there."""
+    for each in _LET.finditer(text):
+        yield each[1], *each.span(), Macro(0, None, each[2], is_guessed=True)
 
 
 def _begun(text: str) -> Iterator[tuple[str, Macro, int, int]]:

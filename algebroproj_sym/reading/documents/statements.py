@@ -317,7 +317,7 @@ def _parts(columns: Sequence[Sequence[Piece]], continuing: bool = False) -> Iter
                 statements[-1][1].append("".join(piece.text for piece in part).strip())
             if words and statements:
                 statements[-1][1].append(words)
-            elif _BEGINS.search(words):
+            elif _BEGINS.search(words) or words.rstrip().endswith(":"):
                 begun.append(words)
         for _, conditions in statements[known:] if label else ():
             conditions.insert(0, label)

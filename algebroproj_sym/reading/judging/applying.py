@@ -9,7 +9,7 @@ from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.judging.verdicts import TRUE_HERE, Link, Reading
 from algebroproj_sym.reading.prose.asserting import asserts, doubts, may_take_back
 from algebroproj_sym.reading.prose.contexts import context_of
-from algebroproj_sym.reading.prose.describing import names_a_thing
+from algebroproj_sym.reading.prose.describing import is_titled, names_a_thing
 from algebroproj_sym.reading.prose.devices import heard
 from algebroproj_sym.reading.prose.sentences import (
     are_of_two_things,
@@ -19,12 +19,21 @@ from algebroproj_sym.reading.prose.sentences import (
     without_formulas,
     words_of,
 )
-from algebroproj_sym.reading.prose.words import beside, has_ended
+from algebroproj_sym.reading.prose.words import beside, has_ended, is_denied
 
 _NAME = re.compile(r"\b(?:the|an?) (?:[\w-]+ ){1,2}(?:equation|formula|identity|relation|law)\b", re.IGNORECASE)
 """What an equation is called, as in "This gives the lens equation"."""
 _LINE = re.compile(r"\bline \d+(?: of [^,;]+)?")
 
+
+_ITEM = re.compile(
+    r"(?P<ends>\\end\{(?:itemize|enumerate|description)\}|\f|\n\n(?=[^\W\d_]))|\\item\b"
+    r"|(?:^|\n)[ ]{0,3}(?:[*+-]|\d+[.)])[ ]|(?:^|[.\n])\s*\((?:[a-h]|i{1,3}|iv)\)\s+(?=[A-Z])"
+)
+"""Where an item of a list begins, or a list ends."""
+_APART = re.compile(r"\.|\\(?:begin|end|textbf|emph|textit|textsc|underline)\{|\([a-h]\)\s+(?=[A-Z])")
+"""Where the sentence of a display ends behind it."""
+_ANOTHER = re.compile(r"\b(?:[Aa]nother|[Oo]ther)\b(?! (?:hand|words|side|way)\b)")
 
 _TITLE = re.compile(HEADING + r".*")
 _HARMLESS = heard(
@@ -44,7 +53,9 @@ class _Said:
     words: frozenset[str]
     """All of them."""
     is_limited: bool
-    """Whether its sentence begins with where it holds."""
+    """Whether its sentence begins with where it holds, or for what."""
+    is_doubted: bool
+    """Whether its sentence denies it, or asks."""
     is_asserted: bool
     """Whether its sentence asserts it."""
     is_plain: bool
@@ -64,9 +75,11 @@ class _Words:
         """What is said beside the equations of each line, by their places."""
         self.titles: dict[int, str] = {}
         """Of the sections in which they stand."""
+        self.items: dict[int, int] = {}
+        """The numbers of the items of lists in which they stand; 0 for none."""
         self.first: dict[str, int] = {}
         """Where the display begins before which a word stands first."""
-        conditions, title = {each.display.place: each.condition for each in statements}, ""
+        conditions, title, item = {each.display.place: each.condition for each in statements}, "", 0
         for place, display in shown.items():
             within = place in self.within
             if within and "=" not in display.latex:
@@ -77,11 +90,28 @@ class _Words:
             by_sign = ":=" in display.latex and not doubts(f"{sentence} {behind}")
             asserted, plain = (by_sign or asserts(display.before, behind, plainly=each) for each in (False, True))
             found = self.said.setdefault(str(display.where), {})
-            found[place] = _Said(words, bool(context_of(sentence).kind), asserted, plain)
+            limited = bool(context_of(sentence).kind) or is_titled(sentence)
+            doubted = not asserted and (is_denied(f"{sentence} {behind}") or display.before.rstrip().endswith("?"))
+            found[place] = _Said(words, limited, doubted, asserted, plain)
+            item = _item_at(display.before, item)
+            self.items[place] = item
             title = (_TITLE.findall(display.before) or [title])[-1]
             self.titles[place] = title
             for word in () if within else words_of(display.before):
                 self.first.setdefault(word, place)
+
+    def leaves(self, start: int, end: int) -> bool:
+        """Whether another item of a list, or another thing, begins between two displays."""
+        since = [place for place in self.displays if start < place <= end]
+        item = self.items[start]
+        other = any(_ANOTHER.search(last_sentence(self.displays[place].before)) for place in since)
+        return other or (item != 0 and any(self.items[place] != item for place in since))
+
+    def strange_since(self, start: int, end: int, known: frozenset[str]) -> str:
+        """Return a word before the displays behind one, up to another, that is not known."""
+        return strange_word(
+            " ".join(each.before for place, each in self.displays.items() if start < place <= end), known
+        )
 
     def new_between(self, start: int, end: int) -> str:
         """Return a word of the whole sentences between two displays that stands in no text before the first one.
@@ -113,9 +143,16 @@ class _Words:
         return strange_word(here, words_of(there)) if are_of_two_things(there, here) else ""
 
 
+def _item_at(before: str, item: int) -> int:
+    """Return the number of the item in which a display stands, from that of the one above it; 0 for none."""
+    for mark in _ITEM.finditer(before):
+        item = 0 if mark["ends"] else abs(item) + 1
+    return item
+
+
 def _behind(display: Display) -> str:
     """Return how the sentence of a display goes on behind it."""
-    return "" if has_ended(display) else display.after.partition(".")[0]
+    return "" if has_ended(display) else _APART.split(display.after)[0]
 
 
 def _rest_of_sentence(after: str) -> str:
@@ -171,14 +208,16 @@ def _with_lines(reading: Reading, link: Link, words: _Words) -> Link:
         if not above:
             continue
         known = frozenset().union(*(each.words for each in above.values()))
-        word = near.strange(known) or words.new_between(max(above), here) or words.new_in_title(max(above), here)
-        if not word and any(each.is_limited for each in above.values()):
-            since = " ".join(each.before for place, each in words.displays.items() if min(above) < place <= here)
-            word = strange_word(since, known)
+        word = near.strange(known) or words.new_between(min(above), here) or words.new_in_title(max(above), here)
+        limited = [place for place, each in above.items() if each.is_limited or words.leaves(place, here)]
+        since = (words.strange_since(place, here, above[place].words) for place in limited)
+        word = word or next(filter(None, since), "")
         if not word and any(r"\doteq" in (words.displays | words.within)[place].latex for place in above):
             word = "doteq"
         if word:
             found.append(f"{line} {TRUE_HERE}, where the word {word!r} is new")
-        elif not (concludes or all(each.is_asserted for each in above.values())):
+        elif any(each.is_doubted for each in above.values()) or not (
+            concludes or all(each.is_asserted for each in above.values())
+        ):
             found.append(f"{line} {TRUE_HERE}, which its words do not assert")
     return replace(link, hypotheses=(*link.hypotheses, *found))

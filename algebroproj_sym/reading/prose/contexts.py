@@ -18,7 +18,7 @@ _COMMANDS = re.compile(
 _BEGINS = heard(_AND + "(?:" + "|".join(f"(?P<{kind}><begins-{kind}>)" for kind in _KINDS) + ")", re.DOTALL)
 _WHERE = heard(
     _AND + r"(?P<words>(?:in|on|at|for|near|under|during|along|across)\s+"
-    r"(?:(?<!for )the\s+|(?:the\s+|an?\s+)?(?:(?!(?:the|an?|we|it|one)\b)[a-z-]+\s+){1,2}?)"
+    r"(?:(?<!for )the\s+|(?<=\bin )|(?:the\s+|an?\s+)?(?:(?!(?:the|an?|we|it|one)\b)[a-z-]+\s+){1,2}?)"
     r"(?P<head>(?!(?:<of-a-text manner arises>|the|an?|of|we|it|one)\b)[a-z-]+\b))"
     r"(?=\s*(?:,|:|$|\$|(?:the|we|it|its|one|this|that|an?|there|is|are|has|holds|hence|thus|then)\b))"
 )

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 
 from algebroproj_sym.reading.prose.devices import heard
 from algebroproj_sym.reading.prose.phrases import symbols_in_list
-from algebroproj_sym.reading.prose.sentences import is_neutral, without_laws
+from algebroproj_sym.reading.prose.sentences import is_neutral, without_laws, words_of
 from algebroproj_sym.reading.prose.words import NEAR
 
 MOST_NOUNS = 4
@@ -52,6 +52,37 @@ def described(text: str) -> Iterator[tuple[str, frozenset[str]]]:
         nouns = {each for each in named if not (_GENERAL.fullmatch(each) or _ADJECTIVE.search(each))}
         if (nouns or lets) and letter:
             yield from ((symbol, frozenset(nouns)) for symbol in symbols_in_list(letter))
+
+
+def is_titled(sentence: str) -> bool:
+    r"""Whether a sentence begins with a title, or speaks of things of a sort: what it says is said of these alone.
+
+    Examples
+    --------
+    >>> [is_titled(each) for each in (r"\textbf{Rods.} We have", "Region I:", "Thin lenses obey", "Most springs have")]
+    [True, True, True, True]
+    >>> [is_titled(each) for each in ("The speed is", "Hence", "Newton's law gives", "Similarly, we get", "Let")]
+    [False, False, False, False, False]
+    """
+    if title := _TITLE.match(sentence):
+        return any(map(names_a_thing, words_of(next(filter(None, title.groups()), ""))))
+    first = _FIRST.match(without_laws(_OF_LISTS.sub("", sentence, count=1)))
+    if first is None or first[1].endswith("ly"):
+        return False
+    return _PARTLY.match(first[0]) is not None or names_a_thing(first[1].lower())
+
+
+_OF_LISTS = re.compile(
+    r"(?:\s|\\(?:begin|end)\{\w+\*?\}(?:\{[^{}]*\}|\[[^\]]*\])*|\\item(?!\[)\b|[*+-]\s|\d+[.)]\s|\([a-z]+\)\s)*"
+)
+"""What may stand before the first words of an item."""
+_TITLE = re.compile(
+    _OF_LISTS.pattern + r"(?:\\item\[([^\]]+)\]|\\(?:textbf|emph|textit|textsc|underline)\{([^{}]*)\}"
+    r"|(?:\*\*|__)([^*_]+)(?:\*\*|__)|===+\s*\"([^\"]*)\")"
+)
+_FIRST = re.compile(r"\W*([A-Za-z][\w-]*)(?!['’]s\b)(?:[ ,]+\w+)?")
+_PARTLY = re.compile(r"\W*(?:most|some|many|few|half|all but|apart|except|certain|several)\b", re.IGNORECASE)
+"""How a sentence begins that speaks of some things, and not of others."""
 
 
 def is_same(some: frozenset[str], others: frozenset[str]) -> bool:

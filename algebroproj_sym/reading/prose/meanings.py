@@ -81,7 +81,9 @@ _BOUNDARY = re.compile(
 CHANGES = re.compile(r"/|dot|'")
 """What stands in the symbol of a derivative."""
 _DEGREES = re.compile(
-    r"\b(?:is|are|be|measured|given|expressed|angles?) in degrees\b|\bset to degrees\b", re.IGNORECASE
+    r"\b(?:is|are|be|measured|given|expressed|angles?) in (?:degrees|gon|grads)\b|\bset to degrees\b"
+    r"|\$,? (?:in degrees|[\[(](?:in )?(?:deg(?:rees?)?\b|\\(?:si|unit)\{\\degree\}|\$\^\\circ\$))|\$ *\| *deg",
+    re.IGNORECASE,
 )
 _BASES = heard("<bases>")
 _FILLER = re.compile(r"const(?:ant)?s?\.?|h\.?o\.?t\.?s?|(?:higher|lower)-?order-?(?:terms)?|noise|etc\.?")
@@ -275,6 +277,8 @@ class Meanings:
             if side.data == "power" and atom_of(side.children[1]) in ("0", "1"):
                 found.add((atom_of(side.children[0]), True))
         for each in self.statements:
+            if each.display.environment == "inline":
+                found |= {(symbol, True) for letter in _FIRST.findall(each.latex) for symbol in symbols_in_list(letter)}
             match = _NAMED.fullmatch(each.latex.strip())
             first = each.display.environment == "inline" and _OF_ORDER.match(each.display.after)
             if first and (coordinate := _SQUARE.fullmatch(each.latex.strip())):
@@ -386,6 +390,8 @@ _NAMED = re.compile(
 )
 
 
+_FIRST = re.compile(r"(?<![a-zA-Z\\])([a-zA-Z]|\\[a-z]+)\s*\^\s*(?:\{\s*1\s*\}|1)(?=\s*(?:,|$))")
+"""A letter of a list with a one above it, which is no power: ``p^1, p^2``."""
 _SQUARE = re.compile(r"([a-zA-Z]|\\[a-z]+)\s*\^\s*\{?\s*\d\s*\}?")
 _OF_ORDER = re.compile(
     r"\s*(?:is|be|denotes?) (?:the |its )?(?:first|second|third|\w+th|\$\d\$-\w+) "

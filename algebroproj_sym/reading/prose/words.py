@@ -241,6 +241,9 @@ class Beside:
         for verb in heard(r"\b<exchanges>").finditer(self.sentence):
             one, other = (frozenset(symbols_of(each)) for each in verb.groups())
             found += [*(one | other)] if one & other or _SWAPS.match(verb[0]) else []
+        for arrow in _BECOMES.finditer(self.sentence):
+            one, other = (frozenset(symbols_of(arrow[name])) for name in ("what", "into"))
+            found += [*(one | other)] if one & other or arrow["both"] else []
         return frozenset(found)
 
     def strange(self, known: Collection[str]) -> str:
@@ -257,7 +260,9 @@ def beside(statement: Statement, carried: str) -> Beside:
     behind, *rest = [""] if has_ended(display) else re.split(r"[.]\s", display.after)
     own, before, after = map(without_steps, (sentence, display.before[-NEAR:], behind[:NEAR]))
     place = display.part, display.place, bool(rest)
-    return Beside(own, before, after, statement.condition, statement.implied, *place)
+    tag = statement.number if is_denied(statement.number) or _case_in(statement.number) else ""
+    condition = f"{statement.condition} {tag}".strip()
+    return Beside(own, before, after, condition, statement.implied, *place)
 
 
 def is_given_within(words: str, *, number: bool) -> bool:
@@ -338,9 +343,11 @@ def denies(words: str) -> bool:
 def has_ended(display: Display) -> bool:
     """Whether a sentence ends with a display: a full stop stands there, or a new one begins behind it."""
     stop = _LABELS.sub("", display.latex).rstrip().endswith(".") or display.after.lstrip().startswith(".")
+    stop = stop or _NEW_ITEM.match(display.after) is not None
     return stop or _CAPITAL.match(display.after) is not None or _begins_anew(display.after.partition(".")[0])
 
 
+_NEW_ITEM = re.compile(r"\s*\\item\b|\s*\n[ ]{0,3}(?:[*+-]|\d+[.)]) ")
 _CAPITAL = re.compile(
     r"\s*(?!(?:Eqs?|Equation|I|If|When|Whenever|Where|With|For(?! (?:all|any|every|each))|"
     r"Unless|Provided|While|Here|As|In|On|At|These|This|From)\b)"
@@ -398,6 +405,11 @@ _ARITHMETIC = heard(
 _LET = re.compile(r"\b[Ll]et\s+\$(?:([^$=:]*):?=[^$]*|[^$]*\\in\s*\\mathbb\{?R\}?(?:\^[^$]*)?)\$")
 _LABELS = re.compile(r"\\(?:label|tag\*?)\s*\{[^{}]*\}")
 _RENAMED = re.compile(r"\$([^$]*)\$\s*(?:now\s+)?(?:is|are|denotes?|stands?|means?|becomes?|represents?)\b")
+_BECOMES = re.compile(
+    r"\$(?P<what>[^$=]*?)\\(?:to|mapsto|longmapsto|(?:long)?rightarrow|(?P<both>(?:long)?leftrightarrow))(?![a-zA-Z])"
+    r"(?P<into>[^$=]*)\$"
+)
+"""How a formula says that a letter becomes something with it, as in "x to x + 1", and no limit."""
 _SWAPS = re.compile(r"\b(?:ex|inter)?chang\w* |swap|switch", re.IGNORECASE)
 _NEW_SENTENCE = re.compile(r"\s*[A-Z][a-z]* ")
 _CLAUSE = re.compile(r"\b(?:where|with|which)\b")

@@ -206,6 +206,8 @@ SETTINGS = [
     ("(a) The stiffness of a rod is", "(b) The load on a plate is"),
     ("The stiffness is", "Another body carries"),
     ("True or false?", "The load is"),
+    (r"It was measured.\footnote{In the first edition we had used", "} The load is"),
+    ("Is it so that", "? The load is"),
 ]
 """How a sentence says of what alone it speaks, and one behind it that speaks of another thing."""
 

@@ -255,6 +255,14 @@ MISLEADING = {
         r"\[ q = a b c. \]",
         True,
     ),
+    "words below a brace": (
+        r"\[ \underbrace{k = a b}_{\text{wrong}} \] The load is \[ q = k c. \] Hence \[ q = a b c. \]",
+        True,
+    ),
+    "an emphasised condition": (
+        r"\[ k = a b \] \emph{only if} the rod is soft. The load is \[ q = k c. \] Hence \[ q = a b c. \]",
+        True,
+    ),
     "operators before kets": (
         r"\[ |\phi\rangle = A |\psi\rangle, \quad |\chi\rangle = B |\phi\rangle \] Hence "
         r"\[ |\chi\rangle = A B |\psi\rangle. \]",

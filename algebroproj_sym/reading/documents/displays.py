@@ -367,7 +367,7 @@ def _formulas(
             place = end + len(ending)
             continue
         after = _HTML.sub(_blank, text[end + len(ending) : end + len(ending) + 300])
-        after = after if inline else _EMPTY_LINE.sub("\n", after)
+        after = after if inline else _EMPTY_LINE.sub("\n", _STYLED.sub(r"\1\2", after))
         pieces, reason = _expanded(without_comments(inside), place, macros)
         numbered = bool(name) and not star and name not in ("displaymath", "math")
         numbered = numbered or (mark in unknown and _LABEL.search(inside) is not None)
@@ -391,6 +391,10 @@ _TITLE = re.compile(r"\*?\s*(?:\[[^\]]*\]\s*)?\{(?:[^{}]|\{[^{}]*\})*\}|(?<=# ).
 _PARTNERS = {r"\[": r"\]", "$$": "$$", r"\(": r"\)", "$": "$"}
 
 
+_STYLED = re.compile(
+    r"\\(?:emph|textbf|textit|underline)\{([a-z][^{}]*)\}|(?<![\w*])\*{1,2}(?=[a-z])([^*\n]+)(?<!\s)\*{1,2}(?!\w)"
+)
+"""Words in another font that begin no sentence."""
 _EMPTY_LINE = re.compile(r"\A[ \t]*\n\s*\n\s*(?=\(?[a-z]|[?,;])")
 """An empty line right behind a display, if its sentence goes on there, as it does in Markdown."""
 

@@ -36,6 +36,7 @@ _ACCENTS_ABOVE = {
     r"\rightharpoonup": r"\vec",
 }
 """What is an accent where it is written above a letter."""
+_WORDS = (r"\text", r"\textrm", r"\mbox")
 SIZES = frozenset(
     rf"\{name}"
     for name in (
@@ -101,12 +102,15 @@ def built(page: Page, piece: Piece) -> bool:
 
 
 def braced_below(page: Page, piece: Piece) -> bool:
-    """Leave a brace above or below a formula out, with what is written at it."""
-    inside = page.waiting.group()
+    """Leave a brace above or below a formula out, with what is written at it; words at an equation stand behind it."""
+    inside, below = page.waiting.group(), list[Piece]()
     if page.waiting.next in ("_", "^"):
         page.waiting.group()
-        page.waiting.group()
+        below = page.waiting.group()
     bare = has_relation(inside) or not is_closed(inside)
+    inside += (
+        [renamed(piece, r"\quad"), *below] if has_relation(inside) and below[:1] and below[0].text in _WORDS else []
+    )
     page.waiting.put(inside if bare else braced(piece, formulas_in(inside) or inside))
     return True
 

@@ -31,6 +31,8 @@ _ITEM = re.compile(
     r"|(?:^|\n)[ ]{0,3}(?:[*+-]|\d+[.)])[ ]|(?:^|[.\n])\s*\((?:[a-h]|i{1,3}|iv)\)\s+(?=[A-Z])"
 )
 """Where an item of a list begins, or a list ends."""
+_NOTE = re.compile(r"\\(?:footnote(?:text)?|marginpar|note|caption)(?:\[[^\]]*\])?\{(?:[^{}]|\{[^{}]*\})*\Z")
+"""What opens a note or a caption, and does not close it."""
 _APART = re.compile(r"\.|\\(?:begin|end|textbf|emph|textit|textsc|underline)\{|\([a-h]\)\s+(?=[A-Z])")
 """Where the sentence of a display ends behind it."""
 _ANOTHER = re.compile(r"\b(?:[Aa]nother|[Oo]ther)\b(?! (?:hand|words|side|way)\b)")
@@ -90,8 +92,9 @@ class _Words:
             by_sign = ":=" in display.latex and not doubts(f"{sentence} {behind}")
             asserted, plain = (by_sign or asserts(display.before, behind, plainly=each) for each in (False, True))
             found = self.said.setdefault(str(display.where), {})
-            limited = bool(context_of(sentence).kind) or is_titled(sentence)
-            doubted = not asserted and (is_denied(f"{sentence} {behind}") or display.before.rstrip().endswith("?"))
+            limited = bool(context_of(sentence).kind or _NOTE.search(display.before)) or is_titled(sentence)
+            asked = "?" in f"{behind}{display.after.lstrip()[:1]}{display.before.rstrip()[-1:]}"
+            doubted = not asserted and (asked or is_denied(f"{sentence} {behind}"))
             found[place] = _Said(words, limited, doubted, asserted, plain)
             item = _item_at(display.before, item)
             self.items[place] = item

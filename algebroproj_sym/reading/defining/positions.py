@@ -157,8 +157,8 @@ def marked_in(sides: Sequence[Formula], occurring: Sequence[str], vectors: froze
             elif tree.data == "function" and head in ("det", "tr", "Tr", "trace", "adj"):
                 found |= {*_without_scales(trees_in(tree)[0], vectors)}
     found |= unless - angles
-    daggers = {symbol for symbol in occurring if r"\dagger" in symbol}
-    return found | daggers | {re.sub(r"\^\{?\\dagger\}?", "", symbol) for symbol in daggers}
+    inverse = {each for each in occurring if r"\dagger" in each or r"\sharp" in each}
+    return found | inverse | {re.sub(r"\^\{?\\(?:dagger|sharp)\}?", "", each) for each in inverse}
 
 
 def _without_scales(tree: Any, vectors: frozenset[str]) -> Iterator[str]:

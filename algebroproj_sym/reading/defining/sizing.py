@@ -67,8 +67,8 @@ class Reader:
     def keep_names(self, *trees: Formula) -> None:
         """Call no size as a letter in formulas, or in what they stand for."""
         vocabulary = self._vocabulary
-        every = {*trees, *(each.tree for tree in trees for each in vocabulary.used_in(tree))}
-        self._names |= {vocabulary.name(symbol) for tree in every for symbol in symbols_in(tree)}
+        used = vocabulary.with_used(*trees)
+        self._names |= {vocabulary.name(symbol) for tree in used for symbol in symbols_in(tree)}
 
     def part(self, tree: Formula) -> Part:
         """Return a formula as a part, with all definitions put in."""

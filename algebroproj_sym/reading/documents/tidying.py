@@ -270,6 +270,14 @@ def _triangle(page: Page, piece: Piece) -> bool:
     return found
 
 
+def _sharp(page: Page, piece: Piece) -> bool:
+    r"""Take a number sign above a letter for ``\sharp``: ``J^\#`` is a pseudo-inverse."""
+    above = page.out[-1].text if page.out else ""
+    if found := above == "^" or (above == "{" and len(page.out) > 1 and page.out[-2].text == "^"):
+        page.out.append(renamed(piece, r"\sharp"))
+    return found
+
+
 def _prime(page: Page, piece: Piece) -> bool:
     if found := not is_raised(page.out):
         page.out.append(renamed(piece, "'"))
@@ -495,6 +503,7 @@ _TABLE: tuple[tuple[Iterable[str], Callable[[Page, Piece], bool]], ...] = (
     *(((name,), _written(text)) for name, text in (_OTHERWISE | _ROUNDED).items()),
     (_POSTFIX, _postfix),
     (_TRIANGLES, _triangle),
+    ((r"\#",), _sharp),
     ((r"\prime",), _prime),
     ((r"\times",), _cross),
     (("|", r"\vert", r"\lvert"), _ket),

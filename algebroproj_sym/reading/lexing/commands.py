@@ -95,7 +95,7 @@ TRANSPOSED = _words(r"T t \top \intercal \mathsf{T} \mathsfT \sfT \mathtt{T} \tr
 MARKS = {**dict.fromkeys(TRANSPOSED, "T"), **dict.fromkeys((r"\wedge", r"\land", r"\times"), "hat"), r"\vee": "vee"}
 PART_OF_NAME = re.compile(
     r"\(.*\)|(?:\*|\\ast)+|\\math(?:cal|scr|frak|bb)\W.*|(?:[a-zA-Z0-9,]|\\[a-zA-Z]+(?![a-zA-Z]))*[-+*]"
-    r"|\\(?:pm|mp|star|dagger|circ|perp|parallel|prime|(?:up|down|left|right)arrow)|\[.*\]"
+    r"|\\(?:pm|mp|star|dagger|ddagger|sharp|flat|natural|circ|perp|parallel|prime|(?:up|down|left|right)arrow)|\[.*\]"
 )
 MATRIX = re.compile(r"\\begin\{(?:[bpvVB]?(?:small)?matrix\*?|array)\}")
 OPENING = {"(": "LP", "[": "LS", r"\{": "LB", r"\lbrace": "LB", r"\lbrack": "LS", r"\langle": "ANGLE_OPEN"}

@@ -23,6 +23,7 @@ def texts(latex: str) -> list[str | None]:
         (r"K = -\frac{1}{2} \dv[2]{t} + \frac{l}{t^2}", r"K = -\frac{1}{2} \frac{d^2}{dt^2} + \frac{l}{t^2}"),
         (r"y = \cos[2](x) + \tan[-1](z)", r"y = \cos^2(x) + \tan^{-1}(z)"),
         (r"\lefteqn{a b} = c", r"a b = c"),
+        (r"h = {\bm{\nabla}} \cdot u + {\bf\nabla} \cdot v", r"h = \nabla \cdot u + \nabla \cdot v"),
         (r"P = I - J^\# J - J^{\#} K", r"P = I - J^\sharp J - J^\sharp K"),
         (r"x_\mrm{p} = 2 \mcal{E}", r"x_{\mathrm{p}} = 2 \mathcal{E}"),
         (r"L = \frac{l}{\sqrt{\Re_l}} + \frac{\Re}{2}", r"L = \frac{l}{\sqrt{\mathrm{Re}_l}} + \frac{\mathrm{Re}}{2}"),

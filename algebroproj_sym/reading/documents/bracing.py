@@ -16,7 +16,7 @@ _LABEL = re.compile(r"\\label\s*\{[^{}]*\}\s*")
 def needless_braces(page: Page, piece: Piece) -> bool:
     r"""Leave out braces round nothing before a mark of alignment, and round a name before a bracket: ``{N}(t)``.
 
-    So are those round a bracket behind a name, as in ``f{\left(t\right)}``, and round a fraction.
+    So are those round a bracket behind a name, as in ``f{\left(t\right)}``, and round a fraction or a nabla.
     """
     before = first_text(reversed(without_label(page.out)))
     argument = (

@@ -240,7 +240,8 @@ def _without_versions(text: str) -> str:
     r"""Return LaTeX without what stands behind ``\ifname`` where nothing says ``\nametrue``, and without ``\else``."""
     text = _UNREACHED.sub(lambda found: found[1] + re.sub(r"[^\n]", " ", found[2]), text)
     for name in {*_EXCLUDED.findall(text)}:
-        text = re.sub(rf"\\begin\{{{name}\}}.*?\\end\{{{name}\}}", _blank, text, flags=re.DOTALL)
+        begin, end = rf"\\begin\{{{name}\}}", rf"\\end\{{{name}\}}"
+        text = re.sub(rf"{begin}(?:(?!{begin}).)*?{end}", _blank, text, flags=re.DOTALL)
     for name in {*_SWITCH.findall(text)}:
         if rf"\{name}true" not in text:
             switch = rf"(?<!\\newif)(?<!\\newif )\\if{name}(?![a-zA-Z])(?:(?!\\if|\\fi|\\else).)*"

@@ -13,6 +13,7 @@ _IN_BRACES = re.compile(
     r"(?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{[a-zA-Z]+\})?))\s*\}(?=\s*[(_])|\s*\}(?=\s*[&=])"
 )
 """What stands in braces for its looks alone, and their end."""
+_NABLA = re.compile(r"\s*(?:\\(?:bm|boldsymbol|mathbf|vec)\s*(?:\{\s*\\nabla\s*\}|\\nabla)|(?:\\bf\s*)?\\nabla)\s*\}")
 _FLAT = r"(?:[^{}&]|\{[^{}]*\})*"
 _FRACTION = re.compile(
     rf"\s*(?:\\frac\s*\{{({_FLAT})\}}\s*\{{({_FLAT})\}}\s*|({_FLAT}?)\\over(?![a-z])({_FLAT}))\}}(?!\s*[_^])"
@@ -95,11 +96,13 @@ class Pending(list[Piece]):
         return None
 
     def name_in_braces(self) -> list[Piece] | None:
-        r"""Take what is left of braces: nothing before ``&`` or ``=``, a lone name before a bracket, or a fraction."""
+        r"""Take what braces hold: nothing before ``&`` or ``=``, a name before a bracket, a nabla, or a fraction."""
         text = "".join(each.text for each in self[-1:-40:-1])
         if match := _IN_BRACES.match(text):
             style, name = match["style"], match["name"] or ""
             found = rf"\mathcal{{{name}}}" if style else name
+        elif match := _NABLA.match(text):
+            found = r"\nabla "
         elif match := _FRACTION.match(text):
             above, below = (each for each in match.groups() if each is not None)
             found = rf"\frac{{{above}}}{{{below}}}"

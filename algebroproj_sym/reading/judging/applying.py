@@ -79,6 +79,8 @@ class _Words:
         """Of the sections in which they stand."""
         self.items: dict[int, int] = {}
         """The numbers of the items of lists in which they stand; 0 for none."""
+        self.others = set[int]()
+        """The places of the displays whose sentences speak of another thing."""
         self.first: dict[str, int] = {}
         """Where the display begins before which a word stands first."""
         conditions, title, item = {each.display.place: each.condition for each in statements}, "", 0
@@ -98,6 +100,8 @@ class _Words:
             found[place] = _Said(words, limited, doubted, asserted, plain)
             item = _item_at(display.before, item)
             self.items[place] = item
+            if _ANOTHER.search(sentence):
+                self.others.add(place)
             title = (_TITLE.findall(display.before) or [title])[-1]
             self.titles[place] = title
             for word in () if within else words_of(display.before):
@@ -105,10 +109,8 @@ class _Words:
 
     def leaves(self, start: int, end: int) -> bool:
         """Whether another item of a list, or another thing, begins between two displays."""
-        since = [place for place in self.displays if start < place <= end]
-        item = self.items[start]
-        other = any(_ANOTHER.search(last_sentence(self.displays[place].before)) for place in since)
-        return other or (item != 0 and any(self.items[place] != item for place in since))
+        since = (place for place in self.displays if start < place <= end)
+        return any(place in self.others or self.items[start] not in (0, self.items[place]) for place in since)
 
     def strange_since(self, start: int, end: int, known: frozenset[str]) -> str:
         """Return a word before the displays behind one, up to another, that is not known."""

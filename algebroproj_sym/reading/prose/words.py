@@ -3,6 +3,7 @@
 import re
 from collections.abc import Collection
 from dataclasses import dataclass
+from functools import cached_property
 
 from algebroproj_sym.reading.documents.displays import Display
 from algebroproj_sym.reading.documents.statements import Statement
@@ -226,7 +227,7 @@ class Beside:
         found = (each.lower() for each in heard(r"\b(<wider>)\b").findall(without_formulas(self._whole)))
         return next((each for each in found if each not in known), "")
 
-    @property
+    @cached_property
     def quantified(self) -> frozenset[str]:
         """The letters of which its own sentence says that they are any, as in "for any $n$": no number is theirs."""
         return frozenset(symbol for each in _ANY.findall(self.sentence) for symbol in symbols_in_list(each))

@@ -54,6 +54,8 @@ def test_what_a_letter_is_elsewhere_does_not_matter():
         VECTORS + r"\section{Shadows} \[ p = \frac{a \cdot b}{\|b\| \|b\|} b \] Hence \[ p = a. \]",
         VECTORS + r"\section{Shadows} \[ p = \frac{a^T b}{b^T b} b \] Hence \[ p = a. \]",
         VECTORS + r"\section{Shadows} \[ p = \frac{(a b)}{(b b)} b \] Hence \[ p = a. \]",
+        VECTORS + r"\section{Planes} \[ c = \frac{1}{a} m \] and \[ a \cdot (p - c) = 0. \] Hence \[ p = c. \]",
+        VECTORS + r"\section{Planes} \[ c = \frac{1}{a} m \] and \[ a \times (p - c) = 0. \] Hence \[ p = c. \]",
     ],
 )
 def test_what_does_not_hold_of_matrices_and_vectors_does_not_follow(latex):

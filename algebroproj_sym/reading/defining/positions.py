@@ -216,6 +216,14 @@ def divisors_in(side: Formula) -> Iterator[list[str]]:
             yield [*filter(None, map(lone, trees_in(below) if below.data == "run" else [below]))]
 
 
+def multiplied_in(side: Formula) -> Iterator[str]:
+    r"""Yield the letters at a sign between two factors with letters: both may be vectors, as in ``a \cdot (b - c)``."""
+    for product in side.find_data("product"):
+        factors = trees_in(product)
+        if len([each for each in factors if symbols_in(each)]) > 1:
+            yield from (symbol for each in factors for symbol in symbols_in(each))
+
+
 def inverted_in(side: Formula) -> Iterator[str]:
     """Yield the capitals that have an inverse or a determinant."""
     powers = (base_of(each) for each in side.find_data("power") if is_inverse(each))

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from algebroproj_sym.reading.defining.kinds import Kinds, kinds_of
 from algebroproj_sym.reading.defining.labels import shows_euler
-from algebroproj_sym.reading.defining.positions import BOLD, angles_in, divisors_in
+from algebroproj_sym.reading.defining.positions import BOLD, angles_in, divisors_in, multiplied_in
 from algebroproj_sym.reading.documents.statements import Statement
 from algebroproj_sym.reading.lexing.pieces import UnreadableError
 from algebroproj_sym.reading.parsing.grammar import Parsed, symbols_in
@@ -31,7 +31,7 @@ def kinds_by_section(
     """Return what letters are in the sections where some are numbers that are none elsewhere, with these.
 
     They stand below a line there, and nothing in the section, nor the user, says that they are no numbers.  Two of them
-    below one line may be vectors that are multiplied.
+    below one line, or one at a dot or a cross, may be vectors that are multiplied.
     """
     found: dict[int, tuple[Kinds, frozenset[str]]] = {}
     for part, own in _sections(statements).items():
@@ -39,6 +39,7 @@ def kinds_by_section(
         unsure = {each for each in whole.no_numbers | whole.open if each not in given and not BOLD.search(each)}
         divisors = [[each for each in below if each in unsure] for side in sides for below in divisors_in(side)]
         numbers = frozenset(below[0] for below in divisors if len(below) == 1)
+        numbers -= {letter for side in sides for letter in multiplied_in(side)}
         alone = kinds_in(own, formulas) if numbers else whole
         if numbers := numbers - alone.no_numbers - alone.open:
             others = kinds_in([each for each in statements if each.display.part != part], formulas)

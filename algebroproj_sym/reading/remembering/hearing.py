@@ -162,7 +162,7 @@ def _named_at(memory: Memory, symbol: str, part: int) -> frozenset[str]:
 def _forget_from_elsewhere(memory: Memory, symbol: str, nouns: frozenset[str], part: int) -> None:
     """Forget what other sections said of a letter, and with it, but for what may be called by the same nouns.
 
-    So does a section itmemory where words called it something else before.
+    So does a section itself where words called it something else before.
     """
     told = bool(nouns and memory.named.get((symbol, part)))
 

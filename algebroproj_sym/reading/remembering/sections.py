@@ -26,38 +26,33 @@ def kinds_in(statements: Sequence[Statement], formulas: Formulas, known: frozens
 
 
 def kinds_by_section(
-    statements: Sequence[Statement], formulas: Formulas, whole: Kinds, given: Collection[str]
+    statements: Sequence[Statement], formulas: Formulas, whole: Kinds, given: Collection[str], *, euler: bool
 ) -> dict[int, tuple[Kinds, frozenset[str]]]:
-    """Return what letters are in the sections where some are numbers that are none elsewhere, with these.
+    r"""Return what letters are in the sections where some are numbers that are none elsewhere, with these.
 
     They stand below a line there, and nothing in the section, nor the user, says that they are no numbers.  Two of them
-    below one line, or one at a dot or a cross, may be vectors that are multiplied.
+    below one line, or one at a dot or a cross, may be vectors that are multiplied.  So is e with ``e^{-t/T}``, if it is
+    not Euler's number in the whole document.
     """
     found: dict[int, tuple[Kinds, frozenset[str]]] = {}
+    unsure = {each for each in whole.no_numbers | whole.open if each not in given and not BOLD.search(each)}
     for part, own in _sections(statements).items():
         sides = [side for each in _read(own, formulas) for side in each.sides]
-        unsure = {each for each in whole.no_numbers | whole.open if each not in given and not BOLD.search(each)}
         divisors = [[each for each in below if each in unsure] for side in sides for below in divisors_in(side)]
         numbers = frozenset(below[0] for below in divisors if len(below) == 1)
         numbers -= {letter for side in sides for letter in multiplied_in(side)}
         alone = kinds_in(own, formulas) if numbers else whole
-        if numbers := numbers - alone.no_numbers - alone.open:
+        kinds, numbers = whole, numbers - alone.no_numbers - alone.open
+        if numbers:
             others = kinds_in([each for each in statements if each.display.part != part], formulas)
             here = kinds_in(own, formulas, others.no_numbers - numbers)
             absent = whole.no_numbers - {symbol for side in sides for symbol in symbols_in(side)}
-            found[part] = _with_numbers(whole, here, others.open, absent, numbers), numbers
+            kinds = _with_numbers(whole, here, others.open, absent, numbers)
+        if not euler and shows_euler(sides):
+            numbers |= {"e"}
+        if numbers:
+            found[part] = kinds, numbers
     return found
-
-
-def sections_with_euler(statements: Sequence[Statement], formulas: Formulas) -> frozenset[int]:
-    r"""Return the sections in which e is Euler's number, as in ``e^{-t/T}``, where it is something else in others."""
-    sections = _sections(statements)
-    shown = (
-        part
-        for part, own in sections.items()
-        if shows_euler(side for each in _read(own, formulas) for side in each.sides)
-    )
-    return frozenset(shown)
 
 
 def _sections(statements: Sequence[Statement]) -> dict[int, list[Statement]]:

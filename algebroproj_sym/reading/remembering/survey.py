@@ -72,7 +72,7 @@ from algebroproj_sym.reading.prose.phrases import (
     sizes_in,
 )
 from algebroproj_sym.reading.prose.words import beside
-from algebroproj_sym.reading.remembering.sections import kinds_by_section, kinds_in, sections_with_euler
+from algebroproj_sym.reading.remembering.sections import kinds_by_section, kinds_in
 
 
 @dataclass(frozen=True)
@@ -502,22 +502,17 @@ class Survey:
 
     def kinds_in(self, part: int) -> tuple[Kinds, frozenset[str]]:
         """Return what letters are in a section, and which are numbers there that are none elsewhere."""
-        kinds, numbers = self._kinds_by_section.get(part, (self.kinds, frozenset()))
-        return kinds, numbers | ({"e"} if part in self._sections_with_euler else frozenset())
+        return self._kinds_by_section.get(part, (self.kinds, frozenset()))
 
     @cached_property
     def _has_euler(self) -> bool:
         return has_euler(self._sides)
 
     @cached_property
-    def _sections_with_euler(self) -> frozenset[int]:
-        return frozenset() if self._has_euler else sections_with_euler(self.statements, self.formulas)
-
-    @cached_property
     def _kinds_by_section(self) -> dict[int, tuple[Kinds, frozenset[str]]]:
         given = self.given.whole
         told = {*given.symbols, *given.sizes, *given.properties}
-        return kinds_by_section(self.statements, self.formulas, self.kinds, told)
+        return kinds_by_section(self.statements, self.formulas, self.kinds, told, euler=self._has_euler)
 
 
 _OF_NOISE = frozenset(("covariance", "covariances", "noise", "innovation", "uncertainty"))
